@@ -1,0 +1,68 @@
+#pragma once
+// What went wrong, where, and what to do about it. Nothing below the programs prints: problems travel as
+// values (`Diagnostic`) or as the one exception type (`Error`).
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// A place in an input file. Lines and columns count from 1; 0 means unknown. Columns count bytes.
+struct Location {
+    std::string file;
+    int line = 0;
+    int column = 0;
+    std::optional<std::uint64_t> byte; ///< offset, for binary files
+
+    friend bool operator==(const Location&, const Location&) = default;
+};
+
+enum class Severity { warning, error };
+
+/// One problem: place, cause and cure.
+struct Diagnostic {
+    Severity severity = Severity::error;
+    Location location;
+    std::string message; ///< what is wrong, one sentence without a full stop
+    std::string hint;    ///< what was expected, or the nearest valid name; may be empty
+    std::string excerpt; ///< the source line at the location; may be empty
+};
+
+/// Why an operation failed; the command line maps each to one exit code.
+enum class ErrorKind {
+    usage,    ///< wrong arguments
+    input,    ///< input invalid or unreadable
+    output,   ///< output cannot be written
+    resource, ///< memory or a size limit
+    device,   ///< a device is missing or lost
+    internal, ///< a defect of glint
+};
+
+/// "file:line:column: error: message", the source line with a caret, and the hint.
+std::string to_string(const Diagnostic& diagnostic);
+
+/// The one exception type. Carries every diagnostic of severity `error` that was found, at least one.
+class Error : public std::exception {
+  public:
+    Error(ErrorKind kind, std::string message, std::string hint = {}, Location location = {});
+    Error(ErrorKind kind, std::vector<Diagnostic> diagnostics);
+
+    ErrorKind kind() const noexcept { return kind_; }
+    const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
+    /// All diagnostics as text.
+    const char* what() const noexcept override { return text_.c_str(); }
+
+  private:
+    ErrorKind kind_;
+    std::vector<Diagnostic> diagnostics_;
+    std::string text_;
+};
+
+/// The candidate nearest to `word` by edit distance, if it is near enough to be what was meant.
+std::optional<std::string> nearest_name(const std::string& word, const std::vector<std::string>& candidates);
+
+} // namespace glint

@@ -1,0 +1,108 @@
+#pragma once
+// Files: scenes, meshes, pictures. Every reader throws Error(input) with place, cause and cure; every writer
+// writes the whole file or nothing and throws Error(output).
+
+#include "glint/error.h"
+#include "glint/image.h"
+#include "glint/scene.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+// ── Scenes ─────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// `path=value`, as given by -D: "whitted.max_depth=3", "material.glass.index=1.33", "light.0.intensity=500".
+using Override = std::string;
+
+struct LoadOptions {
+    std::vector<Override> overrides;
+    bool allow_outside = false;   ///< may a scene name files outside its own folder?
+    bool load_meshes = true;
+    std::optional<Axis> up;       ///< for bare meshes; none: guessed, and said in `notes`
+};
+
+struct LoadedScene {
+    SceneDescription description;
+    std::vector<Diagnostic> warnings; ///< of the files; those of meaning come from glint::warnings()
+    std::vector<std::string> notes;   ///< choices made for the user, one line each ("up axis: y (guessed) …")
+};
+
+/// Reads a scene file, or stages a bare mesh, judged by the extension and then by the content. "-" reads a scene
+/// from stdin. All errors of meaning are reported together.
+LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
+
+/// The same from text; `name` stands for the file in messages and its folder for relative names.
+LoadedScene parse_scene(std::string_view text, const std::string& name, const LoadOptions& options = {});
+
+/// The reference page of all keys, Markdown, generated from the table that drives the parser.
+std::string scene_key_reference();
+
+/// Names of the starter scenes of `glint new`, and the commented text of one.
+std::vector<std::string> template_names();
+std::string template_text(const std::string& name);
+
+// ── Meshes ─────────────────────────────────────────────────────────────────────────────────────────────────
+
+struct LoadedMesh {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<Diagnostic> warnings;
+};
+
+/// Reads a PLY file: ASCII, binary little or big endian.
+LoadedMesh load_mesh(const std::string& path);
+
+/// The same from memory; `name` stands for the file in messages.
+LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name);
+
+enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
+
+/// Writes positions, normals, colours and triangles as PLY.
+void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format = PlyFormat::binary_little_endian);
+
+// ── Pictures ───────────────────────────────────────────────────────────────────────────────────────────────
+
+enum class View { srgb, raw };
+
+/// One named picture beside the main one: a term of the light, or coverage.
+struct Layer {
+    std::string name;
+    Image image;
+};
+
+struct PictureOptions {
+    View view = View::srgb;
+    int bits = 8;                    ///< PNG: 8 or 16
+    std::vector<float> alpha;        ///< PNG, EXR: width · height values, straight; empty: none
+    std::vector<Layer> layers;       ///< EXR
+    std::vector<std::pair<std::string, std::string>> metadata; ///< what decides the picture; PNG text, EXR attributes
+};
+
+/// Writes .png, .exr or .pfm by the extension; "-" is stdout (as PNG).
+void write_picture(const std::string& path, const Image& image, const PictureOptions& options = {});
+
+/// A picture as read: 8- and 16-bit ones hold their integer values, float ones linear light.
+struct LoadedPicture {
+    Image image;
+    int bits = 32; ///< 8, 16, or 32 for float
+};
+LoadedPicture read_picture(const std::string& path);
+
+/// What `glint diff` compares: |a − b| in units of 1/255 where a picture has 8 or 16 bits, linear light otherwise.
+struct PictureDifference {
+    Comparison comparison;
+    bool eight_bit = false; ///< units of 1/255
+};
+PictureDifference diff_pictures(const LoadedPicture& a, const LoadedPicture& b, double tolerance);
+
+/// Writes a file under a temporary name in the same folder, fsyncs, renames: whole or not at all.
+void write_file(const std::string& path, std::span<const std::byte> bytes);
+
+} // namespace glint

@@ -1,0 +1,82 @@
+#pragma once
+// From a frozen scene to a picture.
+
+#include "glint/image.h"
+#include "glint/scene.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// A part of the picture, in pixels from the top left.
+struct Rect {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+struct Progress {
+    std::uint64_t tiles_done = 0;
+    std::uint64_t tiles = 0;
+    std::uint64_t rays = 0;
+    double seconds = 0; ///< wall time since the start of rendering
+};
+
+/// Set from any thread or a signal handler; rendering stops at the next tile or ray tree.
+using CancelFlag = std::atomic<bool>;
+
+struct RenderOptions {
+    int threads = 0;    ///< 0: one for each core
+    int tile_size = 16; ///< pixels; changes the order of the work, never the picture
+    std::optional<Rect> crop;
+    bool terms = false;    ///< keep a picture of each term
+    bool coverage = false; ///< keep the share of samples that hit something
+    std::function<void(const Progress&)> progress; ///< called from rendering threads, one at a time
+    const CancelFlag* cancel = nullptr;
+};
+
+/// The terms of the first hit and the branches below it, in the order in which they add up to the picture.
+enum class Term { ambient, diffuse, highlight, clamp, reflection, transmission, emission };
+inline constexpr int term_count = 7;
+/// "ambient", "diffuse", …
+const char* term_name(Term term);
+
+struct RenderStats {
+    double wall_seconds = 0;
+    double cpu_seconds = 0;
+    std::uint64_t primary_rays = 0;
+    std::uint64_t reflected_rays = 0;
+    std::uint64_t refracted_rays = 0;
+    std::uint64_t shadow_rays = 0;
+    int threads = 0; ///< threads that rendered at least one tile
+
+    std::uint64_t rays() const { return primary_rays + reflected_rays + refracted_rays + shadow_rays; }
+};
+
+struct Picture {
+    Image image;
+    std::array<Image, term_count> terms; ///< by Term; their sum in order is `image` to the bit; empty unless asked for
+    std::vector<float> coverage;         ///< width · height: share of the samples that hit something; or empty
+    RenderStats stats;
+    bool complete = true; ///< false: cancelled; pixels of unfinished tiles are 0
+};
+
+/// Renders the scene by its own settings. The picture depends on scene and settings alone: not on threads or tiles.
+/// With a crop, the picture has the crop's size and holds exactly these pixels of the whole.
+Picture render(const Scene& scene, const RenderOptions& options = {});
+
+/// The settings that decide the picture, for metadata: version, size, samples, seed, filter, integrator, depth …
+std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& scene);
+
+/// The version of the library, "0.1.0".
+const char* version();
+
+} // namespace glint

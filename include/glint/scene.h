@@ -1,0 +1,232 @@
+#pragma once
+// A scene as plain, editable values (`SceneDescription`), and frozen for tracing (`Scene`).
+// Names and meanings are those of scene files: docs/scene-format.md.
+
+#include "glint/error.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace glint {
+
+using Vec3 = glm::dvec3;
+using Mat4 = glm::dmat4; ///< column-major: m[column][row]
+
+/// A triangle mesh, or a point cloud where `triangles` is empty.
+struct Mesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals; ///< per vertex, or empty
+    std::vector<glm::vec3> colors;  ///< per vertex, linear RGB, or empty
+    std::vector<glm::vec2> uvs;     ///< per vertex, or empty
+    std::vector<glm::uvec3> triangles;
+};
+
+enum class Axis { x, y, z };
+
+enum class FovAxis { y, x, smaller, larger };
+
+/// A pinhole camera, right-handed.
+struct CameraDescription {
+    Vec3 eye{0};
+    Vec3 direction{0, 1, 0}; ///< from the eye to what is looked at; any length
+    Vec3 up{0, 0, 1};
+    double fov = 45; ///< full angle, degrees
+    FovAxis fov_axis = FovAxis::y;
+    Location where;
+};
+
+enum class PixelFilter { box, tent, gaussian, mitchell };
+
+struct RenderSettings {
+    int width = 640;
+    int height = 480;
+    int spp = 4; ///< samples per pixel; 1 is the pixel's centre
+    std::uint64_t seed = 0;
+    std::string integrator = "whitted";
+    PixelFilter filter = PixelFilter::mitchell;
+    Vec3 background{0}; ///< linear RGB
+};
+
+enum class Shadows { transmissive, opaque };
+enum class Energy { report, balanced };
+enum class HighlightModel { blinn, phong };
+
+struct WhittedSettings {
+    int max_depth = 8; ///< bounces after the first hit
+    Shadows shadows = Shadows::transmissive;
+    bool clamp = false;
+    Energy energy = Energy::report;
+    HighlightModel highlight_model = HighlightModel::blinn;
+    double index = 1.0; ///< index of refraction of what surrounds everything
+};
+
+struct Material {
+    std::string name;
+    Vec3 color{0.8};          ///< linear RGB
+    double ambient = 1;       ///< k_a
+    double diffuse = 1;       ///< k_d
+    double highlight = 0;     ///< k
+    double shininess = 32;    ///< m, the report's n
+    double reflectivity = 0;  ///< ρ
+    double transparency = 0;  ///< τ, 0 … 1
+    double index = 1.5;       ///< η, used where transparency > 0
+    Vec3 absorption{0};       ///< σ, per scene unit, inside solids
+    bool fresnel = false;
+    Vec3 emission{0};
+    Location where;
+};
+
+/// All p with normal · p = offset, literally: the normal need not be of unit length.
+struct PlaneShape {
+    Vec3 normal{0, 0, 1};
+    double offset = 0;
+    bool solid = false; ///< the half-space behind the normal
+};
+struct SphereShape {
+    Vec3 center{0};
+    double radius = 1;
+};
+/// A solid cylinder with both caps; `axis` gives the direction only.
+struct CylinderShape {
+    Vec3 base{0};
+    Vec3 axis{0, 0, 1};
+    double height = 1;
+    double radius = 1;
+};
+struct TriangleShape {
+    std::array<Vec3, 3> vertices{};
+};
+enum class PolyhedronKind { box, tetrahedron, octahedron, dodecahedron, icosahedron, prism, pyramid };
+struct PolyhedronShape {
+    PolyhedronKind kind = PolyhedronKind::box;
+    Vec3 center{0};
+    Vec3 size{1};      ///< box: edge lengths
+    double radius = 1; ///< all others: circumscribed
+    int sides = 6;     ///< prism, pyramid
+    double height = 1; ///< prism, pyramid
+    Vec3 axis{0, 0, 1}; ///< prism, pyramid
+};
+enum class NormalsMode { automatic, flat, smooth };
+enum class VertexColors { automatic, ignore };
+struct MeshShape {
+    std::string file; ///< as written; empty for a mesh made in memory
+    Vec3 scale{1};    ///< applied before the object's transform
+    NormalsMode normals = NormalsMode::automatic;
+    VertexColors vertex_colors = VertexColors::automatic;
+    std::optional<double> point_radius; ///< for point clouds; none: chosen from their density
+    std::shared_ptr<const Mesh> data;   ///< filled by load_scene(), or by hand
+};
+/// A mesh again: its own scale and transform first, then this object's.
+struct InstanceShape {
+    std::string mesh; ///< name of a mesh object
+};
+using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, TriangleShape, PolyhedronShape, MeshShape,
+                           InstanceShape>;
+
+struct Object {
+    std::string name; ///< unique within its type, or empty
+    Shape shape;
+    std::string material; ///< name; an instance without one takes its mesh's
+    bool visible = true;
+    int priority = 0; ///< of overlapping solids; the higher owns the space
+    Mat4 transform{1.0};
+    Location where;
+};
+
+struct AmbientLight {
+    Vec3 color{0.1};
+};
+struct PointLight {
+    Vec3 position{0};
+    Vec3 color{1};
+    double intensity = 1; ///< a white matte surface facing it at distance 1 shows 1.0
+};
+struct DirectionalLight {
+    Vec3 direction{0, 0, -1}; ///< the way the light travels; any length
+    Vec3 color{1};
+    double irradiance = 1;
+};
+struct SpotLight {
+    Vec3 position{0};
+    Vec3 direction{0, 0, -1};
+    double angle = 30; ///< half angle of the cone, degrees
+    double blend = 0.1;
+    Vec3 color{1};
+    double intensity = 1;
+};
+struct Light {
+    std::variant<AmbientLight, PointLight, DirectionalLight, SpotLight> kind;
+    Location where;
+};
+
+/// Everything a scene file says. Objects and lights stand in the order of the file: it decides ties and sums.
+struct SceneDescription {
+    std::optional<CameraDescription> camera; ///< none: the scene is framed by freeze()
+    RenderSettings render;
+    WhittedSettings whitted;
+    std::vector<Material> materials;
+    std::vector<Object> objects;
+    std::vector<Light> lights;
+};
+
+/// Sizes of a frozen scene.
+struct SceneStats {
+    std::uint64_t objects = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t spheres = 0;
+    std::uint64_t cylinders = 0;
+    std::uint64_t planes = 0;
+    std::uint64_t lights = 0;
+    std::uint64_t tree_nodes = 0;
+    int tree_depth = 0;
+    std::uint64_t bytes = 0;     ///< held by geometry and trees
+    Vec3 bounds_min{0};          ///< of everything finite; min > max where there is nothing
+    Vec3 bounds_max{0};
+};
+
+struct FrozenScene;
+
+/// A scene ready to be traced: immutable, cheap to copy, usable by any number of threads.
+class Scene {
+  public:
+    explicit Scene(std::shared_ptr<const FrozenScene> frozen) : frozen_(std::move(frozen)) {}
+    const FrozenScene& frozen() const { return *frozen_; } ///< for the library itself
+    SceneStats stats() const;
+    const CameraDescription& camera() const;
+    const RenderSettings& render_settings() const;
+
+  private:
+    std::shared_ptr<const FrozenScene> frozen_;
+};
+
+struct FreezeOptions {
+    int threads = 0; ///< 0: one for each core
+};
+
+/// Checks the description, bakes transforms, builds the trees. Throws Error(input) with every error found.
+Scene freeze(const SceneDescription& description, const FreezeOptions& options = {});
+
+/// What is suspicious though valid: no light, camera or light inside an object, open mesh made of glass, coincident
+/// glass faces, a material that gives more light than it gets, dropped degenerate faces, hidden objects.
+std::vector<Diagnostic> warnings(const SceneDescription& description);
+
+/// The axis that points up in a mesh as it is stored, judged by its shape: y or z.
+Axis guess_up_axis(const Mesh& mesh);
+
+/// A scene that shows one mesh: framed, lit, on a floor, turned so that `up` points up (+z).
+SceneDescription stage(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up);
+
+/// A camera from which everything finite in the scene is seen.
+CameraDescription frame(const SceneDescription& description);
+
+} // namespace glint

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "math/vec.h"
+
+#include <limits>
+
+namespace glint {
+
+/// An axis-aligned box, closed. Empty while lo > hi, as it is when made.
+struct Bounds {
+    vec3 lo{std::numeric_limits<float>::infinity()};
+    vec3 hi{-std::numeric_limits<float>::infinity()};
+
+    bool empty() const { return lo.x > hi.x || lo.y > hi.y || lo.z > hi.z; }
+    vec3 extent() const { return hi - lo; }
+    void grow(const vec3& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void grow(const Bounds& b) {
+        lo = glm::min(lo, b.lo);
+        hi = glm::max(hi, b.hi);
+    }
+    /// Half the surface area: what the surface area heuristic compares.
+    float half_area() const {
+        const vec3 d = extent();
+        return d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+};
+
+} // namespace glint

@@ -1,0 +1,26 @@
+#pragma once
+// The vocabulary: GLM's vectors and matrices, pure (no SIMD types), under glint's namespace.
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace glint {
+
+using glm::dmat3;
+using glm::dmat4;
+using glm::dvec2;
+using glm::dvec3;
+using glm::dvec4;
+using glm::uvec2;
+using glm::uvec3;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+} // namespace glint

@@ -1,0 +1,34 @@
+#pragma once
+// The one owner of threads. No other room starts, joins or counts them.
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace glint {
+
+/// The number of cores that this process may use, at least 1.
+int available_threads();
+
+/// Exactly `threads` threads, the caller's among them, parked between jobs.
+class TaskPool {
+  public:
+    /// 0: available_threads().
+    explicit TaskPool(int threads = 0);
+    ~TaskPool();
+    TaskPool(const TaskPool&) = delete;
+    TaskPool& operator=(const TaskPool&) = delete;
+
+    int threads() const;
+
+    /// Calls body(task, worker) once for each task in [0, count), worker in [0, threads()), and returns when all are
+    /// done. Worker w begins with task w, so that every thread takes part whenever count ≥ threads(); the rest is
+    /// handed out in order. The first exception ends the hand-out and is thrown again here. Not reentrant.
+    void run(std::size_t count, const std::function<void(std::size_t task, int worker)>& body);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace glint

@@ -1,0 +1,120 @@
+#pragma once
+// Everything that rays can hit, in trees: the marriage of bvh/ and geometry/. It knows shapes and numbers of
+// objects, nothing of materials.
+
+#include "math/bounds.h"
+#include "math/ray.h"
+#include "math/vec.h"
+#include "parallel/task_pool.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace glint {
+
+enum class PrimKind : std::uint8_t { none, triangle, sphere, cylinder, plane };
+
+/// Where a ray meets the world. Of all hits the closest is the least (t, object, prim).
+struct Hit {
+    float t = std::numeric_limits<float>::infinity();
+    float u = 0; ///< triangle: weight of vertex 1 (the report's β)
+    float v = 0; ///< triangle: weight of vertex 2 (the report's γ)
+    std::uint32_t object = 0xffffffffu;
+    std::uint32_t prim = 0; ///< within its object, in the order of the file
+    PrimKind kind = PrimKind::none;
+    bool on_edge = false; ///< triangle: exactly through an edge or a vertex
+
+    explicit operator bool() const { return kind != PrimKind::none; }
+};
+
+/// (t, object, prim) of a before those of b.
+bool precedes(const Hit& a, const Hit& b);
+
+/// The surface at a hit. `p` is on the surface up to `p_error`.
+struct SurfacePoint {
+    vec3 p{0.0f};
+    vec3 p_error{0.0f}; ///< absolute bound, per axis
+    vec3 n{0.0f};       ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
+                        ///< triangles, as given for planes
+};
+
+/// Plain input of World. Quadrics in double: their equations are solved in double and rounded once.
+struct WorldInput {
+    struct Triangles {
+        std::uint32_t object = 0;
+        std::vector<vec3> positions;  ///< world space
+        std::vector<uvec3> triangles;
+        bool flip = false; ///< turn the normals against the winding
+    };
+    struct Sphere {
+        std::uint32_t object = 0;
+        std::uint32_t prim = 0;
+        dvec3 center{0};
+        double radius = 1;
+        std::int32_t affine = -1; ///< index into `world_from_local`, or -1: already in world space
+    };
+    struct Cylinder {
+        std::uint32_t object = 0;
+        dvec3 base{0};
+        dvec3 axis{0, 0, 1}; ///< unit
+        double height = 1;
+        double radius = 1;
+        std::int32_t affine = -1;
+    };
+    /// normal · p = offset; the normal may have any length but 0.
+    struct Plane {
+        std::uint32_t object = 0;
+        dvec3 normal{0, 0, 1};
+        double offset = 0;
+    };
+    std::vector<Triangles> meshes;
+    std::vector<Sphere> spheres;
+    std::vector<Cylinder> cylinders;
+    std::vector<Plane> planes;
+    std::vector<dmat4> world_from_local; ///< affine and regular
+};
+
+struct WorldStats {
+    std::uint64_t triangles = 0;
+    std::uint64_t spheres = 0;
+    std::uint64_t cylinders = 0;
+    std::uint64_t planes = 0;
+    std::uint64_t nodes = 0;
+    int depth = 0;
+    std::uint64_t bytes = 0;
+};
+
+class World {
+  public:
+    World();
+    /// Builds the trees with the pool's threads; the result does not depend on their number.
+    World(WorldInput input, TaskPool& pool);
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    /// The least (t, object, prim) with tmin < t < tmax; kind `none` if there is none.
+    Hit closest(const Ray& ray) const;
+    /// The least one after `previous` on the same ray: surfaces passed over one by one, without new origins. Two hits
+    /// of one mesh on a shared edge are one crossing, and it is not given twice.
+    Hit next(const Ray& ray, const Hit& previous) const;
+    /// Is there any hit with tmin < t < tmax?
+    bool occluded(const Ray& ray) const;
+    /// All crossings with tmin < t < tmax in order; those on a shared edge of one mesh once.
+    void crossings(const Ray& ray, std::vector<Hit>& out) const;
+    /// The same as closest(), by testing every primitive: the oracle of the trees.
+    Hit closest_brute_force(const Ray& ray) const;
+    bool occluded_brute_force(const Ray& ray) const;
+
+    SurfacePoint surface(const Ray& ray, const Hit& hit) const;
+
+    Bounds bounds() const; ///< of everything finite
+    WorldStats stats() const;
+
+  private:
+    struct Data;
+    std::unique_ptr<const Data> data_;
+};
+
+} // namespace glint
