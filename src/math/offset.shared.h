@@ -1,0 +1,32 @@
+#ifndef GLINT_MATH_OFFSET_SHARED_H
+#define GLINT_MATH_OFFSET_SHARED_H
+#include "math/shared.h"
+
+GLINT_SHARED_BEGIN
+
+/// The float next to x in the direction of `toward` (±); 0 steps to the least subnormal.
+GLINT_FN float next_float(float x, float toward) {
+    if (x == 0.0f) return toward > 0.0f ? intBitsToFloat(1) : intBitsToFloat(int(0x80000001u));
+    int bits = floatBitsToInt(x);
+    bool away = (x > 0.0f) == (toward > 0.0f);
+    return intBitsToFloat(away ? bits + 1 : bits - 1);
+}
+
+/// One float further than x in the direction of w; x itself where w is 0.
+GLINT_FN float step_toward(float x, float w) {
+    if (w == 0.0f) return x;
+    return next_float(x, w);
+}
+
+/// An origin for rays that leave p toward w (any length): on w's side of the surface with unit normal n, beyond the
+/// error bound of p. Units: those of p. After Pharr, Jakob, Humphreys, "Physically Based Rendering", section 6.8.6.
+GLINT_FN vec3 offset_ray_origin(vec3 p, vec3 p_error, vec3 n, vec3 w) {
+    float distance = dot(abs(n), p_error);
+    vec3 shift = n * distance;
+    if (dot(n, w) < 0.0f) shift = -shift;
+    vec3 origin = p + shift;
+    return vec3(step_toward(origin.x, shift.x), step_toward(origin.y, shift.y), step_toward(origin.z, shift.z));
+}
+
+GLINT_SHARED_END
+#endif

@@ -1,0 +1,62 @@
+#include "math/trig.h"
+
+#include <cmath>
+#include <limits>
+
+namespace glint {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+
+// Taylor series on [0, 45] degrees: the first term left out is below 1e-19 there.
+double sin_core(double degrees) {
+    const double x = degrees * radians_per_degree;
+    const double z = x * x;
+    double series = 1;
+    for (int k = 17; k >= 3; k -= 2) series = 1 - series * z / (k * (k - 1));
+    return x * series;
+}
+
+double cos_core(double degrees) {
+    const double x = degrees * radians_per_degree;
+    const double z = x * x;
+    double series = 1;
+    for (int k = 18; k >= 2; k -= 2) series = 1 - series * z / (k * (k - 1));
+    return series;
+}
+
+// sin on [0, 90]; 30 degrees is given exactly, since people draw with it.
+double sin_quadrant(double degrees) {
+    if (degrees == 30) return 0.5;
+    return degrees <= 45 ? sin_core(degrees) : cos_core(90 - degrees);
+}
+
+} // namespace
+
+double sin_degrees(double degrees) {
+    // fmod is exact, so nothing is lost by large angles.
+    const double turned = std::fmod(degrees, 360.0);
+    const double a = std::fabs(turned);
+    double value;
+    if (a <= 90) {
+        value = sin_quadrant(a);
+    } else if (a <= 180) {
+        value = sin_quadrant(180 - a);
+    } else if (a <= 270) {
+        value = -sin_quadrant(a - 180);
+    } else {
+        value = -sin_quadrant(360 - a);
+    }
+    return turned < 0 ? -value : value;
+}
+
+double cos_degrees(double degrees) { return sin_degrees(90 - std::fabs(std::fmod(degrees, 360.0))); }
+
+double tan_degrees(double degrees) {
+    const double c = cos_degrees(degrees);
+    const double s = sin_degrees(degrees);
+    if (c == 0) return std::copysign(std::numeric_limits<double>::infinity(), s);
+    return s / c;
+}
+
+} // namespace glint
