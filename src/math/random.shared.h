@@ -40,16 +40,16 @@ GLINT_FN uint owen_scramble(uint x, uint key) {
     return reverse_bits(x);
 }
 
-/// The second dimension of Sobol's sequence; the first is reverse_bits(index).
+/// The second dimension of Sobol's sequence; the first is reverse_bits(index). Its generator matrix is Pascal's
+/// triangle mod 2, the Kronecker power of (1 1; 0 1), so five shifts do for 32 columns.
 GLINT_FN uint sobol_second(uint index) {
-    uint result = 0u;
-    uint column = 0x80000000u;
-    while (index != 0u) {
-        if ((index & 1u) != 0u) result = result ^ column;
-        index = index >> 1;
-        column = column ^ (column >> 1);
-    }
-    return result;
+    uint x = index;
+    x = x ^ ((x >> 1) & 0x55555555u);
+    x = x ^ ((x >> 2) & 0x33333333u);
+    x = x ^ ((x >> 4) & 0x0f0f0f0fu);
+    x = x ^ ((x >> 8) & 0x00ff00ffu);
+    x = x ^ ((x >> 16) & 0x0000ffffu);
+    return reverse_bits(x);
 }
 
 /// A float in [0, 1): the high 24 bits.
@@ -67,8 +67,7 @@ GLINT_FN uint pixel_key(uint seed_low, uint seed_high, uint x, uint y) {
 /// counts as one): every 2^k first points are stratified in every way that 2^k boxes allow.
 GLINT_FN vec2 sample_pair(uint key, uint index, uint dimension) {
     uint stream = hash_with(key, dimension);
-    uint shuffled = owen_scramble(reverse_bits(index), hash_with(stream, 0u));
-    shuffled = reverse_bits(shuffled);
+    uint shuffled = owen_scramble(index, hash_with(stream, 0u));
     uint a = owen_scramble(reverse_bits(shuffled), hash_with(stream, 1u));
     uint b = owen_scramble(sobol_second(shuffled), hash_with(stream, 2u));
     return vec2(unit_float(a), unit_float(b));
