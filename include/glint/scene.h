@@ -217,8 +217,8 @@ struct FreezeOptions {
 Scene freeze(const SceneDescription& description, const FreezeOptions& options = {});
 
 /// What is suspicious though valid: no light, camera or light inside an object, open mesh made of glass, coincident
-/// glass faces, a material that gives more light than it gets, dropped degenerate faces, hidden objects.
-std::vector<Diagnostic> warnings(const SceneDescription& description);
+/// glass faces, a material that gives more light than it gets, objects hidden inside glass that owns their space.
+std::vector<Diagnostic> warnings(const Scene& scene);
 
 /// The axis that points up in a mesh as it is stored, judged by its shape: y or z.
 Axis guess_up_axis(const Mesh& mesh);

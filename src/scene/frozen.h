@@ -1,0 +1,73 @@
+#pragma once
+// What a Scene holds: single precision, resolved names, trees. Made by freeze.cpp, read by render/.
+
+#include "glint/scene.h"
+#include "math/vec.h"
+#include "trace/world.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace glint {
+
+struct FrozenMaterial {
+    vec3 color{0.8f};
+    vec3 emission{0.0f};
+    vec3 absorption{0.0f};
+    float ambient = 1;
+    float diffuse = 1;
+    float highlight = 0;
+    float shininess = 32;
+    float reflectivity = 0;
+    float transparency = 0;
+    float index = 1.5f;
+    bool fresnel = false;
+};
+
+/// What shading needs of a mesh beside its triangles; vectors are empty where there is nothing to interpolate.
+struct MeshAttributes {
+    std::vector<vec3> normals;         ///< per vertex, world space, unit
+    std::shared_ptr<const Mesh> mesh;  ///< for indices and colours
+    bool colored = false;
+};
+
+inline constexpr std::int32_t no_attributes = -1;
+
+/// Parallel to SceneDescription::objects.
+struct FrozenObject {
+    std::uint32_t material = 0;
+    std::uint32_t rank = 0; ///< of overlapping solids the one of higher rank owns the space
+    bool solid = false;     ///< closed: has an inside
+    std::int32_t attributes = no_attributes;
+};
+
+enum class LightKind { point, directional, spot };
+
+struct FrozenLight {
+    LightKind kind = LightKind::point;
+    vec3 position{0.0f};
+    vec3 direction{0.0f};  ///< unit, the way the light travels
+    vec3 strength{0.0f};   ///< colour × intensity, or × irradiance
+    float cos_outer = 0;
+    float cos_inner = 0;
+};
+
+struct FrozenScene {
+    SceneDescription description; ///< as given, with its camera filled in
+    World world;
+    std::vector<FrozenMaterial> materials;
+    std::vector<FrozenObject> objects;
+    std::vector<MeshAttributes> attributes;
+    std::vector<FrozenLight> lights; ///< all but ambient, in the order of the file
+    vec3 ambient{0.0f};              ///< sum of the ambient lights
+    vec3 background{0.0f};
+    float index_outside = 1;
+    bool any_transparent = false;
+    std::vector<std::uint32_t> camera_media; ///< transparent solids around the eye
+};
+
+/// The objects with an inside that contain a point, judged by the parity of crossings. Solid planes included.
+std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& point);
+
+} // namespace glint

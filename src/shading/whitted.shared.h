@@ -1,0 +1,100 @@
+#ifndef GLINT_SHADING_WHITTED_SHARED_H
+#define GLINT_SHADING_WHITTED_SHARED_H
+#include "math/elementary.shared.h"
+#include "math/shared.h"
+
+// Every term of the light model, each written once: the CPU, the GPU and the explanation of a pixel call these.
+//
+// Symbols: n_g geometric unit normal turned toward the viewer, n shading normal on the side of n_g, v and l unit
+// vectors to viewer and light, r distance to the light, c colour, A ambient light, I intensity of a light (colour
+// included), E light arriving. Colours are linear and unbounded. "Report" is the course report that the model
+// follows; section numbers are its.
+
+GLINT_SHARED_BEGIN
+
+/// Ambient light: A ⊙ c · k_a. (Report 2.2, which prints a sum; its figures are products.)
+GLINT_FN vec3 ambient_term(vec3 ambient_light, vec3 color, float k_a) { return ambient_light * color * k_a; }
+
+/// max(0, n·l), and 0 unless the light also stands above the geometric surface: n_g·l > 0.
+GLINT_FN float light_cosine(vec3 n, vec3 n_g, vec3 l) {
+    if (dot(n_g, l) <= 0.0f) return 0.0f;
+    return max(0.0f, dot(n, l));
+}
+
+/// Light arriving from a point light: E = I · cosine / r². (Report 2.2.) Nothing arrives from r = 0.
+GLINT_FN vec3 point_light_arriving(vec3 intensity, float cosine, float r_squared) {
+    if (r_squared <= 0.0f) return vec3(0.0f);
+    return intensity * (cosine / r_squared);
+}
+
+/// Light arriving from a directional light: E = irradiance · cosine.
+GLINT_FN vec3 directional_light_arriving(vec3 irradiance, float cosine) { return irradiance * cosine; }
+
+/// The share of a spot light that leaves in a direction: smoothstep between the cosines of its outer and inner cone.
+GLINT_FN float spot_falloff(float cos_angle, float cos_outer, float cos_inner) {
+    if (cos_angle >= cos_inner) return 1.0f;
+    if (cos_angle <= cos_outer) return 0.0f;
+    float x = (cos_angle - cos_outer) / (cos_inner - cos_outer);
+    return x * x * (3.0f - 2.0f * x);
+}
+
+/// Diffuse reflection: E ⊙ c · k_d. (Report 2.2.)
+GLINT_FN vec3 diffuse_term(vec3 arriving, vec3 color, float k_d) { return arriving * color * k_d; }
+
+/// Blinn's lobe max(0, n·h)^m with h = (l + v)/|l + v|. (Report 2.5.) 0^0 = 1.
+GLINT_FN float blinn_lobe(vec3 n, vec3 l, vec3 v, float m) {
+    vec3 sum = l + v;
+    float squared = dot(sum, sum);
+    float cosine = squared > 0.0f ? dot(n, sum) / sqrt(squared) : 0.0f;
+    return pow_of(max(0.0f, cosine), m);
+}
+
+/// Phong's lobe max(0, v·R)^m, R the mirror direction of l, for comparison. (Report 2.5 discusses both.)
+GLINT_FN float phong_lobe(vec3 n, vec3 l, vec3 v, float m) {
+    vec3 mirrored = n * (2.0f * dot(n, l)) - l;
+    return pow_of(max(0.0f, dot(v, mirrored)), m);
+}
+
+/// Highlight: E · k · lobe. It has the light's colour, not the material's, and carries n·l and 1/r² as the report's
+/// figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
+GLINT_FN vec3 highlight_term(vec3 arriving, float k, float lobe) { return arriving * (k * lobe); }
+
+/// Each channel limited to 1.
+GLINT_FN vec3 limit_to_one(vec3 color) { return min(color, vec3(1.0f)); }
+
+/// The mirror direction R = 2 (n·v) n − v. (Report 2.3.)
+GLINT_FN vec3 mirror_direction(vec3 v, vec3 n) { return n * (2.0f * dot(n, v)) - v; }
+
+/// What Snell's law says under the root: 1 − (η₁/η₂)² (1 − (n·v)²). Below 0 the reflection is total.
+GLINT_FN float snell_discriminant(float n_dot_v, float eta) {
+    return 1.0f - eta * eta * max(0.0f, 1.0f - n_dot_v * n_dot_v);
+}
+
+/// The refracted direction T = (η n·v − √(1 − η² (1 − (n·v)²))) n − η v with η = η₁/η₂. (Report 2.4.)
+/// `discriminant` is snell_discriminant(n·v, η) and must not be negative. Equal indices go straight on.
+GLINT_FN vec3 refracted_direction(vec3 v, vec3 n, float eta, float discriminant) {
+    if (eta == 1.0f) return -v;
+    return normalize(n * (eta * dot(n, v) - sqrt(discriminant)) - v * eta);
+}
+
+/// Fresnel's reflectance of a dielectric for unpolarised light, from the cosines on both sides and the indices.
+/// (Born and Wolf, Principles of Optics, section 1.5.2.)
+GLINT_FN float fresnel_reflectance(float cos_1, float cos_2, float index_1, float index_2) {
+    float s = (index_1 * cos_1 - index_2 * cos_2) / (index_1 * cos_1 + index_2 * cos_2);
+    float p = (index_2 * cos_1 - index_1 * cos_2) / (index_2 * cos_1 + index_1 * cos_2);
+    return 0.5f * (s * s + p * p);
+}
+
+/// What is left of light after a way through an absorbing medium: e^(−σ d). (Beer and Lambert.)
+GLINT_FN vec3 transmittance(vec3 sigma, float d) {
+    return vec3(exp_of(-(sigma.x * d)), exp_of(-(sigma.y * d)), exp_of(-(sigma.z * d)));
+}
+
+/// The weight of the local terms where the bounce is followed: 1 − τ, or 1 − ρ − τ where energy is balanced.
+GLINT_FN float local_weight(float reflectivity, float transparency, bool balanced) {
+    float kept = 1.0f - transparency;
+    return balanced ? max(0.0f, kept - reflectivity) : kept;
+}
+
+GLINT_SHARED_END
+#endif
