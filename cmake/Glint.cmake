@@ -1,7 +1,8 @@
 # What every room, program and test is built with, in one place.
 #
 #   glint_room(NAME [SOURCES …] [DEPS room…] [LIBS target…])   a static library `glint_NAME` of src/NAME
-#   glint_test(NAME SOURCES … [DEPS room…] [LIBS target…])     a GoogleTest program, one CTest entry a TEST
+#   glint_test(NAME SOURCES … [DEPS room…] [LIBS target…])     a GoogleTest program, one CTest entry a TEST,
+#                                                              labelled NAME
 
 add_library(glint_flags INTERFACE)
 target_compile_features(glint_flags INTERFACE cxx_std_20)
@@ -13,7 +14,9 @@ target_include_directories(glint_flags INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 target_compile_definitions(glint_flags INTERFACE GLM_FORCE_PURE GLM_FORCE_XYZW_ONLY GLM_FORCE_SILENT_WARNINGS)
 if(GLINT_SANITIZE)
-    target_compile_options(glint_flags INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-omit-frame-pointer -g1)
+    # Without recovery a finding ends the program, and so fails the test that made it.
+    target_compile_options(glint_flags INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-sanitize-recover=all
+        -fno-omit-frame-pointer -g1)
     target_link_options(glint_flags INTERFACE -fsanitize=${GLINT_SANITIZE})
 endif()
 if(GLINT_WERROR)
@@ -26,6 +29,7 @@ function(glint_room name)
     if(ROOM_SOURCES)
         add_library(glint_${name} STATIC ${ROOM_SOURCES})
         target_link_libraries(glint_${name} PUBLIC glint_flags ${ROOM_DEPS} PRIVATE ${ROOM_LIBS})
+        install(TARGETS glint_${name})
     else()
         add_library(glint_${name} INTERFACE)
         target_link_libraries(glint_${name} INTERFACE glint_flags ${ROOM_DEPS} ${ROOM_LIBS})
@@ -38,5 +42,5 @@ function(glint_test name)
     add_executable(${name} ${TEST_SOURCES})
     target_link_libraries(${name} PRIVATE glint_flags ${TEST_DEPS} ${TEST_LIBS} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE GLINT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()
