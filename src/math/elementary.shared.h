@@ -2,12 +2,13 @@
 #define GLINT_MATH_ELEMENTARY_SHARED_H
 #include "math/shared.h"
 
-// log2, exp2 and what follows from them, in float, from + - * / floor alone: the C library's change with the CPU.
+// log2, exp2 and what follows from them, in float, from + - * / floor alone: the C library's change with the
+// CPU.
 
 GLINT_SHARED_BEGIN
 
-/// log2 x for finite x > 0. Relative error below 4e-7 everywhere, near x = 1 too: the mantissa is brought into
-/// [√½, √2) and log m = 2 atanh((m − 1)/(m + 1)) is summed as an odd series, in which m − 1 is exact.
+/// log2 x for finite x > 0. Relative error below 4e-7 everywhere, near x = 1 too: the mantissa is brought
+/// into [√½, √2) and log m = 2 atanh((m − 1)/(m + 1)) is summed as an odd series, in which m − 1 is exact.
 GLINT_FN float log2_of(float x) {
     float scale = 0.0f;
     if (x < 1.17549435e-38f) {

@@ -18,14 +18,16 @@ GLINT_FN float step_toward(float x, float w) {
     return next_float(x, w);
 }
 
-/// An origin for rays that leave p toward w (any length): on w's side of the surface with unit normal n, beyond the
-/// error bound of p. Units: those of p. After Pharr, Jakob, Humphreys, "Physically Based Rendering", section 6.8.6.
+/// An origin for rays that leave p toward w (any length): on w's side of the surface with unit normal n,
+/// beyond the error bound of p. Units: those of p. After Pharr, Jakob, Humphreys, "Physically Based
+/// Rendering", section 6.8.6.
 GLINT_FN vec3 offset_ray_origin(vec3 p, vec3 p_error, vec3 n, vec3 w) {
     float distance = dot(abs(n), p_error);
     vec3 shift = n * distance;
     if (dot(n, w) < 0.0f) shift = -shift;
     vec3 origin = p + shift;
-    return vec3(step_toward(origin.x, shift.x), step_toward(origin.y, shift.y), step_toward(origin.z, shift.z));
+    return vec3(step_toward(origin.x, shift.x), step_toward(origin.y, shift.y),
+                step_toward(origin.z, shift.z));
 }
 
 GLINT_SHARED_END

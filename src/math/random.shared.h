@@ -29,7 +29,8 @@ GLINT_FN uint reverse_bits(uint x) {
 }
 
 /// Owen's nested uniform scramble of the bits of x, most significant first, through a hash in which each bit
-/// depends on higher ones alone (Laine and Karras 2011; Burley, "Practical Hash-based Owen Scrambling", JCGT 2020).
+/// depends on higher ones alone (Laine and Karras 2011; Burley, "Practical Hash-based Owen Scrambling", JCGT
+/// 2020).
 GLINT_FN uint owen_scramble(uint x, uint key) {
     x = reverse_bits(x);
     x = x + key;
@@ -40,8 +41,8 @@ GLINT_FN uint owen_scramble(uint x, uint key) {
     return reverse_bits(x);
 }
 
-/// The second dimension of Sobol's sequence; the first is reverse_bits(index). Its generator matrix is Pascal's
-/// triangle mod 2, the Kronecker power of (1 1; 0 1), so five shifts do for 32 columns.
+/// The second dimension of Sobol's sequence; the first is reverse_bits(index). Its generator matrix is
+/// Pascal's triangle mod 2, the Kronecker power of (1 1; 0 1), so five shifts do for 32 columns.
 GLINT_FN uint sobol_second(uint index) {
     uint x = index;
     x = x ^ ((x >> 1) & 0x55555555u);
@@ -63,8 +64,8 @@ GLINT_FN uint pixel_key(uint seed_low, uint seed_high, uint x, uint y) {
     return hash_with(h, y);
 }
 
-/// Point `index` of a (0, 2)-sequence in base 2, scrambled by `key` and padded by `dimension` (a pair of numbers
-/// counts as one): every 2^k first points are stratified in every way that 2^k boxes allow.
+/// Point `index` of a (0, 2)-sequence in base 2, scrambled by `key` and padded by `dimension` (a pair of
+/// numbers counts as one): every 2^k first points are stratified in every way that 2^k boxes allow.
 GLINT_FN vec2 sample_pair(uint key, uint index, uint dimension) {
     uint stream = hash_with(key, dimension);
     uint shuffled = owen_scramble(index, hash_with(stream, 0u));

@@ -6,7 +6,8 @@
 
 namespace glint {
 
-/// Points origin + t · direction for tmin < t < tmax. The direction need not be of unit length; t counts in it.
+/// Points origin + t · direction for tmin < t < tmax. The direction need not be of unit length; t counts in
+/// it.
 struct Ray {
     vec3 origin{0.0f};
     float tmin = 0.0f;

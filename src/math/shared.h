@@ -1,9 +1,10 @@
 #pragma once
 // What lets one header be C++ and GLSL 4.5 alike. A shared header (*.shared.h) holds plain functions over
-// float, int, uint, bool and vectors: no namespaces but GLINT_SHARED_BEGIN/END, no references but GLINT_OUT, no
-// templates, no recursion, constructors in the form T(a, b), float literals with the suffix f, and none of GLSL's
-// reserved words as names (sample, input, output, half, active, common, partition, smooth, flat, precise …).
-// Only + - * / sqrt floor reach the machine: everything else is computed by ourselves, with the same bits anywhere.
+// float, int, uint, bool and vectors: no namespaces but GLINT_SHARED_BEGIN/END, no references but GLINT_OUT,
+// no templates, no recursion, constructors in the form T(a, b), float literals with the suffix f, and none of
+// GLSL's reserved words as names (sample, input, output, half, active, common, partition, smooth, flat,
+// precise …). Only + - * / sqrt floor reach the machine: everything else is computed by ourselves, with the
+// same bits anywhere.
 
 #ifndef GLINT_GLSL
 

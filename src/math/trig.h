@@ -1,6 +1,6 @@
 #pragma once
-// Trigonometry of set-up: angles in degrees, as scene files give them, in double. Our own, since the C library's
-// last bit changes with the CPU. Multiples of 30° and 90° come out exact where the value is.
+// Trigonometry of set-up: angles in degrees, as scene files give them, in double. Our own, since the C
+// library's last bit changes with the CPU. Multiples of 30° and 90° come out exact where the value is.
 
 namespace glint {
 

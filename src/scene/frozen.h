@@ -25,10 +25,11 @@ struct FrozenMaterial {
     bool fresnel = false;
 };
 
-/// What shading needs of a mesh beside its triangles; vectors are empty where there is nothing to interpolate.
+/// What shading needs of a mesh beside its triangles; vectors are empty where there is nothing to
+/// interpolate.
 struct MeshAttributes {
-    std::vector<vec3> normals;         ///< per vertex, world space, unit
-    std::shared_ptr<const Mesh> mesh;  ///< for indices and colours
+    std::vector<vec3> normals;        ///< per vertex, world space, unit
+    std::shared_ptr<const Mesh> mesh; ///< for indices and colours
     bool colored = false;
 };
 
@@ -39,6 +40,7 @@ struct FrozenObject {
     std::uint32_t material = 0;
     std::uint32_t rank = 0; ///< of overlapping solids the one of higher rank owns the space
     bool solid = false;     ///< closed: has an inside
+    Bounds bounds;          ///< world space; empty for planes and invisible objects
     std::int32_t attributes = no_attributes;
 };
 
@@ -47,10 +49,16 @@ enum class LightKind { point, directional, spot };
 struct FrozenLight {
     LightKind kind = LightKind::point;
     vec3 position{0.0f};
-    vec3 direction{0.0f};  ///< unit, the way the light travels
-    vec3 strength{0.0f};   ///< colour × intensity, or × irradiance
+    vec3 direction{0.0f}; ///< unit, the way the light travels
+    vec3 strength{0.0f};  ///< colour × intensity, or × irradiance
     float cos_outer = 0;
     float cos_inner = 0;
+};
+
+/// A solid plane: what lies behind its normal is inside.
+struct HalfSpace {
+    std::uint32_t object = 0;
+    WorldInput::Plane plane;
 };
 
 struct FrozenScene {
@@ -64,7 +72,8 @@ struct FrozenScene {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
-    std::vector<std::uint32_t> camera_media; ///< transparent solids around the eye
+    std::vector<HalfSpace> half_spaces;
+    std::vector<std::uint32_t> camera_media; ///< transparent solids around the eye, lowest rank first
 };
 
 /// The objects with an inside that contain a point, judged by the parity of crossings. Solid planes included.

@@ -3,12 +3,13 @@
 #include "math/elementary.shared.h"
 #include "math/shared.h"
 
-// Every term of the light model, each written once: the CPU, the GPU and the explanation of a pixel call these.
+// Every term of the light model, each written once: the CPU, the GPU and the explanation of a pixel call
+// these.
 //
-// Symbols: n_g geometric unit normal turned toward the viewer, n shading normal on the side of n_g, v and l unit
-// vectors to viewer and light, r distance to the light, c colour, A ambient light, I intensity of a light (colour
-// included), E light arriving. Colours are linear and unbounded. "Report" is the course report that the model
-// follows; section numbers are its.
+// Symbols: n_g geometric unit normal turned toward the viewer, n shading normal on the side of n_g, v and l
+// unit vectors to viewer and light, r distance to the light, c colour, A ambient light, I intensity of a
+// light (colour included), E light arriving. Colours are linear and unbounded. "Report" is the course report
+// that the model follows; section numbers are its.
 
 GLINT_SHARED_BEGIN
 
@@ -30,7 +31,8 @@ GLINT_FN vec3 point_light_arriving(vec3 intensity, float cosine, float r_squared
 /// Light arriving from a directional light: E = irradiance · cosine.
 GLINT_FN vec3 directional_light_arriving(vec3 irradiance, float cosine) { return irradiance * cosine; }
 
-/// The share of a spot light that leaves in a direction: smoothstep between the cosines of its outer and inner cone.
+/// The share of a spot light that leaves in a direction: smoothstep between the cosines of its outer and
+/// inner cone.
 GLINT_FN float spot_falloff(float cos_angle, float cos_outer, float cos_inner) {
     if (cos_angle >= cos_inner) return 1.0f;
     if (cos_angle <= cos_outer) return 0.0f;
@@ -55,8 +57,8 @@ GLINT_FN float phong_lobe(vec3 n, vec3 l, vec3 v, float m) {
     return pow_of(max(0.0f, dot(v, mirrored)), m);
 }
 
-/// Highlight: E · k · lobe. It has the light's colour, not the material's, and carries n·l and 1/r² as the report's
-/// figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
+/// Highlight: E · k · lobe. It has the light's colour, not the material's, and carries n·l and 1/r² as the
+/// report's figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
 GLINT_FN vec3 highlight_term(vec3 arriving, float k, float lobe) { return arriving * (k * lobe); }
 
 /// Each channel limited to 1.
@@ -77,8 +79,8 @@ GLINT_FN vec3 refracted_direction(vec3 v, vec3 n, float eta, float discriminant)
     return normalize(n * (eta * dot(n, v) - sqrt(discriminant)) - v * eta);
 }
 
-/// Fresnel's reflectance of a dielectric for unpolarised light, from the cosines on both sides and the indices.
-/// (Born and Wolf, Principles of Optics, section 1.5.2.)
+/// Fresnel's reflectance of a dielectric for unpolarised light, from the cosines on both sides and the
+/// indices. (Born and Wolf, Principles of Optics, section 1.5.2.)
 GLINT_FN float fresnel_reflectance(float cos_1, float cos_2, float index_1, float index_2) {
     float s = (index_1 * cos_1 - index_2 * cos_2) / (index_1 * cos_1 + index_2 * cos_2);
     float p = (index_2 * cos_1 - index_1 * cos_2) / (index_2 * cos_1 + index_1 * cos_2);

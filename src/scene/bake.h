@@ -1,0 +1,20 @@
+#pragma once
+// From described objects to what the tracing core takes: transforms applied in double, rounded once.
+
+#include "scene/frozen.h"
+
+namespace glint {
+
+/// What baking fills in: the core's input, and the attributes of meshes.
+struct Baked {
+    WorldInput input;
+    std::vector<FrozenObject> objects;
+    std::vector<MeshAttributes> attributes;
+};
+
+/// Bakes all visible objects. Ranks and materials are set; `solid` is found out for meshes only where
+/// `need_closedness`, since that takes a pass over all edges. Throws Error(input) for coordinates beyond
+/// 10^12.
+Baked bake(const SceneDescription& description, bool need_closedness);
+
+} // namespace glint

@@ -1,0 +1,165 @@
+#include "math/trig.h"
+#include "scene/bake.h"
+#include "scene/frozen.h"
+#include "scene/validate.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace glint {
+namespace {
+
+FrozenMaterial freeze_material(const Material& m) {
+    FrozenMaterial f;
+    f.color = vec3(m.color);
+    f.emission = vec3(m.emission);
+    f.absorption = vec3(m.absorption);
+    f.ambient = static_cast<float>(m.ambient);
+    f.diffuse = static_cast<float>(m.diffuse);
+    f.highlight = static_cast<float>(m.highlight);
+    f.shininess = static_cast<float>(m.shininess);
+    f.reflectivity = static_cast<float>(m.reflectivity);
+    f.transparency = static_cast<float>(m.transparency);
+    f.index = static_cast<float>(m.index);
+    f.fresnel = m.fresnel;
+    return f;
+}
+
+FrozenLight freeze_light(const PointLight& l) {
+    FrozenLight f;
+    f.kind = LightKind::point;
+    f.position = vec3(l.position);
+    f.strength = vec3(l.color * l.intensity);
+    return f;
+}
+
+FrozenLight freeze_light(const DirectionalLight& l) {
+    FrozenLight f;
+    f.kind = LightKind::directional;
+    f.direction = vec3(glm::normalize(l.direction));
+    f.strength = vec3(l.color * l.irradiance);
+    return f;
+}
+
+FrozenLight freeze_light(const SpotLight& l) {
+    FrozenLight f;
+    f.kind = LightKind::spot;
+    f.position = vec3(l.position);
+    f.direction = vec3(glm::normalize(l.direction));
+    f.strength = vec3(l.color * l.intensity);
+    f.cos_outer = static_cast<float>(cos_degrees(l.angle));
+    f.cos_inner = static_cast<float>(cos_degrees(l.angle * (1 - l.blend)));
+    return f;
+}
+
+void freeze_lights(FrozenScene& scene) {
+    dvec3 ambient(0);
+    for (const Light& light : scene.description.lights) {
+        if (const auto* a = std::get_if<AmbientLight>(&light.kind)) ambient += a->color;
+        if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(freeze_light(*p));
+        if (const auto* d = std::get_if<DirectionalLight>(&light.kind))
+            scene.lights.push_back(freeze_light(*d));
+        if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(freeze_light(*s));
+    }
+    scene.ambient = vec3(ambient);
+}
+
+bool shows_glass(const SceneDescription& description) {
+    return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
+        return object.visible && material_of(description, object)->transparency > 0;
+    });
+}
+
+// The eye's own list: only what light goes through owns space.
+void find_camera_media(FrozenScene& scene) {
+    if (!scene.any_transparent) return;
+    for (const std::uint32_t id : objects_around(scene, vec3(scene.description.camera->eye)))
+        if (scene.materials[scene.objects[id].material].transparency > 0) scene.camera_media.push_back(id);
+    std::sort(scene.camera_media.begin(), scene.camera_media.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return scene.objects[a].rank < scene.objects[b].rank;
+    });
+}
+
+// Counts the crossings of each object along one ray; false if one is so near an edge that parity may lie.
+bool count_crossings(const FrozenScene& scene, const Ray& ray, std::vector<int>& counts) {
+    std::vector<Hit> hits;
+    scene.world.crossings(ray, hits);
+    bool sure = true;
+    for (const Hit& hit : hits) {
+        if (hit.on_edge) sure = false;
+        if (hit.kind != PrimKind::plane) ++counts[hit.object];
+    }
+    return sure;
+}
+
+} // namespace
+
+std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& point) {
+    // Directions without meaning to any scene; the first that meets no edge decides.
+    constexpr int tries = 8;
+    std::vector<int> counts;
+    for (int i = 0; i < tries; ++i) {
+        const float k = static_cast<float>(i);
+        counts.assign(scene.objects.size(), 0);
+        Ray ray;
+        ray.origin = point;
+        ray.direction = vec3(0.5377f + 0.0713f * k, 0.2917f - 0.1291f * k, 0.7825f - 0.0519f * k);
+        if (count_crossings(scene, ray, counts)) break;
+    }
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
+        const auto* plane = std::get_if<PlaneShape>(&scene.description.objects[id].shape);
+        if (plane == nullptr && scene.objects[id].solid && counts[id] % 2 != 0) around.push_back(id);
+    }
+    for (const HalfSpace& half : scene.half_spaces)
+        if (glm::dot(half.plane.normal, dvec3(point)) < half.plane.offset) around.push_back(half.object);
+    return around;
+}
+
+Scene freeze(const SceneDescription& description, const FreezeOptions& options) {
+    std::vector<Diagnostic> errors = find_errors(description);
+    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
+
+    auto scene = std::make_shared<FrozenScene>();
+    scene->description = description;
+    if (!description.camera) scene->description.camera = frame(description);
+    scene->any_transparent = shows_glass(description);
+    for (const Material& m : description.materials) scene->materials.push_back(freeze_material(m));
+    freeze_lights(*scene);
+    scene->background = vec3(description.render.background);
+    scene->index_outside = static_cast<float>(description.whitted.index);
+
+    Baked baked = bake(description, scene->any_transparent);
+    scene->objects = std::move(baked.objects);
+    scene->attributes = std::move(baked.attributes);
+    for (const WorldInput::Plane& plane : baked.input.planes)
+        if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
+    TaskPool pool(options.threads);
+    scene->world = World(std::move(baked.input), pool);
+    find_camera_media(*scene);
+    return Scene(std::move(scene));
+}
+
+SceneStats Scene::stats() const {
+    const WorldStats world = frozen_->world.stats();
+    const Bounds bounds = frozen_->world.bounds();
+    SceneStats stats;
+    stats.objects = frozen_->objects.size();
+    stats.triangles = world.triangles;
+    stats.spheres = world.spheres;
+    stats.cylinders = world.cylinders;
+    stats.planes = world.planes;
+    stats.lights = frozen_->description.lights.size();
+    stats.tree_nodes = world.nodes;
+    stats.tree_depth = world.depth;
+    stats.bytes = world.bytes;
+    stats.bounds_min = Vec3(bounds.lo);
+    stats.bounds_max = Vec3(bounds.hi);
+    return stats;
+}
+
+const CameraDescription& Scene::camera() const { return *frozen_->description.camera; }
+
+const RenderSettings& Scene::render_settings() const { return frozen_->description.render; }
+
+} // namespace glint

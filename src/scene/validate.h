@@ -1,0 +1,19 @@
+#pragma once
+// Checks of meaning that every description must pass, however it was made.
+
+#include "glint/scene.h"
+
+#include <vector>
+
+namespace glint {
+
+/// Everything that makes a description impossible to freeze, each with its place; empty if it is sound.
+std::vector<Diagnostic> find_errors(const SceneDescription& description);
+
+/// The mesh object that an instance names, or nullptr.
+const Object* find_mesh(const SceneDescription& description, const std::string& name);
+
+/// The material that an object shows: its own, or its mesh's for an instance without one; nullptr if unknown.
+const Material* material_of(const SceneDescription& description, const Object& object);
+
+} // namespace glint

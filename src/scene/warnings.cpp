@@ -1,0 +1,187 @@
+#include "geometry/mesh.h"
+#include "scene/frozen.h"
+#include "scene/validate.h"
+
+#include "math/random.shared.h"
+
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr std::uint32_t probes_per_object = 64;
+
+std::string title(const Object& object) {
+    static constexpr const char* types[] = {"plane",      "sphere", "cylinder", "triangle",
+                                            "polyhedron", "mesh",   "instance"};
+    const std::string type = types[object.shape.index()];
+    return object.name.empty() ? type : type + " \"" + object.name + "\"";
+}
+
+class Watcher {
+  public:
+    explicit Watcher(const FrozenScene& scene) : scene_(scene), description_(scene.description) {
+        for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
+            if (glass(id) && scene.objects[id].solid) glass_solids_.push_back(id);
+    }
+
+    std::vector<Diagnostic> run() {
+        watch_lights();
+        watch_camera();
+        for (const Material& m : description_.materials) watch_gain(m);
+        watch_open_glass();
+        if (scene_.any_transparent) watch_overlaps();
+        return std::move(found_);
+    }
+
+  private:
+    void warn(const Location& where, std::string message, std::string hint) {
+        found_.push_back({Severity::warning, where, std::move(message), std::move(hint), {}});
+    }
+    const Object& object(std::uint32_t id) const { return description_.objects[id]; }
+    bool glass(std::uint32_t id) const {
+        return object(id).visible && scene_.materials[scene_.objects[id].material].transparency > 0;
+    }
+
+    void watch_lights() {
+        if (description_.lights.empty()) {
+            const bool glows = std::any_of(description_.materials.begin(), description_.materials.end(),
+                                           [](const Material& m) { return m.emission != Vec3(0); });
+            if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
+        }
+        for (const Light& light : description_.lights) {
+            if (const auto* p = std::get_if<PointLight>(&light.kind)) watch_inside(p->position, light.where);
+            if (const auto* s = std::get_if<SpotLight>(&light.kind)) watch_inside(s->position, light.where);
+        }
+    }
+
+    void watch_inside(const Vec3& position, const Location& where) {
+        for (const std::uint32_t id : objects_around(scene_, vec3(position)))
+            warn(where, "the light is inside " + title(object(id)),
+                 "what is outside will be in its shadow; move the light out if that is not meant");
+    }
+
+    void watch_camera() {
+        const CameraDescription& camera = *description_.camera;
+        for (const std::uint32_t id : objects_around(scene_, vec3(camera.eye)))
+            warn(camera.where, "the camera is inside " + title(object(id)),
+                 "move it out if that is not meant");
+    }
+
+    // More light leaves than arrives: (1 − τ) max(c) k_d + ρ + τ > 1.
+    void watch_gain(const Material& m) {
+        const double brightest = std::max({m.color.x, m.color.y, m.color.z});
+        const bool balanced = description_.whitted.energy == Energy::balanced;
+        const double kept = balanced ? 1 - m.transparency - m.reflectivity : 1 - m.transparency;
+        const double gain = kept * brightest * m.diffuse + m.reflectivity + m.transparency;
+        if (gain <= 1.0000001) return;
+        char number[32];
+        std::snprintf(number, sizeof number, "%.2f", gain);
+        warn(m.where, "material \"" + m.name + "\" gives " + number + " times the light that it gets",
+             "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]");
+    }
+
+    void watch_open_glass() {
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const bool mesh = std::holds_alternative<MeshShape>(object(id).shape) ||
+                              std::holds_alternative<InstanceShape>(object(id).shape);
+            if (mesh && glass(id) && !scene_.objects[id].solid)
+                warn(object(id).where, title(object(id)) + " is made of glass but is not closed",
+                     "its faces are drawn as thin panes; close its holes for a solid that refracts");
+        }
+    }
+
+    // Rays through the box of each glass object meet its faces wherever they are; what else lies there shows
+    // too.
+    void watch_overlaps() {
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            if (!object(id).visible || !scene_.objects[id].solid || scene_.objects[id].bounds.empty())
+                continue;
+            Probe probe;
+            for (std::uint32_t i = 0; i < probes_per_object; ++i) shoot(id, i, probe);
+            if (probe.twin != none)
+                warn(object(id).where,
+                     title(object(id)) + " and " + title(object(probe.twin)) + " have coincident glass faces",
+                     "let one overlap the other a little, or leave a gap");
+            if (probe.faces > 0 && probe.hidden == probe.faces)
+                warn(object(id).where,
+                     title(object(id)) + " is hidden inside " + title(object(probe.owner)) +
+                         ", which owns the space",
+                     "move it behind that object in the file, or give it a higher priority");
+        }
+    }
+
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    struct Probe {
+        int faces = 0;
+        int hidden = 0;
+        std::uint32_t twin = none;
+        std::uint32_t owner = none;
+    };
+
+    // A chord of the object's box between two points drawn by number.
+    Ray chord(std::uint32_t id, std::uint32_t i) const {
+        const Bounds& box = scene_.objects[id].bounds;
+        vec3 ends[2];
+        for (std::uint32_t e = 0; e < 2; ++e) {
+            const vec2 a = sample_pair(id, i, 2 * e);
+            const vec2 b = sample_pair(id, i, 2 * e + 1);
+            ends[e] = box.lo + box.extent() * vec3(a.x, a.y, b.x);
+        }
+        Ray ray;
+        ray.direction = ends[1] - ends[0];
+        ray.origin = ends[0] - ray.direction * 8.0f;
+        return ray;
+    }
+
+    void shoot(std::uint32_t id, std::uint32_t i, Probe& probe) {
+        hits_.clear();
+        const Ray ray = chord(id, i);
+        scene_.world.crossings(ray, hits_);
+        for (std::size_t k = 0; k < hits_.size(); ++k) {
+            if (hits_[k].object != id) continue;
+            ++probe.faces;
+            find_owner(id, ray.origin + ray.direction * hits_[k].t, probe);
+            if (glass(id) && k + 1 < hits_.size()) find_twin(hits_[k], hits_[k + 1], probe);
+        }
+    }
+
+    void find_owner(std::uint32_t id, const vec3& p, Probe& probe) const {
+        const bool near_glass =
+            std::any_of(glass_solids_.begin(), glass_solids_.end(), [&](std::uint32_t other) {
+                const Bounds& box = scene_.objects[other].bounds;
+                return other != id && (box.empty() || (glm::all(glm::greaterThanEqual(p, box.lo)) &&
+                                                       glm::all(glm::lessThanEqual(p, box.hi))));
+            });
+        if (!near_glass) return;
+        for (const std::uint32_t around : objects_around(scene_, p)) {
+            if (around == id || !glass(around) || scene_.objects[around].rank < scene_.objects[id].rank)
+                continue;
+            ++probe.hidden;
+            probe.owner = around;
+            return;
+        }
+    }
+
+    void find_twin(const Hit& a, const Hit& b, Probe& probe) const {
+        const bool solid_glass = glass(b.object) && scene_.objects[b.object].solid;
+        if (a.object == b.object || !solid_glass) return;
+        if (b.t - a.t <= a.t * 0x1p-20f) probe.twin = b.object;
+    }
+
+    const FrozenScene& scene_;
+    const SceneDescription& description_;
+    std::vector<std::uint32_t> glass_solids_;
+    std::vector<Hit> hits_;
+    std::vector<Diagnostic> found_;
+};
+
+} // namespace
+
+std::vector<Diagnostic> warnings(const Scene& scene) { return Watcher(scene.frozen()).run(); }
+
+} // namespace glint
