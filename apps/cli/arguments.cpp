@@ -1,0 +1,87 @@
+#include "arguments.h"
+
+#include "glint/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace glint::cli {
+namespace {
+
+/// The whole of `text` as a number, or none.
+template <typename Number>
+std::optional<Number> parse_number(const std::string& text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data(), end, number);
+    if (fault != std::errc() || stop != end) return std::nullopt;
+    return number;
+}
+
+[[noreturn]] void refuse(const std::string& key, const std::string& given, const std::string& expected) {
+    const std::string name = key.size() == 1 ? "-" + key : "--" + key;
+    throw Error(ErrorKind::usage, fmt::format("{} '{}' is not valid", name, given), "expected " + expected);
+}
+
+std::string range(std::int64_t least, std::int64_t most) {
+    return most == INT64_MAX ? fmt::format("at least {}", least) : fmt::format("from {} to {}", least, most);
+}
+
+} // namespace
+
+Arguments::Arguments(const Command& command, std::map<std::string, std::vector<std::string>> values,
+                     std::vector<std::string> operands)
+    : command_(&command), values_(std::move(values)), operands_(std::move(operands)) {}
+
+bool Arguments::has(const std::string& key) const { return values_.count(key) > 0; }
+
+std::optional<std::string> Arguments::text(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) return std::nullopt;
+    return found->second.back();
+}
+
+std::vector<std::string> Arguments::all(const std::string& key) const {
+    const auto found = values_.find(key);
+    return found == values_.end() ? std::vector<std::string>() : found->second;
+}
+
+std::optional<std::int64_t> Arguments::integer(const std::string& key, std::int64_t least,
+                                               std::int64_t most) const {
+    const auto given = text(key);
+    if (!given) return std::nullopt;
+    const auto value = parse_number<std::int64_t>(*given);
+    if (!value || *value < least || *value > most)
+        refuse(key, *given, "a whole number " + range(least, most));
+    return value;
+}
+
+std::optional<double> Arguments::number(const std::string& key) const {
+    const auto given = text(key);
+    if (!given) return std::nullopt;
+    const auto value = parse_number<double>(*given);
+    if (!value || std::isnan(*value) || *value < 0) refuse(key, *given, "a number, not below 0");
+    return value;
+}
+
+std::optional<std::vector<std::int64_t>> Arguments::integers(const std::string& key, std::size_t count,
+                                                             char separator, std::int64_t least,
+                                                             std::int64_t most, const char* example) const {
+    const auto given = text(key);
+    if (!given) return std::nullopt;
+    const std::string expected = fmt::format("{}, each number {}", example, range(least, most));
+    const std::vector<std::string> parts = split(*given, separator);
+    if (parts.size() != count) refuse(key, *given, expected);
+    std::vector<std::int64_t> numbers;
+    for (const std::string& part : parts) {
+        const auto value = parse_number<std::int64_t>(part);
+        if (!value || *value < least || *value > most) refuse(key, *given, expected);
+        numbers.push_back(*value);
+    }
+    return numbers;
+}
+
+} // namespace glint::cli

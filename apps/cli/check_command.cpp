@@ -1,0 +1,54 @@
+#include "commands.h"
+#include "scene_input.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+namespace glint::cli {
+namespace {
+
+/// "cat.toml: ok (5 objects, 7,000 triangles, 2 lights, 3 materials; 1 warning)"
+std::string verdict(const std::string& file, const SceneDescription& description, const SceneStats& stats,
+                    std::size_t warning_count) {
+    std::string counts = counted(stats.objects, "object");
+    if (stats.triangles > 0) counts += ", " + counted(stats.triangles, "triangle");
+    counts +=
+        ", " + counted(stats.lights, "light") + ", " + counted(description.materials.size(), "material");
+    if (warning_count > 0) counts += "; " + counted(warning_count, "warning");
+    return fmt::format("{}: ok ({})\n", file, counts);
+}
+
+/// Prints all that is wrong with one file. Is it good?
+bool check_file(const std::string& file, const LoadOptions& options, Console& console) {
+    try {
+        const LoadedScene loaded = load_scene(file, options);
+        report(loaded, console);
+        const Scene scene = freeze(loaded.description);
+        const std::vector<Diagnostic> of_meaning = warnings(scene);
+        console.warnings(of_meaning);
+        const std::size_t warning_count = loaded.warnings.size() + of_meaning.size();
+        if (!console.quiet()) print_data(verdict(file, loaded.description, scene.stats(), warning_count));
+        return true;
+    } catch (const Error& error) {
+        // Only the file's own faults leave the other files to be checked.
+        if (error.kind() != ErrorKind::input) throw;
+        for (const Diagnostic& diagnostic : error.diagnostics()) console.error(diagnostic);
+        return false;
+    }
+}
+
+} // namespace
+
+int check_command(const Arguments& arguments, Console& console) {
+    const LoadOptions options = load_options(arguments);
+    for (const std::string& file : arguments.operands()) require_mesh_for_up(arguments, file);
+    std::size_t bad = 0;
+    for (const std::string& file : arguments.operands())
+        if (!check_file(file, options, console)) ++bad;
+
+    const std::size_t count = arguments.operands().size();
+    if (bad > 0 && count > 1) console.line(fmt::format("{} of {} files have errors", bad, count));
+    return bad > 0 ? exit_code::input : exit_code::done;
+}
+
+} // namespace glint::cli

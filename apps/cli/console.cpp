@@ -1,0 +1,95 @@
+#include "console.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <unistd.h>
+
+namespace glint::cli {
+namespace {
+
+constexpr const char* red = "\x1b[1;31m";
+constexpr const char* magenta = "\x1b[1;35m";
+constexpr const char* cyan = "\x1b[1;36m";
+constexpr const char* plain = "\x1b[0m";
+constexpr const char* erase_line = "\r\x1b[K";
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+} // namespace
+
+bool stderr_is_terminal() {
+    const std::string term = environment("TERM");
+    return isatty(STDERR_FILENO) == 1 && !term.empty() && term != "dumb";
+}
+
+bool wants_color(const std::string& when) {
+    if (when != "auto") return when == "always";
+    return stderr_is_terminal() && environment("NO_COLOR").empty();
+}
+
+void Console::error(const Diagnostic& diagnostic) {
+    // A message about no file is the program's own, and says so.
+    const std::string text = (diagnostic.location.file.empty() ? "glint: " : "") + to_string(diagnostic);
+    write(painted(text, "error:", red));
+}
+
+void Console::error(const std::string& message, const std::string& hint) {
+    error(Diagnostic{Severity::error, {}, message, hint, {}});
+}
+
+void Console::always(const std::string& line) { write(line); }
+
+void Console::warning(const Diagnostic& diagnostic) {
+    if (!quiet()) write(painted(to_string(diagnostic), "warning:", magenta));
+}
+
+void Console::warnings(const std::vector<Diagnostic>& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) warning(diagnostic);
+}
+
+void Console::note(const std::string& text) {
+    if (!quiet()) write(painted("note: " + text, "note:", cyan));
+}
+
+void Console::line(const std::string& text) {
+    if (!quiet()) write(text);
+}
+
+void Console::detail(const std::string& text) {
+    if (verbose()) write(text);
+}
+
+void Console::status(const std::string& text) {
+    if (quiet() || !stderr_is_terminal()) return;
+    const std::lock_guard lock(mutex_);
+    if (!text.empty() || status_shown_) fmt::print(stderr, "{}{}", erase_line, text);
+    status_shown_ = !text.empty();
+    std::fflush(stderr);
+}
+
+void Console::write(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    fmt::print(stderr, "{}{}\n", status_shown_ ? erase_line : "", text);
+    status_shown_ = false;
+}
+
+std::string Console::painted(const std::string& text, const std::string& word, const char* color) const {
+    const std::size_t at = text.find(word);
+    if (!color_ || at == std::string::npos) return text;
+    return text.substr(0, at) + color + word + plain + text.substr(at + word.size());
+}
+
+void print_data(const std::string& text) {
+    const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
+    if (written == text.size() && std::fflush(stdout) == 0) return;
+    throw Error(ErrorKind::output, fmt::format("cannot write to stdout: {}", std::strerror(errno)));
+}
+
+} // namespace glint::cli

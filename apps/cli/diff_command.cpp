@@ -1,0 +1,96 @@
+#include "commands.h"
+#include "outputs.h"
+
+#include "glint/formats.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace glint::cli {
+namespace {
+
+/// How far two pictures are apart, in every measure.
+struct Measures {
+    Comparison comparison; ///< its share: of pixels beyond 1/255
+    double unequal = 0;    ///< share of pixels that differ at all
+    bool eight_bit = false;
+};
+
+void require_one_size(const Image& a, const Image& b) {
+    if (a.width == b.width && a.height == b.height) return;
+    throw Error(ErrorKind::input, fmt::format("the pictures have different sizes: {}×{} and {}×{}", a.width,
+                                              a.height, b.width, b.height));
+}
+
+Measures measure(const LoadedPicture& a, const LoadedPicture& b) {
+    const PictureDifference any = diff_pictures(a, b, 0);
+    const double one_step = any.eight_bit ? 1.0 : 1.0 / 255;
+    return {diff_pictures(a, b, one_step).comparison, any.comparison.share, any.eight_bit};
+}
+
+/// Is the metric within the tolerance? All but psnr grow with the difference.
+bool within(const Comparison& found, const std::string& metric, double tolerance) {
+    if (metric == "psnr") return found.psnr >= tolerance;
+    const double value = metric == "mae"     ? found.mae
+                         : metric == "rmse"  ? found.rmse
+                         : metric == "share" ? found.share
+                                             : found.max;
+    return value <= tolerance;
+}
+
+std::string table(const Measures& measures) {
+    const Comparison& found = measures.comparison;
+    const char* unit = measures.eight_bit ? " of 255" : "";
+    return fmt::format("max      {:.6g}{}\n"
+                       "mae      {:.6g}{}\n"
+                       "rmse     {:.6g}{}\n"
+                       "psnr     {:.4g} dB\n"
+                       "unequal  {:.6g} of the pixels\n"
+                       "share    {:.6g} of the pixels by more than 1/255\n",
+                       found.max, unit, found.mae, unit, found.rmse, unit, found.psnr, measures.unequal,
+                       found.share);
+}
+
+/// Values as parts of white, so that pictures of 8 and of 16 bits can be laid over each other.
+Image in_parts_of_white(const LoadedPicture& picture) {
+    Image image = picture.image;
+    if (picture.bits == 32) return image;
+    const float white = picture.bits == 16 ? 65535.0f : 255.0f;
+    for (float& value : image.pixels) value /= white;
+    return image;
+}
+
+void write_heat(const std::string& path, const LoadedPicture& a, const LoadedPicture& b,
+                const Measures& measures) {
+    const double largest = measures.comparison.max / (measures.eight_bit ? 255 : 1);
+    // Equal pictures need some scale, and so do those with an infinite difference.
+    const double full_scale = largest > 0 && std::isfinite(largest) ? largest : 1;
+    PictureOptions options;
+    options.view = View::raw;
+    write_picture(path, difference_heat(in_parts_of_white(a), in_parts_of_white(b), full_scale), options);
+}
+
+} // namespace
+
+int diff_command(const Arguments& arguments, Console& console) {
+    const std::string metric = arguments.text("metric").value_or("max");
+    const double strictest = metric == "psnr" ? std::numeric_limits<double>::infinity() : 0;
+    const double tolerance = arguments.number("tolerance").value_or(strictest);
+    const auto heat = arguments.text("output");
+    if (heat) {
+        picture_format(*heat);
+        require_writable(*heat);
+    }
+    const LoadedPicture a = read_picture(arguments.operands()[0]);
+    const LoadedPicture b = read_picture(arguments.operands()[1]);
+    require_one_size(a.image, b.image);
+    const Measures measures = measure(a, b);
+    if (heat) write_heat(*heat, a, b, measures);
+    // The table makes way where the picture takes stdout.
+    if (!console.quiet() && heat != "-") print_data(table(measures));
+    return within(measures.comparison, metric, tolerance) ? exit_code::done : exit_code::differ;
+}
+
+} // namespace glint::cli

@@ -1,0 +1,112 @@
+#include "commands.h"
+#include "json_output.h"
+#include "scene_input.h"
+#include "text.h"
+
+#include "glint/render.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace glint::cli {
+namespace {
+
+std::string row(const char* label, const std::string& text) {
+    return fmt::format("  {:<11}{}\n", label, text);
+}
+
+std::string point(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+
+/// "2 planes, 1 mesh", in the order of the alternatives of Shape.
+std::string kinds(const SceneDescription& description) {
+    constexpr std::array<std::array<const char*, 2>, std::variant_size_v<Shape>> names{
+        {{"plane", "planes"},
+         {"sphere", "spheres"},
+         {"cylinder", "cylinders"},
+         {"triangle", "triangles"},
+         {"polyhedron", "polyhedra"},
+         {"mesh", "meshes"},
+         {"instance", "instances"}}};
+    std::array<std::size_t, names.size()> counts{};
+    for (const Object& object : description.objects) ++counts[object.shape.index()];
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (counts[i] == 0) continue;
+        text +=
+            fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]), names[i][counts[i] > 1]);
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string light_kinds(const SceneDescription& description) {
+    constexpr std::array names{"ambient", "point", "directional", "spot"};
+    std::array<std::size_t, names.size()> counts{};
+    for (const Light& light : description.lights) ++counts[light.kind.index()];
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (counts[i] > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]), names[i]);
+    return text.empty() ? "none" : text;
+}
+
+/// What sets a material apart; the usual values go without saying.
+std::string properties(const Material& material) {
+    const Material usual;
+    std::string text = fmt::format("color {}", point(material.color));
+    const auto add = [&](const char* name, double value, double normal) {
+        if (value != normal) text += fmt::format(", {} {:.6g}", name, value);
+    };
+    add("ambient", material.ambient, usual.ambient);
+    add("diffuse", material.diffuse, usual.diffuse);
+    add("highlight", material.highlight, usual.highlight);
+    add("reflectivity", material.reflectivity, usual.reflectivity);
+    add("transparency", material.transparency, usual.transparency);
+    if (material.transparency > 0) add("index", material.index, 0);
+    if (material.fresnel) text += ", fresnel";
+    if (material.emission != usual.emission) text += ", emission " + point(material.emission);
+    return text;
+}
+
+std::string geometry_rows(const SceneStats& stats) {
+    const bool bounded = stats.bounds_min.x <= stats.bounds_max.x;
+    std::string text = row("triangles", with_commas(stats.triangles));
+    text += row("bounds",
+                bounded ? point(stats.bounds_min) + " to " + point(stats.bounds_max) : "nothing finite");
+    text += row("tree", fmt::format("{}, depth {}", counted(stats.tree_nodes, "node"), stats.tree_depth));
+    return text + row("memory", bytes(static_cast<double>(stats.bytes)));
+}
+
+std::string info_text(const std::string& file, const SceneDescription& description, const Scene& scene) {
+    std::string text = file + "\n";
+    text += row("objects", kinds(description));
+    text += row("lights", light_kinds(description));
+    text += geometry_rows(scene.stats());
+    const CameraDescription& camera = scene.camera();
+    text += row("camera",
+                fmt::format("eye {}, direction {}, fov {:.6g}°{}", point(camera.eye), point(camera.direction),
+                            camera.fov, description.camera ? "" : " (framed)"));
+    text += "materials\n";
+    for (const Material& material : description.materials)
+        text += fmt::format("  {:<11}{}\n", material.name, " " + properties(material));
+    text += "picture settings\n";
+    for (const auto& setting : picture_settings(scene))
+        text += fmt::format("  {:<18}{}\n", setting.first, setting.second);
+    return text;
+}
+
+} // namespace
+
+int info_command(const Arguments& arguments, Console& console) {
+    const std::string& file = arguments.operands().front();
+    require_mesh_for_up(arguments, file);
+    const LoadedScene loaded = load_scene(file, load_options(arguments));
+    report(loaded, console);
+    const Scene scene = freeze(loaded.description, {threads(arguments)});
+    console.warnings(warnings(scene));
+    print_data(arguments.has("json") ? info_json(file, loaded.description, scene)
+                                     : info_text(file, loaded.description, scene));
+    return exit_code::done;
+}
+
+} // namespace glint::cli

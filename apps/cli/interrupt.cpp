@@ -1,0 +1,42 @@
+#include "interrupt.h"
+
+#include <csignal>
+#include <unistd.h>
+
+namespace glint::cli {
+namespace {
+
+// A handler can reach nothing but globals; lock-free atomics are all that it may touch.
+CancelFlag cancelled{false};
+std::atomic<bool> gentle{false};
+std::atomic<int> last_signal{0};
+static_assert(CancelFlag::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+void on_signal(int number) {
+    const bool first = !cancelled.exchange(true);
+    last_signal = number;
+    if (!gentle || !first) _exit(128 + number);
+}
+
+} // namespace
+
+void watch_signals() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    for (const int number : {SIGINT, SIGTERM}) {
+        // A signal that the parent ignores (nohup, a script's background job) stays ignored.
+        struct sigaction before {};
+        sigaction(number, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
+    }
+}
+
+void stop_gently() { gentle = true; }
+
+const CancelFlag& cancel_flag() { return cancelled; }
+
+int stopped_by() { return last_signal == 0 ? 0 : 128 + last_signal; }
+
+} // namespace glint::cli

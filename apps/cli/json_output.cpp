@@ -1,0 +1,96 @@
+#include "json_output.h"
+
+#include "text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json scene_json(const SceneStats& stats) {
+    Json json{{"objects", stats.objects},       {"triangles", stats.triangles},   {"spheres", stats.spheres},
+              {"cylinders", stats.cylinders},   {"planes", stats.planes},         {"lights", stats.lights},
+              {"tree_nodes", stats.tree_nodes}, {"tree_depth", stats.tree_depth}, {"bytes", stats.bytes}};
+    // Where there is nothing finite, there are no bounds.
+    if (stats.bounds_min.x <= stats.bounds_max.x) {
+        json["bounds_min"] = vector_json(stats.bounds_min);
+        json["bounds_max"] = vector_json(stats.bounds_max);
+    }
+    return json;
+}
+
+Json settings_json(const Scene& scene) {
+    Json json = Json::object();
+    for (const auto& setting : picture_settings(scene)) json[setting.first] = setting.second;
+    return json;
+}
+
+/// Names of files may hold any bytes; those that are not UTF-8 are replaced.
+std::string document(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+std::string stats_json(const RenderRecord& record, const Scene& scene, const Picture& picture) {
+    const RenderStats& stats = picture.stats;
+    const double total =
+        record.load_seconds + record.build_seconds + stats.wall_seconds + record.write_seconds;
+    return document({
+        {"glint", version()},
+        {"file", record.scene},
+        {"output", record.output},
+        {"complete", picture.complete},
+        {"fraction", record.fraction},
+        {"width", picture.image.width},
+        {"height", picture.image.height},
+        {"hash", record.hash},
+        {"scene", scene_json(scene.stats())},
+        {"settings", settings_json(scene)},
+        {"rays",
+         {{"primary", stats.primary_rays},
+          {"reflected", stats.reflected_rays},
+          {"refracted", stats.refracted_rays},
+          {"shadow", stats.shadow_rays},
+          {"total", stats.rays()}}},
+        {"seconds",
+         {{"load", record.load_seconds},
+          {"build", record.build_seconds},
+          {"render", stats.wall_seconds},
+          {"render_cpu", stats.cpu_seconds},
+          {"write", record.write_seconds},
+          {"total", total}}},
+        {"mrays_per_second", mega_rays(stats.rays(), stats.wall_seconds)},
+        {"threads", stats.threads},
+    });
+}
+
+std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene) {
+    const CameraDescription& camera = scene.camera();
+    Json materials = Json::array();
+    for (const Material& material : description.materials)
+        materials.push_back({{"name", material.name},
+                             {"color", vector_json(material.color)},
+                             {"reflectivity", material.reflectivity},
+                             {"transparency", material.transparency},
+                             {"index", material.index}});
+    return document({
+        {"glint", version()},
+        {"file", file},
+        {"scene", scene_json(scene.stats())},
+        {"settings", settings_json(scene)},
+        {"camera",
+         {{"framed", !description.camera.has_value()},
+          {"eye", vector_json(camera.eye)},
+          {"direction", vector_json(camera.direction)},
+          {"up", vector_json(camera.up)},
+          {"fov", camera.fov}}},
+        {"materials", materials},
+    });
+}
+
+} // namespace glint::cli

@@ -1,0 +1,28 @@
+#pragma once
+// What programs read: --stats and info --json. The only part that sees the JSON library.
+
+#include "glint/render.h"
+#include "glint/scene.h"
+
+#include <string>
+
+namespace glint::cli {
+
+/// What one render was and cost.
+struct RenderRecord {
+    std::string scene;  ///< as named on the command line
+    std::string output; ///< likewise
+    std::string hash;
+    double fraction = 1; ///< share of the tiles rendered
+    double load_seconds = 0;
+    double build_seconds = 0;
+    double write_seconds = 0;
+};
+
+/// The document of --stats, with a line feed at its end.
+std::string stats_json(const RenderRecord& record, const Scene& scene, const Picture& picture);
+
+/// The document of info --json, with a line feed at its end.
+std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene);
+
+} // namespace glint::cli

@@ -1,0 +1,49 @@
+#include "commands.h"
+#include "outputs.h"
+
+#include "glint/formats.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace glint::cli {
+namespace {
+
+/// The template of that name; without one the first.
+std::string starter(const Arguments& arguments, const std::vector<std::string>& names) {
+    if (arguments.operands().empty()) return template_text(names.front());
+    const std::string& name = arguments.operands().front();
+    if (std::find(names.begin(), names.end(), name) != names.end()) return template_text(name);
+    const auto near = nearest_name(name, names);
+    throw Error(ErrorKind::usage, fmt::format("unknown template '{}'", name),
+                near ? fmt::format("did you mean '{}'?", *near)
+                     : fmt::format("there are: {}", fmt::join(names, ", ")));
+}
+
+} // namespace
+
+int new_command(const Arguments& arguments, Console& console) {
+    const std::vector<std::string> names = template_names();
+    if (arguments.has("list")) {
+        print_data(fmt::format("{}\n", fmt::join(names, "\n")));
+        return exit_code::done;
+    }
+    const std::string text = starter(arguments, names);
+    const std::string path = arguments.text("output").value_or("-");
+    if (path == "-") {
+        print_data(text);
+        return exit_code::done;
+    }
+    require_writable(path);
+    if (std::filesystem::exists(path) && !arguments.has("force"))
+        throw Error(ErrorKind::output, fmt::format("'{}' exists", path), "--force overwrites it");
+    write_file(path, std::as_bytes(std::span(text)));
+    console.line(fmt::format("{}: written; render it with: glint {}", path, path));
+    return exit_code::done;
+}
+
+} // namespace glint::cli

@@ -1,0 +1,135 @@
+#include "options.h"
+
+#include <algorithm>
+#include <array>
+
+namespace glint::cli {
+namespace {
+
+// Options of more than one command.
+constexpr Option set{'D',   "",  "PATH=VALUE", "set one value of the scene: -D material.glass.index=1.33",
+                     false, true};
+constexpr Option up{0, "up", "y|z|auto", "the axis of a bare mesh that points up"};
+constexpr Option allow_outside{0, "allow-outside", "", "let a scene read files outside its own folder"};
+constexpr Option threads{'t', "threads", "N", "default: one for each core", false, true};
+constexpr Option color{0, "color", "auto|always|never", "colours in messages; auto heeds NO_COLOR and TERM"};
+constexpr Option quiet{'q', "quiet", "", "print errors only", false, true};
+constexpr Option help{'h', "help", "", "this help", true};
+
+constexpr std::array render_options{
+    Option{'o', "output", "FILE", ".png .exr .pfm, or - for PNG on stdout; default: FILE's stem + .png",
+           false, true},
+    Option{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true},
+    Option{0, "spp", "N", "samples per pixel; 1 is the pixel's centre", false, true},
+    Option{0, "max-depth", "N", "bounces after the first hit"},
+    Option{0, "integrator", "whitted", "the light model"},
+    Option{0, "seed", "N", "of the random numbers"},
+    Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
+    up,
+    set,
+    allow_outside,
+    Option{0, "view", "srgb|raw", "PNG: the sRGB curve, or plain numbers"},
+    Option{0, "bits", "8|16", "PNG: bits per channel"},
+    Option{0, "alpha", "", "PNG, EXR: what each pixel covers, as alpha"},
+    Option{0, "layers", "", "EXR: each term of the light as a layer"},
+    Option{0, "keep-partial", "", "Ctrl-C writes what is done instead of nothing"},
+    Option{0, "stats", "FILE", "write counts, rays and times as JSON; - is stdout"},
+    threads,
+    Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
+    Option{0, "progress", "auto|plain|json|none", "on stderr; auto: a bar on a terminal, else plain"},
+    color,
+    quiet,
+    Option{'v', "verbose", "", "say more", true},
+    help,
+};
+
+constexpr std::array check_options{set, up, allow_outside, color, quiet, help};
+
+constexpr std::array info_options{
+    Option{0, "json", "", "for programs"}, set, up, allow_outside, threads, color, quiet, help,
+};
+
+constexpr std::array diff_options{
+    Option{'o', "output", "FILE", "a picture of the differences; white is the largest"},
+    Option{0, "metric", "max|mae|rmse|psnr|share", "what decides; default: max"},
+    Option{0, "tolerance", "T", "how far it may go; default: 0, for psnr: inf"},
+    color,
+    quiet,
+    help,
+};
+
+constexpr std::array new_options{
+    Option{'o', "output", "FILE", "where to; default: stdout"},
+    Option{0, "force", "", "overwrite FILE"},
+    Option{0, "list", "", "list the templates"},
+    color,
+    quiet,
+    help,
+};
+
+constexpr std::array command_table{
+    Command{"render", "FILE [-o OUT]", "render a scene or a mesh to a picture", Operands::scene,
+            render_options, ""},
+    Command{"check", "FILE...", "find all errors and warnings, render nothing", Operands::scenes,
+            check_options, "Exit: 0 good, perhaps with warnings; 3 a file has errors."},
+    Command{"info", "FILE", "counts, bounds, materials, memory, tree", Operands::scene, info_options, ""},
+    Command{"diff", "A B", "compare two pictures", Operands::two_pictures, diff_options,
+            "Pictures with 8 or 16 bits are compared in units of 1/255, float ones in linear light.\n"
+            "  max mae rmse   fail above T, in those units\n"
+            "  psnr           fails below T dB\n"
+            "  share          fails where more than this share (0 to 1) of the pixels is off by\n"
+            "                 more than 1/255 in a channel\n"
+            "Exit: 0 within the tolerance, 1 beyond."},
+    Command{"new", "[TEMPLATE] [-o FILE]", "write a commented starter scene", Operands::starter, new_options,
+            ""},
+};
+
+} // namespace
+
+std::span<const Command> commands() { return command_table; }
+
+const Command* find_command(const std::string& name) {
+    const auto found = std::find_if(command_table.begin(), command_table.end(),
+                                    [&](const Command& command) { return command.name == name; });
+    return found == command_table.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> command_names() {
+    std::vector<std::string> names;
+    for (const Command& command : command_table) names.emplace_back(command.name);
+    return names;
+}
+
+std::string key(const Option& option) { return *option.name ? option.name : std::string(1, option.letter); }
+
+std::string spelling(const Option& option) {
+    return *option.name ? std::string("--") + option.name : std::string("-") + option.letter;
+}
+
+std::vector<std::string> spellings(const Option& option) {
+    std::vector<std::string> all;
+    if (option.letter) all.push_back(std::string("-") + option.letter);
+    if (*option.name) all.push_back(std::string("--") + option.name);
+    return all;
+}
+
+std::vector<std::string> choices(const Option& option) {
+    const std::string value = option.value;
+    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    if (value.empty() || std::any_of(value.begin(), value.end(), is_capital)) return {};
+    return split(value, '|');
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+} // namespace glint::cli

@@ -1,0 +1,56 @@
+#include "outputs.h"
+
+#include "glint/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+
+namespace glint::cli {
+namespace fs = std::filesystem;
+
+PictureFormat picture_format(const std::string& path) {
+    if (path == "-") return PictureFormat::png;
+    std::string extension = fs::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (extension == ".png") return PictureFormat::png;
+    if (extension == ".exr") return PictureFormat::exr;
+    if (extension == ".pfm") return PictureFormat::pfm;
+    throw Error(ErrorKind::usage, fmt::format("'{}' names no kind of picture that can be written", path),
+                "expected a name that ends in .png, .exr or .pfm, or - for PNG on stdout");
+}
+
+void require_writable(const std::string& path) {
+    if (path == "-") return;
+    const auto refuse = [&](const std::string& why, const std::string& cure) {
+        throw Error(ErrorKind::output, fmt::format("cannot write '{}': {}", path, why), cure);
+    };
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) refuse("it is a folder", "name a file in it");
+    const fs::path parent = fs::path(path).parent_path();
+    const std::string folder = parent.empty() ? "." : parent.string();
+    if (!fs::exists(folder, ignored))
+        refuse("its folder does not exist", "create it first: mkdir -p " + folder);
+    if (!fs::is_directory(folder, ignored)) refuse(fmt::format("'{}' is not a folder", folder), "");
+
+    // Permissions, read-only disks and odd file systems all show themselves by trying.
+    std::string probe = (fs::path(folder) / ".glint-XXXXXX").string();
+    const int file = mkstemp(probe.data());
+    if (file < 0) refuse(std::strerror(errno), "");
+    close(file);
+    unlink(probe.c_str());
+}
+
+std::string default_output(const std::string& scene) {
+    return scene == "-" ? "stdin.png" : fs::path(scene).stem().string() + ".png";
+}
+
+std::string shown_name(const std::string& path) { return path == "-" ? "stdout" : path; }
+
+} // namespace glint::cli

@@ -1,0 +1,22 @@
+#pragma once
+// Where results go, checked before any work is done for them.
+
+#include <string>
+
+namespace glint::cli {
+
+enum class PictureFormat { png, exr, pfm };
+
+/// By the extension; "-" is PNG. Throws Error(usage) for any other.
+PictureFormat picture_format(const std::string& path);
+
+/// Throws Error(output) unless a file can be made in the folder of `path`; "-" always can.
+void require_writable(const std::string& path);
+
+/// The scene's stem + ".png", in the working directory; "stdin.png" for "-".
+std::string default_output(const std::string& scene);
+
+/// How messages name an output: "stdout" for "-".
+std::string shown_name(const std::string& path);
+
+} // namespace glint::cli

@@ -1,0 +1,75 @@
+#include "progress.h"
+
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace glint::cli {
+namespace {
+
+constexpr int bar_width = 30;
+
+/// Seconds from one showing to the next.
+double interval(ProgressStyle style) {
+    switch (style) {
+    case ProgressStyle::bar:
+        return 0.1;
+    case ProgressStyle::plain:
+        return 10;
+    case ProgressStyle::json:
+        return 1;
+    case ProgressStyle::none:
+        break;
+    }
+    return INFINITY;
+}
+
+} // namespace
+
+ProgressStyle progress_style(const std::string& word) {
+    if (word == "json") return ProgressStyle::json;
+    if (word == "none") return ProgressStyle::none;
+    return word == "auto" && stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::plain;
+}
+
+// The first plain line waits its ten seconds: short renders need none.
+ProgressMeter::ProgressMeter(Console& console, ProgressStyle style)
+    : console_(console), style_(style), next_show_(style == ProgressStyle::plain ? interval(style) : 0) {}
+
+void ProgressMeter::update(const Progress& progress) {
+    last_ = progress;
+    if (progress.seconds < next_show_ || style_ == ProgressStyle::none) return;
+    next_show_ = progress.seconds + interval(style_);
+    show();
+}
+
+void ProgressMeter::finish() {
+    if (style_ == ProgressStyle::bar) console_.status("");
+    if (style_ == ProgressStyle::json) show();
+}
+
+double ProgressMeter::fraction() const {
+    return last_.tiles == 0 ? 0 : static_cast<double>(last_.tiles_done) / static_cast<double>(last_.tiles);
+}
+
+void ProgressMeter::show() {
+    const double done = fraction();
+    const double left = done > 0 ? last_.seconds * (1 - done) / done : 0;
+    if (style_ == ProgressStyle::json) {
+        // Asked for by name, so -q does not hide it.
+        console_.always(
+            fmt::format(R"({{"event":"progress","tiles_done":{},"tiles":{},"rays":{},"seconds":{:.3f},)"
+                        R"("seconds_left":{:.3f}}})",
+                        last_.tiles_done, last_.tiles, last_.rays, last_.seconds, left));
+        return;
+    }
+    const std::string state = fmt::format("{:3.0f} %  {}  {} left", std::floor(done * 100),
+                                          ray_rate(last_.rays, last_.seconds), duration(left));
+    if (style_ == ProgressStyle::plain) return console_.line("rendering " + state);
+    const int filled = static_cast<int>(done * bar_width);
+    console_.status(fmt::format("[{:#<{}}{:{}}] {}", "", filled, "", bar_width - filled, state));
+}
+
+} // namespace glint::cli

@@ -1,0 +1,129 @@
+#include "render_request.h"
+
+#include "outputs.h"
+#include "scene_input.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+namespace glint::cli {
+namespace {
+
+constexpr int most_pixels_a_side = 65536;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 30;
+
+/// Options that the kind of picture has no room for are refused rather than dropped.
+void require_format(const Arguments& arguments, const std::string& output) {
+    const PictureFormat format = picture_format(output);
+    const auto refuse = [&](const char* option, const char* formats) {
+        if (arguments.has(option))
+            throw Error(ErrorKind::usage,
+                        fmt::format("--{} is for {}, and {} is not", option, formats, output));
+    };
+    if (format != PictureFormat::png) {
+        refuse("view", ".png");
+        refuse("bits", ".png");
+    }
+    if (format == PictureFormat::pfm) refuse("alpha", ".png and .exr");
+    if (format != PictureFormat::exr) refuse("layers", ".exr");
+}
+
+/// Two results in one place would destroy each other, and a picture on a terminal its settings.
+void require_apart(const RenderRequest& request) {
+    if (request.stats == request.output)
+        throw Error(ErrorKind::usage,
+                    fmt::format("picture and --stats both go to {}", shown_name(request.output)));
+    if (request.output == "-" && isatty(STDOUT_FILENO) == 1)
+        throw Error(ErrorKind::usage, "a picture is not written to a terminal",
+                    "name a file with -o, or redirect stdout");
+}
+
+RenderOptions render_options(const Arguments& arguments) {
+    RenderOptions options;
+    options.threads = threads(arguments);
+    options.tile_size =
+        static_cast<int>(arguments.integer("tile-size", 1, most_pixels_a_side).value_or(options.tile_size));
+    if (const auto crop =
+            arguments.integers("crop", 4, ',', 0, most_pixels_a_side, "X,Y,W,H such as 100,50,64,64")) {
+        const auto at = [&](std::size_t i) { return static_cast<int>((*crop)[i]); };
+        options.crop = Rect{at(0), at(1), at(2), at(3)};
+    }
+    options.terms = arguments.has("layers");
+    options.coverage = arguments.has("alpha");
+    return options;
+}
+
+void require_crop_inside(const RenderSettings& settings, const std::optional<Rect>& crop) {
+    if (!crop) return;
+    const bool inside = crop->width > 0 && crop->height > 0 && crop->x + crop->width <= settings.width &&
+                        crop->y + crop->height <= settings.height;
+    if (!inside)
+        throw Error(ErrorKind::usage,
+                    fmt::format("--crop {},{},{},{} is not within the picture", crop->x, crop->y, crop->width,
+                                crop->height),
+                    fmt::format("the picture has {}×{} pixels", settings.width, settings.height));
+}
+
+/// A picture that the machine cannot hold is refused at once: Linux would promise the memory and then kill.
+void require_memory(const RenderSettings& settings, const RenderOptions& options) {
+    const double pixels = options.crop ? double(options.crop->width) * options.crop->height
+                                       : double(settings.width) * settings.height;
+    const double floats = 3 + (options.terms ? 3 * term_count : 0) + (options.coverage ? 1 : 0);
+    const double needed = pixels * floats * sizeof(float);
+    const double present =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (needed > present)
+        throw Error(
+            ErrorKind::resource,
+            fmt::format("the picture takes {} of memory, this machine has {}", bytes(needed), bytes(present)),
+            "render it in parts with --crop");
+}
+
+} // namespace
+
+RenderRequest read_render_request(const Arguments& arguments) {
+    RenderRequest request;
+    request.scene = arguments.operands().front();
+    request.output = arguments.text("output").value_or(default_output(request.scene));
+    request.stats = arguments.text("stats");
+    require_format(arguments, request.output);
+    require_apart(request);
+    require_mesh_for_up(arguments, request.scene);
+    request.load = load_options(arguments);
+    request.render = render_options(arguments);
+    request.view = arguments.text("view") == "raw" ? View::raw : View::srgb;
+    request.bits = arguments.text("bits") == "16" ? 16 : 8;
+    request.keep_partial = arguments.has("keep-partial");
+    // Wrong flags are told before a large scene is read.
+    SceneDescription unused;
+    apply_flags(arguments, unused);
+    require_writable(request.output);
+    if (request.stats) require_writable(*request.stats);
+    return request;
+}
+
+/// Flags override what the scene says.
+void apply_flags(const Arguments& arguments, SceneDescription& scene) {
+    if (const auto size = arguments.integers("size", 2, 'x', 1, most_pixels_a_side, "WxH such as 1280x720")) {
+        if ((*size)[0] * (*size)[1] > most_pixels)
+            throw Error(ErrorKind::usage, fmt::format("--size {} is too large", *arguments.text("size")),
+                        fmt::format("at most {} pixels", with_commas(most_pixels)));
+        scene.render.width = static_cast<int>((*size)[0]);
+        scene.render.height = static_cast<int>((*size)[1]);
+    }
+    if (const auto spp = arguments.integer("spp", 1, 1 << 20)) scene.render.spp = static_cast<int>(*spp);
+    if (const auto seed = arguments.integer("seed", 0, INT64_MAX))
+        scene.render.seed = static_cast<std::uint64_t>(*seed);
+    if (const auto depth = arguments.integer("max-depth", 0, 1000))
+        scene.whitted.max_depth = static_cast<int>(*depth);
+    if (const auto integrator = arguments.text("integrator")) scene.render.integrator = *integrator;
+}
+
+void require_possible(const RenderRequest& request, const RenderSettings& settings) {
+    require_crop_inside(settings, request.render.crop);
+    require_memory(settings, request.render);
+}
+
+} // namespace glint::cli

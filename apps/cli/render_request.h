@@ -1,0 +1,37 @@
+#pragma once
+// The options of `glint render`, read and checked before the scene is.
+
+#include "arguments.h"
+
+#include "glint/formats.h"
+#include "glint/render.h"
+
+#include <optional>
+#include <string>
+
+namespace glint::cli {
+
+/// What the command line asks for, beyond the scene itself.
+struct RenderRequest {
+    std::string scene;
+    std::string output;
+    std::optional<std::string> stats;
+    LoadOptions load;
+    RenderOptions render;
+    View view = View::srgb;
+    int bits = 8;
+    bool keep_partial = false;
+};
+
+/// Throws Error(usage) for all that can be told to be wrong without the scene, and Error(output) where a
+/// result could not be written.
+RenderRequest read_render_request(const Arguments& arguments);
+
+/// --size, --spp and their like override what the scene says. Throws Error(usage).
+void apply_flags(const Arguments& arguments, SceneDescription& scene);
+
+/// Throws Error(usage) where --crop leaves the picture, and Error(resource) where the picture is larger than
+/// the machine's memory.
+void require_possible(const RenderRequest& request, const RenderSettings& settings);
+
+} // namespace glint::cli

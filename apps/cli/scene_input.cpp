@@ -1,0 +1,37 @@
+#include "scene_input.h"
+
+#include <filesystem>
+
+namespace glint::cli {
+
+LoadOptions load_options(const Arguments& arguments) {
+    LoadOptions options;
+    options.overrides = arguments.all("D");
+    for (const std::string& override_ : options.overrides)
+        if (override_.find('=') == std::string::npos || override_.front() == '=')
+            throw Error(ErrorKind::usage, "-D '" + override_ + "' sets nothing",
+                        "expected path=value, such as -D whitted.max_depth=3");
+    options.allow_outside = arguments.has("allow-outside");
+    const std::string up = arguments.text("up").value_or("auto");
+    if (up == "y") options.up = Axis::y;
+    if (up == "z") options.up = Axis::z;
+    return options;
+}
+
+void require_mesh_for_up(const Arguments& arguments, const std::string& scene) {
+    const bool is_scene = scene == "-" || std::filesystem::path(scene).extension() == ".toml";
+    if (is_scene && arguments.text("up").value_or("auto") != "auto")
+        throw Error(ErrorKind::usage, "--up is for bare meshes, and " + scene + " is a scene",
+                    "in a scene file, turn the mesh with its transform");
+}
+
+void report(const LoadedScene& loaded, Console& console) {
+    for (const std::string& note : loaded.notes) console.note(note);
+    console.warnings(loaded.warnings);
+}
+
+int threads(const Arguments& arguments) {
+    return static_cast<int>(arguments.integer("threads", 0, 1024).value_or(0));
+}
+
+} // namespace glint::cli

@@ -1,0 +1,26 @@
+#pragma once
+// Reading scenes by the options that render, check and info share.
+
+#include "arguments.h"
+#include "console.h"
+
+#include "glint/formats.h"
+#include "glint/scene.h"
+
+#include <string>
+
+namespace glint::cli {
+
+/// -D, --up and --allow-outside. Throws Error(usage).
+LoadOptions load_options(const Arguments& arguments);
+
+/// Throws Error(usage) where --up cannot apply: a scene file's meshes stand as it says.
+void require_mesh_for_up(const Arguments& arguments, const std::string& scene);
+
+/// Prints the notes and warnings that came with reading.
+void report(const LoadedScene& loaded, Console& console);
+
+/// --threads; 0: one for each core.
+int threads(const Arguments& arguments);
+
+} // namespace glint::cli

@@ -1,0 +1,43 @@
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace glint::cli {
+
+std::string with_commas(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t from_end = 3; from_end < digits.size(); from_end += 4)
+        digits.insert(digits.size() - from_end, 1, ',');
+    return digits;
+}
+
+std::string counted(std::uint64_t number, const std::string& noun) {
+    return with_commas(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+std::string duration(double seconds) {
+    if (seconds < 0.9995) return fmt::format("{:.3f} s", seconds);
+    if (seconds < 59.95) return fmt::format("{:.{}f} s", seconds, seconds < 9.995 ? 2 : 1);
+    const auto whole = static_cast<std::uint64_t>(seconds + 0.5);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string bytes(double count) {
+    constexpr std::array units{"B", "KiB", "MiB", "GiB", "TiB"};
+    std::size_t unit = 0;
+    for (; count >= 1024 && unit + 1 < units.size(); ++unit) count /= 1024;
+    return fmt::format("{:.{}f} {}", count, unit == 0 || count >= 99.95 ? 0 : 1, units[unit]);
+}
+
+double mega_rays(std::uint64_t rays, double seconds) {
+    return seconds > 0 ? static_cast<double>(rays) / seconds / 1e6 : 0;
+}
+
+std::string ray_rate(std::uint64_t rays, double seconds) {
+    return fmt::format("{:.2f} Mrays/s", mega_rays(rays, seconds));
+}
+
+} // namespace glint::cli

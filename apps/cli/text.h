@@ -1,0 +1,22 @@
+#pragma once
+// Numbers as people read them.
+
+#include <cstdint>
+#include <string>
+
+namespace glint::cli {
+
+/// 871306 → "871,306".
+std::string with_commas(std::uint64_t number);
+/// "1 triangle", "2,000 triangles"; the plural is the noun with an s.
+std::string counted(std::uint64_t number, const std::string& noun);
+/// Seconds: "0.012 s", "1.23 s", "2 min 05 s", "3 h 07 min".
+std::string duration(double seconds);
+/// Bytes: "512 B", "1.5 MiB".
+std::string bytes(double count);
+/// Rays for each second, in millions: "3.41 Mrays/s".
+std::string ray_rate(std::uint64_t rays, double seconds);
+/// Millions of rays for each second; 0 where no time passed.
+double mega_rays(std::uint64_t rays, double seconds);
+
+} // namespace glint::cli
