@@ -1,0 +1,169 @@
+#include "geometry/mesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr std::uint32_t nobody = 0xffffffffu;
+
+/// The bits of a position; adding +0 turns −0 into it.
+uvec3 position_key(const vec3& p) {
+    return {std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
+            std::bit_cast<std::uint32_t>(p.z + 0.0f)};
+}
+
+/// Mixes a key into 64 well spread bits: multiply and fold, once for each word.
+std::uint64_t hash_key(const uvec3& key) {
+    std::uint64_t h = 0x9e3779b97f4a7c15u;
+    for (const std::uint32_t word : {key.x, key.y, key.z}) {
+        h = (h ^ word) * 0xff51afd7ed558ccdu;
+        h ^= h >> 32;
+    }
+    return h;
+}
+
+/// An edge seen from its lower vertex: `up` when the triangle runs from the lower to the higher.
+struct HalfEdge {
+    std::uint32_t high;
+    bool up;
+};
+
+/// Calls visit(low, HalfEdge) for each edge of each triangle, corners welded; edges without length are left
+/// out.
+template <class Visit>
+void for_each_half_edge(std::span<const uvec3> triangles, const std::vector<std::uint32_t>& first,
+                        Visit visit) {
+    for (const uvec3& triangle : triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = first[triangle[k]];
+            const std::uint32_t b = first[triangle[(k + 1) % 3]];
+            if (a < b) visit(a, HalfEdge{b, true});
+            if (b < a) visit(b, HalfEdge{a, false});
+        }
+    }
+}
+
+/// Whether the edges of one lower vertex run up as often as down, each. Sorts them.
+bool balanced(std::span<HalfEdge> edges) {
+    std::sort(edges.begin(), edges.end(),
+              [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
+    std::int64_t surplus = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        surplus += edges[i].up ? 1 : -1;
+        const bool last = i + 1 == edges.size() || edges[i + 1].high != edges[i].high;
+        if (last && surplus != 0) return false;
+    }
+    return true;
+}
+
+dvec3 edge(const vec3& from, const vec3& to) { return dvec3(to) - dvec3(from); }
+
+} // namespace
+
+std::vector<std::uint32_t> weld_by_position(std::span<const vec3> positions) {
+    // Open addressing, at most half full, so that a search is a step or two.
+    const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
+    std::vector<std::uint32_t> table(slots, nobody);
+    std::vector<std::uint32_t> first(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const uvec3 key = position_key(positions[i]);
+        std::size_t slot = hash_key(key) & (slots - 1);
+        while (table[slot] != nobody && position_key(positions[table[slot]]) != key)
+            slot = (slot + 1) & (slots - 1);
+        if (table[slot] == nobody) table[slot] = static_cast<std::uint32_t>(i);
+        first[i] = table[slot];
+    }
+    return first;
+}
+
+bool is_closed(std::span<const vec3> positions, std::span<const uvec3> triangles) {
+    if (triangles.empty()) return false;
+    const std::vector<std::uint32_t> first = weld_by_position(positions);
+
+    // A counting sort by the lower vertex leaves only a handful of edges to compare at each.
+    std::vector<std::size_t> begin(positions.size() + 1, 0);
+    for_each_half_edge(triangles, first, [&](std::uint32_t low, HalfEdge) { ++begin[low + 1]; });
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    std::vector<HalfEdge> edges(begin.back());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for_each_half_edge(triangles, first, [&](std::uint32_t low, HalfEdge e) { edges[next[low]++] = e; });
+
+    for (std::size_t i = 0; i + 1 < begin.size(); ++i)
+        if (!balanced(std::span(edges).subspan(begin[i], begin[i + 1] - begin[i]))) return false;
+    return true;
+}
+
+double signed_volume(std::span<const vec3> positions, std::span<const uvec3> triangles) {
+    if (triangles.empty()) return 0;
+    // Tetrahedra toward a corner of the mesh itself: toward the far origin they would cancel badly.
+    const vec3 apex = positions[triangles.front().x];
+    double six_volumes = 0;
+    for (const uvec3& t : triangles) {
+        const dvec3 a = edge(apex, positions[t.x]);
+        const dvec3 b = edge(apex, positions[t.y]);
+        const dvec3 c = edge(apex, positions[t.z]);
+        six_volumes += glm::dot(a, glm::cross(b, c));
+    }
+    return six_volumes / 6;
+}
+
+bool is_degenerate(const vec3& a, const vec3& b, const vec3& c) {
+    const dvec3 n = glm::cross(edge(a, b), edge(a, c));
+    return n.x == 0 && n.y == 0 && n.z == 0;
+}
+
+std::size_t drop_degenerate(std::span<const vec3> positions, std::vector<uvec3>& triangles) {
+    const auto gone = [&](const uvec3& t) {
+        return is_degenerate(positions[t.x], positions[t.y], positions[t.z]);
+    };
+    return std::erase_if(triangles, gone);
+}
+
+double angle_from(double sine, double cosine) {
+    const double length = std::sqrt(sine * sine + cosine * cosine);
+    if (!(length > 0)) return 0;
+
+    // The tangent of half the angle to the nearer end of the axis, 0 … 1, then halved twice more: below 0.2.
+    double t = sine / (length + std::fabs(cosine));
+    t = t / (1 + std::sqrt(1 + t * t));
+    t = t / (1 + std::sqrt(1 + t * t));
+
+    // atan t by its series; the first term left out is below 1e-15.
+    const double z = t * t;
+    double series = 0;
+    for (int k = 19; k >= 1; k -= 2) series = 1.0 / k - z * series;
+    const double angle = 8 * t * series;
+    return cosine < 0 ? 3.14159265358979323846 - angle : angle;
+}
+
+std::vector<vec3> smooth_normals(std::span<const vec3> positions, std::span<const uvec3> triangles) {
+    const std::vector<std::uint32_t> first = weld_by_position(positions);
+    std::vector<dvec3> sums(positions.size(), dvec3(0.0));
+    for (const uvec3& t : triangles) {
+        const dvec3 normal =
+            glm::cross(edge(positions[t.x], positions[t.y]), edge(positions[t.x], positions[t.z]));
+        const double area2 = glm::length(normal);
+        if (!(area2 > 0)) continue;
+
+        // |cross| is the same at each corner, so the angles differ by their cosines alone.
+        for (int k = 0; k < 3; ++k) {
+            const vec3& corner = positions[t[k]];
+            const dvec3 to_next = edge(corner, positions[t[(k + 1) % 3]]);
+            const dvec3 to_last = edge(corner, positions[t[(k + 2) % 3]]);
+            sums[first[t[k]]] += normal / area2 * angle_from(area2, glm::dot(to_next, to_last));
+        }
+    }
+
+    std::vector<vec3> normals(positions.size(), vec3(0.0f));
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const dvec3& sum = sums[first[i]];
+        const double length = glm::length(sum);
+        if (length > 0) normals[i] = vec3(sum / length);
+    }
+    return normals;
+}
+
+} // namespace glint
