@@ -35,15 +35,15 @@ bool precedes(const Hit& a, const Hit& b);
 struct SurfacePoint {
     vec3 p{0.0f};
     vec3 p_error{0.0f}; ///< absolute bound, per axis
-    vec3 n{0.0f};       ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
-                        ///< triangles, as given for planes
+    vec3 n{0.0f}; ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
+                  ///< triangles, as given for planes
 };
 
 /// Plain input of World. Quadrics in double: their equations are solved in double and rounded once.
 struct WorldInput {
     struct Triangles {
         std::uint32_t object = 0;
-        std::vector<vec3> positions;  ///< world space
+        std::vector<vec3> positions; ///< world space
         std::vector<uvec3> triangles;
         bool flip = false; ///< turn the normals against the winding
     };
@@ -96,8 +96,8 @@ class World {
 
     /// The least (t, object, prim) with tmin < t < tmax; kind `none` if there is none.
     Hit closest(const Ray& ray) const;
-    /// The least one after `previous` on the same ray: surfaces passed over one by one, without new origins. Two hits
-    /// of one mesh on a shared edge are one crossing, and it is not given twice.
+    /// The least one after `previous` on the same ray: surfaces passed over one by one, without new origins.
+    /// Two hits of one mesh on a shared edge are one crossing, and it is not given twice.
     Hit next(const Ray& ray, const Hit& previous) const;
     /// Is there any hit with tmin < t < tmax?
     bool occluded(const Ray& ray) const;

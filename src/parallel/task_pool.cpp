@@ -1,0 +1,126 @@
+#include "parallel/task_pool.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace glint {
+
+int available_threads() {
+    const unsigned cores = std::thread::hardware_concurrency();
+    return cores > 0 ? static_cast<int>(cores) : 1;
+}
+
+struct TaskPool::State {
+    std::mutex mutex;
+    std::condition_variable job_posted;
+    std::condition_variable job_done;
+    std::vector<std::thread> helpers; ///< workers 1, 2, …; the caller of run() is worker 0
+
+    // The job, written under the mutex before `generation` moves on and constant until `busy` is 0 again.
+    const std::function<void(std::size_t, int)>* body = nullptr;
+    std::size_t count = 0;
+    std::uint64_t generation = 0;
+    int busy = 0; ///< helpers that have not finished the job
+    bool closing = false;
+    std::exception_ptr failure;
+
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> stopped{false};
+
+    int threads() const { return static_cast<int>(helpers.size()) + 1; }
+
+    void fail(std::exception_ptr error) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::move(error);
+        stopped.store(true, std::memory_order_relaxed);
+    }
+
+    /// One worker's share of the job: its own first task, then whatever is next.
+    void work(int worker) {
+        try {
+            std::size_t task = static_cast<std::size_t>(worker);
+            while (task < count && !stopped.load(std::memory_order_relaxed)) {
+                (*body)(task, worker);
+                task = next.fetch_add(1, std::memory_order_relaxed);
+            }
+        } catch (...) {
+            fail(std::current_exception());
+        }
+    }
+
+    /// The life of a helper: sleep, work, report.
+    void serve(int worker) {
+        std::uint64_t seen = 0;
+        for (;;) {
+            {
+                std::unique_lock lock(mutex);
+                job_posted.wait(lock, [&] { return closing || generation != seen; });
+                if (closing) return;
+                seen = generation;
+            }
+            work(worker);
+            const std::lock_guard lock(mutex);
+            if (--busy == 0) job_done.notify_one();
+        }
+    }
+
+    void close() {
+        {
+            const std::lock_guard lock(mutex);
+            closing = true;
+        }
+        job_posted.notify_all();
+        for (std::thread& helper : helpers) helper.join();
+    }
+};
+
+TaskPool::TaskPool(int threads) : state_(std::make_unique<State>()) {
+    const int wanted = threads > 0 ? threads : available_threads();
+    // A machine that refuses a thread refuses the pool: those already started must end first.
+    try {
+        state_->helpers.reserve(static_cast<std::size_t>(wanted - 1));
+        for (int worker = 1; worker < wanted; ++worker)
+            state_->helpers.emplace_back([state = state_.get(), worker] { state->serve(worker); });
+    } catch (...) {
+        state_->close();
+        throw;
+    }
+}
+
+TaskPool::~TaskPool() { state_->close(); }
+
+int TaskPool::threads() const { return state_->threads(); }
+
+void TaskPool::run(std::size_t count, const std::function<void(std::size_t task, int worker)>& body) {
+    State& state = *state_;
+    {
+        const std::lock_guard lock(state.mutex);
+        state.body = &body;
+        state.count = count;
+        state.failure = nullptr;
+        state.stopped.store(false, std::memory_order_relaxed);
+        // Tasks below the number of workers are the workers' first ones.
+        state.next.store(state.helpers.size() + 1, std::memory_order_relaxed);
+        // A single task is the caller's: nobody need be woken.
+        state.busy = count > 1 ? static_cast<int>(state.helpers.size()) : 0;
+        if (state.busy > 0) ++state.generation;
+    }
+    if (count > 1) state.job_posted.notify_all();
+    state.work(0);
+
+    std::exception_ptr failure;
+    {
+        std::unique_lock lock(state.mutex);
+        state.job_done.wait(lock, [&] { return state.busy == 0; });
+        state.body = nullptr;
+        std::swap(failure, state.failure);
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+} // namespace glint

@@ -1,0 +1,161 @@
+// The questions a World answers.
+
+#include "trace/world.h"
+
+#include "trace/world_data.h"
+
+#include <algorithm>
+
+namespace glint {
+
+namespace {
+
+/// Keeps the least hit.
+struct Closest {
+    float limit;
+    Hit best{};
+    bool positive = false;
+
+    bool add(const Hit& hit, bool facing) {
+        if (precedes(hit, best)) {
+            best = hit;
+            positive = facing;
+            limit = hit.t;
+        }
+        return false;
+    }
+};
+
+/// Keeps the least hit after another.
+struct ClosestAfter {
+    const Hit& previous;
+    float limit;
+    Closest closest{limit};
+
+    bool add(const Hit& hit, bool facing) {
+        if (!precedes(previous, hit)) return false;
+        closest.add(hit, facing);
+        limit = closest.limit;
+        return false;
+    }
+};
+
+/// Ends at the first hit.
+struct Any {
+    float limit;
+    bool found = false;
+
+    bool add(const Hit&, bool) { return found = true; }
+};
+
+/// A hit and the side from which it was met.
+struct FacedHit {
+    Hit hit;
+    bool positive;
+};
+
+/// Keeps everything.
+struct All {
+    float limit;
+    std::vector<FacedHit> hits{};
+
+    bool add(const Hit& hit, bool positive) {
+        hits.push_back({hit, positive});
+        return false;
+    }
+};
+
+/// Neighbours on an edge get the same t but for rounding.
+float lowest_same(float t) { return t - std::abs(t) * 0x1p-18f; }
+
+/// Is `later` the crossing that `earlier` reported already, met again in the neighbour across an edge or a
+/// vertex?
+bool same_crossing(const FacedHit& earlier, const FacedHit& later) {
+    return earlier.hit.on_edge && later.hit.on_edge && earlier.hit.object == later.hit.object &&
+           earlier.positive == later.positive && earlier.hit.t >= lowest_same(later.hit.t) &&
+           precedes(earlier.hit, later.hit);
+}
+
+/// Finds out whether a hit was reported by an earlier one.
+struct Repeated {
+    const FacedHit& later;
+    float limit = later.hit.t;
+    bool found = false;
+
+    bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
+};
+
+} // namespace
+
+bool precedes(const Hit& a, const Hit& b) {
+    if (a.t != b.t) return a.t < b.t;
+    if (a.object != b.object) return a.object < b.object;
+    if (a.prim != b.prim) return a.prim < b.prim;
+    // Both roots of a quadric may round to one t; the ray still enters before it leaves.
+    return a.kind == b.kind && a.kind != PrimKind::triangle && a.u < b.u;
+}
+
+Hit World::closest(const Ray& ray) const {
+    Closest sink{limit_below(ray.tmax)};
+    trace(*data_, ray, ray.tmin, sink);
+    return sink.best;
+}
+
+Hit World::closest_brute_force(const Ray& ray) const {
+    Closest sink{limit_below(ray.tmax)};
+    trace_brute_force(*data_, ray, sink);
+    return sink.best;
+}
+
+bool World::occluded(const Ray& ray) const {
+    Any sink{limit_below(ray.tmax)};
+    trace(*data_, ray, ray.tmin, sink);
+    return sink.found;
+}
+
+bool World::occluded_brute_force(const Ray& ray) const {
+    Any sink{limit_below(ray.tmax)};
+    trace_brute_force(*data_, ray, sink);
+    return sink.found;
+}
+
+Hit World::next(const Ray& ray, const Hit& previous) const {
+    if (!previous) return {};
+    Hit last = previous;
+    for (;;) {
+        ClosestAfter sink{last, limit_below(ray.tmax)};
+        trace(*data_, ray, std::max(ray.tmin, last.t), sink);
+        const FacedHit found{sink.closest.best, sink.closest.positive};
+        if (!found.hit || !found.hit.on_edge) return found.hit;
+        Repeated repeated{found};
+        trace(*data_, ray, std::max(ray.tmin, lowest_same(found.hit.t)), repeated);
+        if (!repeated.found) return found.hit;
+        last = found.hit;
+    }
+}
+
+void World::crossings(const Ray& ray, std::vector<Hit>& out) const {
+    out.clear();
+    All sink{limit_below(ray.tmax)};
+    trace(*data_, ray, ray.tmin, sink);
+    std::sort(sink.hits.begin(), sink.hits.end(),
+              [](const FacedHit& a, const FacedHit& b) { return precedes(a.hit, b.hit); });
+    for (auto hit = sink.hits.begin(); hit != sink.hits.end(); ++hit) {
+        bool repeated = false;
+        for (auto earlier = hit; hit->hit.on_edge && !repeated && earlier-- != sink.hits.begin();) {
+            if (earlier->hit.t < lowest_same(hit->hit.t)) break;
+            repeated = same_crossing(*earlier, *hit);
+        }
+        if (!repeated) out.push_back(hit->hit);
+    }
+}
+
+Bounds World::bounds() const {
+    Bounds box = data_->triangle_tree.bounds;
+    box.grow(data_->quadric_tree.bounds);
+    return box;
+}
+
+WorldStats World::stats() const { return data_->stats; }
+
+} // namespace glint

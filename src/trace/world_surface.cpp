@@ -1,0 +1,107 @@
+// From a hit back to the surface: exact in double, rounded once.
+
+#include "trace/world_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+
+namespace {
+
+/// Errors of the arithmetic in double, relative to the largest number in it, with a wide margin.
+constexpr double double_error = 0x1p-45;
+
+double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Rounds to float, with half a float's spacing and `slack` as the error.
+SurfacePoint rounded(const ExactPoint& point, double slack) {
+    SurfacePoint result;
+    result.p = vec3(point.p);
+    result.p_error = glm::abs(result.p) * 0x1p-24f + vec3(static_cast<float>(slack));
+    result.n = vec3(point.n);
+    return result;
+}
+
+SurfacePoint triangle_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
+    const auto mesh = std::lower_bound(world.meshes.begin(), world.meshes.end(), hit.object,
+                                       [](const auto& m, std::uint32_t object) { return m.object < object; });
+    const uvec3 corners = mesh->triangles[hit.prim];
+    TriangleVertices vertices;
+    for (int i = 0; i < 3; ++i) {
+        const vec3 p = mesh->positions[corners[i]];
+        vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
+    }
+    const ExactPoint point = triangle_point(vertices, double(hit.u), double(hit.v), dvec3(ray.direction));
+    SurfacePoint result;
+    result.p = vec3(point.p);
+    result.p_error = triangle_point_error(vertices, result.p);
+    result.n = vec3(mesh->flip ? -point.n : point.n);
+    return result;
+}
+
+const Quadric& numbered_quadric(const WorldData& world, const Hit& hit) {
+    const auto at = std::lower_bound(world.quadrics_by_number.begin(), world.quadrics_by_number.end(), hit,
+                                     [&](std::uint32_t index, const Hit& wanted) {
+                                         const Quadric& q = world.quadrics[index];
+                                         return q.object != wanted.object ? q.object < wanted.object
+                                                                          : q.prim < wanted.prim;
+                                     });
+    return world.quadrics[*at];
+}
+
+SurfacePoint quadric_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
+    const Quadric& quadric = numbered_quadric(world, hit);
+    const Line line = exact_line(ray);
+    CylinderInterval inside{};
+    intersect(world, line, quadric, inside);
+    const bool leaving = hit.u != 0.0f;
+    const double t = leaving ? inside.t.leave : inside.t.enter;
+    const CylinderPart part = leaving ? inside.leave_part : inside.enter_part;
+    const auto on_shape = [&](const dvec3& p) {
+        return quadric.kind == PrimKind::cylinder ? surface(quadric.shape, part, p)
+                                                  : surface(quadric.sphere(), p);
+    };
+    const double size = largest(quadric.shape.base) + quadric.shape.radius + quadric.shape.height;
+    if (quadric.affine < 0) return rounded(on_shape(line.origin + line.direction * t), double_error * size);
+
+    // Solved in local space with the same t; normals go by the inverse transpose.
+    const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
+    const Line local = affine.to_local(line);
+    const ExactPoint point = on_shape(local.origin + local.direction * t);
+    const dvec3 normal = glm::transpose(affine.inverse) * point.n;
+    const double stretch = largest(affine.linear[0]) + largest(affine.linear[1]) + largest(affine.linear[2]);
+    return rounded(
+        {affine.linear * point.p + affine.translation, normal / std::sqrt(glm::dot(normal, normal))},
+        double_error * (largest(affine.translation) + stretch * size));
+}
+
+SurfacePoint plane_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
+    const auto numbered =
+        std::lower_bound(world.planes.begin(), world.planes.end(), hit.object,
+                         [](const auto& p, std::uint32_t object) { return p.object < object; });
+    const Line line = exact_line(ray);
+    double t = 0;
+    intersect(line, numbered->plane, t);
+    const dvec3 p = line.origin + line.direction * t;
+    return rounded(surface(numbered->plane, p), double_error * (largest(line.origin) + largest(p)));
+}
+
+} // namespace
+
+SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
+    switch (hit.kind) {
+    case PrimKind::triangle:
+        return triangle_surface(*data_, ray, hit);
+    case PrimKind::sphere:
+    case PrimKind::cylinder:
+        return quadric_surface(*data_, ray, hit);
+    case PrimKind::plane:
+        return plane_surface(*data_, ray, hit);
+    case PrimKind::none:
+        break;
+    }
+    return {};
+}
+
+} // namespace glint
