@@ -1,0 +1,46 @@
+#include "imaging/camera.h"
+
+#include "math/trig.h"
+
+namespace glint {
+
+namespace {
+
+/// The side of the picture, in pixels, that the field of view spans.
+double measured_side(FieldOfViewAxis axis, double width, double height) {
+    switch (axis) {
+    case FieldOfViewAxis::x:
+        return width;
+    case FieldOfViewAxis::smaller:
+        return width < height ? width : height;
+    case FieldOfViewAxis::larger:
+        return width > height ? width : height;
+    case FieldOfViewAxis::y:
+        break;
+    }
+    return height;
+}
+
+} // namespace
+
+PinholeCamera pinhole_camera(const dvec3& eye, const dvec3& direction, const dvec3& up, double fov_degrees,
+                             FieldOfViewAxis axis, int width, int height) {
+    const dvec3 forward = glm::normalize(direction);
+    const dvec3 right = glm::normalize(glm::cross(forward, up));
+    const dvec3 upward = glm::cross(right, forward);
+
+    // Pixels are square: the other side's tangent follows from the ratio of the sides.
+    const double tangent = tan_degrees(fov_degrees / 2);
+    const double side = measured_side(axis, width, height);
+
+    PinholeCamera camera;
+    camera.eye = vec3(eye);
+    camera.forward = vec3(forward);
+    camera.right = vec3(right * (tangent * (width / side)));
+    camera.up = vec3(upward * (tangent * (height / side)));
+    camera.width = static_cast<float>(width);
+    camera.height = static_cast<float>(height);
+    return camera;
+}
+
+} // namespace glint

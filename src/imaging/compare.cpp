@@ -1,0 +1,102 @@
+#include "glint/image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace glint {
+
+namespace {
+
+/// |a − b|, computed in double. Equal values, NaN and NaN among them, differ by 0; NaN and a number by
+/// infinity.
+double difference(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+    if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<double>::infinity();
+    return std::abs(static_cast<double>(a) - static_cast<double>(b));
+}
+
+void require_same_size(const Image& a, const Image& b) {
+    if (a.width == b.width && a.height == b.height) return;
+    const auto size = [](const Image& image) {
+        return std::to_string(image.width) + " x " + std::to_string(image.height);
+    };
+    throw std::invalid_argument("pictures of different sizes: " + size(a) + " and " + size(b));
+}
+
+using Color = std::array<float, 3>;
+
+/// Black, blue, yellow, white at t = 0, 1/3, 2/3, 1, straight lines between.
+Color heat_color(double t) {
+    static constexpr std::array<std::array<double, 3>, 4> stops{
+        {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 1.0, 0.0}, {1.0, 1.0, 1.0}}};
+    const double position = 3 * std::clamp(t, 0.0, 1.0);
+    const auto from = static_cast<std::size_t>(std::min(2.0, std::floor(position)));
+    const double share = position - static_cast<double>(from);
+
+    Color color;
+    for (std::size_t i = 0; i < 3; ++i)
+        color[i] = static_cast<float>(stops[from][i] + share * (stops[from + 1][i] - stops[from][i]));
+    return color;
+}
+
+} // namespace
+
+Comparison compare(const Image& a, const Image& b, double tolerance, double peak) {
+    require_same_size(a, b);
+
+    // Rows are summed apart: the rounding of a sum over one row stays small, and the order is fixed.
+    Comparison result;
+    double sum = 0;
+    double sum_of_squares = 0;
+    double beyond = 0;
+    for (int y = 0; y < a.height; ++y) {
+        double row_sum = 0;
+        double row_squares = 0;
+        for (int x = 0; x < a.width; ++x) {
+            double worst = 0;
+            for (int channel = 0; channel < 3; ++channel) {
+                const double d = difference(a.at(x, y)[channel], b.at(x, y)[channel]);
+                row_sum += d;
+                row_squares += d * d;
+                worst = std::max(worst, d);
+            }
+            result.max = std::max(result.max, worst);
+            if (worst > tolerance) beyond += 1;
+        }
+        sum += row_sum;
+        sum_of_squares += row_squares;
+    }
+
+    const double pixels = static_cast<double>(a.width) * static_cast<double>(a.height);
+    if (pixels > 0) {
+        result.mae = sum / (3 * pixels);
+        result.rmse = std::sqrt(sum_of_squares / (3 * pixels));
+        result.share = beyond / pixels;
+    }
+    result.psnr =
+        result.rmse > 0 ? 20 * std::log10(peak / result.rmse) : std::numeric_limits<double>::infinity();
+    return result;
+}
+
+Image difference_heat(const Image& a, const Image& b, double full_scale) {
+    require_same_size(a, b);
+    Image heat(a.width, a.height);
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            double worst = 0;
+            for (int channel = 0; channel < 3; ++channel)
+                worst = std::max(worst, difference(a.at(x, y)[channel], b.at(x, y)[channel]));
+
+            // Compared before dividing: a scale of 0 shows any difference in white.
+            const double t = worst == 0 ? 0 : worst >= full_scale ? 1 : worst / full_scale;
+            const Color color = heat_color(t);
+            std::copy(color.begin(), color.end(), heat.at(x, y));
+        }
+    return heat;
+}
+
+} // namespace glint

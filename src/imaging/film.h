@@ -1,0 +1,79 @@
+#pragma once
+// From a pixel's samples to its value, in an order that depends on the number of the sample alone.
+
+#include "math/vec.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace glint {
+
+/// A sum of up to 2^32 − 1 values by a fixed tree. Values are added in pairs, pairs in pairs, and so on, as
+/// carries run through a binary counter: each aligned block of 16 is a full tree of its own, so blocks may be
+/// summed apart. What does not fill a tree is added at the end, the youngest first. Rounding grows with log
+/// n, not n.
+template <class T>
+class PairwiseSum {
+  public:
+    void add(const T& value) {
+        T carry = value;
+        std::size_t level = 0;
+        for (; (count_ >> level & 1U) != 0; ++level) carry = trees_[level] + carry;
+        trees_[level] = carry;
+        ++count_;
+    }
+
+    /// The sum; T{} when nothing was added.
+    T total() const {
+        if (count_ == 0) return T{};
+        auto level = static_cast<std::size_t>(std::countr_zero(count_));
+        T sum = trees_[level];
+        for (++level; (count_ >> level) != 0; ++level)
+            if ((count_ >> level & 1U) != 0) sum = trees_[level] + sum;
+        return sum;
+    }
+
+    std::uint32_t count() const { return count_; }
+
+  private:
+    std::uint32_t count_ = 0;
+    std::array<T, 32> trees_{}; ///< tree of 2^level values where bit `level` of the count is set
+};
+
+/// One pixel's samples: Σ w L / Σ w for weights of ±1 (imaging/filter.h). Where the weights nearly cancel,
+/// Σ w < n / 2, as happens when several of few samples fall on a negative lobe, dividing by them would blow
+/// the pixel up: it is the plain mean of the samples of positive weight, or of all where there is none.
+///
+/// T is what a sample measures: T{} is 0, and it has + − and / float.
+template <class T>
+class PixelSum {
+  public:
+    void add(const T& radiance, float weight) {
+        // Each side counts every sample, so that its tree does not depend on the signs.
+        const bool plus = weight > 0;
+        positive_.add(plus ? radiance : T{});
+        negative_.add(plus ? T{} : radiance);
+        if (plus) ++positives_;
+    }
+
+    /// T{} when nothing was added.
+    T value() const {
+        const std::uint32_t count = positive_.count();
+        const std::uint32_t negatives = count - positives_;
+        if (count == 0) return T{};
+        if (positives_ == 0) return negative_.total() / static_cast<float>(negatives);
+
+        const std::int64_t weights = std::int64_t{positives_} - std::int64_t{negatives};
+        if (2 * weights < std::int64_t{count}) return positive_.total() / static_cast<float>(positives_);
+        return (positive_.total() - negative_.total()) / static_cast<float>(weights);
+    }
+
+  private:
+    PairwiseSum<T> positive_;
+    PairwiseSum<T> negative_;
+    std::uint32_t positives_ = 0;
+};
+
+} // namespace glint

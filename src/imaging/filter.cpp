@@ -1,0 +1,109 @@
+#include "imaging/filter.h"
+
+#include <cmath>
+
+namespace glint {
+
+namespace {
+
+/// e^−x for x ≥ 0 as the reciprocal of a series of positive terms: + * / only, so the same bits anywhere.
+double exp_minus(double x) {
+    double sum = 1;
+    double term = 1;
+    for (int k = 1; k <= 60; ++k) {
+        term = term * x / k;
+        sum += term;
+    }
+    return 1 / sum;
+}
+
+double gaussian(double x) {
+    constexpr double alpha = 2;
+    constexpr double radius = 1.5;
+    return exp_minus(alpha * x * x) - exp_minus(alpha * radius * radius);
+}
+
+/// Mitchell and Netravali, "Reconstruction Filters in Computer Graphics", 1988, equation 8 with B = C = 1/3.
+double mitchell(double x) {
+    if (x < 1) return (21 * x * x * x - 36 * x * x + 16) / 18;
+    return (7.0 / 18) * (2 - x) * (2 - x) * (8.0 / 7 - x);
+}
+
+} // namespace
+
+double filter_radius(FilterKind kind) {
+    switch (kind) {
+    case FilterKind::box:
+        return 0.5;
+    case FilterKind::tent:
+        return 1;
+    case FilterKind::gaussian:
+        return 1.5;
+    case FilterKind::mitchell:
+        break;
+    }
+    return 2;
+}
+
+double filter_value(FilterKind kind, double x) {
+    x = std::abs(x);
+    if (x > filter_radius(kind)) return 0;
+    switch (kind) {
+    case FilterKind::box:
+        return 1;
+    case FilterKind::tent:
+        return 1 - x;
+    case FilterKind::gaussian:
+        return gaussian(x);
+    case FilterKind::mitchell:
+        break;
+    }
+    return mitchell(x);
+}
+
+PixelFilterSampler::PixelFilterSampler(FilterKind kind) : radius_(static_cast<float>(filter_radius(kind))) {
+    // From the rim inward the sums begin small, so that the thin rim keeps its precision. Simpson's rule is
+    // exact for the polynomials; no step contains a change of sign.
+    const double radius = filter_radius(kind);
+    const auto distance = [&](double step) { return radius * (1 - step / static_cast<double>(steps)); };
+    std::array<double, steps + 1> tail{};
+    for (std::size_t i = 0; i < steps; ++i) {
+        const auto step = static_cast<double>(i);
+        const double middle = filter_value(kind, distance(step + 0.5));
+        const double mass =
+            filter_value(kind, distance(step)) + 4 * middle + filter_value(kind, distance(step + 1));
+        tail[i + 1] = tail[i] + std::abs(mass);
+        if (middle < 0) negative_steps_ = i + 1;
+    }
+    for (std::size_t i = 0; i <= steps; ++i) tail_[i] = static_cast<float>(tail[i] / tail[steps]);
+
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < starts; ++i) {
+        while (tail_[step + 1] <= static_cast<float>(i) / static_cast<float>(starts)) ++step;
+        start_[i] = static_cast<std::uint16_t>(step);
+    }
+}
+
+PixelFilterSampler::Offset PixelFilterSampler::along_axis(float u) const {
+    // Both halves share one table; twice the distance to the nearer end of [0, 1) is exact.
+    const bool left = u < 0.5f;
+    const float tail = left ? 2 * u : 2 - 2 * u;
+
+    // Only u = 1/2, the centre itself, has the whole of |f| beyond it.
+    std::size_t step = steps - 1;
+    if (tail < 1) {
+        step = start_[static_cast<std::size_t>(tail * static_cast<float>(starts))];
+        while (tail_[step + 1] <= tail) ++step;
+    }
+    const float share = (tail - tail_[step]) / (tail_[step + 1] - tail_[step]);
+    const float distance = radius_ * (1 - (static_cast<float>(step) + share) / static_cast<float>(steps));
+    return {left ? -distance : distance, step < negative_steps_ ? -1.0f : 1.0f};
+}
+
+FilterSample PixelFilterSampler::sample(float u, float v) const {
+    const Offset x = along_axis(u);
+    const Offset y = along_axis(v);
+    return {x.distance, y.distance, x.sign * y.sign};
+}
+
+} // namespace glint

@@ -1,0 +1,62 @@
+#pragma once
+// Pixel filters by importance: M. Ernst, M. Stamminger, G. Greiner, "Filter Importance Sampling", Interactive
+// Ray Tracing 2006. A sample belongs to one pixel alone: its offset is drawn in proportion to |f|, its weight
+// is the sign of f. Nothing is splatted to other pixels, so tiles never wait for each other.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glint {
+
+/// All filters are separable: f(x) · f(y), with x and y in pixels from the pixel's centre.
+enum class FilterKind {
+    box,      ///< 1 for |x| ≤ 0.5
+    tent,     ///< 1 − |x|, radius 1
+    gaussian, ///< e^(−2x²) − e^(−2r²), radius r = 1.5 (standard deviation 0.5 pixel)
+    mitchell, ///< Mitchell and Netravali 1988 with B = C = 1/3, radius 2; below 0 between 8/7 and 2
+};
+
+/// Beyond this distance in x or y, in pixels, the filter is 0.
+double filter_radius(FilterKind kind);
+
+/// The filter along one axis at distance x from the centre; its integral is 1 for all but the gaussian.
+double filter_value(FilterKind kind, double x);
+
+/// Where in (or around) a pixel to look, and what the sample counts.
+struct FilterSample {
+    float dx = 0;     ///< pixels from the pixel's centre, to the right
+    float dy = 0;     ///< pixels from the pixel's centre, downward
+    float weight = 1; ///< +1, or −1 where the filter is negative
+};
+
+/// Draws offsets distributed as |f|, by table: the filter is taken as constant over each of 896 steps on a
+/// side.
+class PixelFilterSampler {
+  public:
+    explicit PixelFilterSampler(FilterKind kind);
+
+    /// Maps u, v in [0, 1) to an offset, monotonically; 1 − u gives exactly the mirrored offset of u.
+    FilterSample sample(float u, float v) const;
+
+  private:
+    struct Offset {
+        float distance;
+        float sign;
+    };
+    Offset along_axis(float u) const;
+
+    /// A multiple of 14, so that steps of Mitchell's filter end at 1 (where its pieces meet) and at 8/7
+    /// (where its sign changes).
+    static constexpr std::size_t steps = 896;
+    /// A power of two, so that finding the place to begin a search is exact.
+    static constexpr std::size_t starts = 1024;
+
+    float radius_;
+    std::size_t negative_steps_ = 0;    ///< outermost steps on which the filter is below 0
+    std::array<float, steps + 1> tail_; ///< share of |f| beyond a distance of radius · (1 − i / steps)
+    std::array<std::uint16_t, starts>
+        start_; ///< by tail · starts, rounded down: the step to begin the search at
+};
+
+} // namespace glint
