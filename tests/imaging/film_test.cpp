@@ -54,7 +54,7 @@ TEST(PairwiseSum, StaysExactWhereARunningSumDrifts) {
 }
 
 TEST(PixelSum, OneSampleIsThePixel) {
-    PixelSum pixel;
+    PixelSum<vec3> pixel;
     EXPECT_EQ(pixel.value(), vec3(0));
     pixel.add(vec3(0.1f, 0.2f, 0.7f), 1);
     EXPECT_EQ(pixel.value(), vec3(0.1f, 0.2f, 0.7f));
@@ -62,7 +62,7 @@ TEST(PixelSum, OneSampleIsThePixel) {
 
 TEST(PixelSum, DividesTheWeightedSumByTheWeights) {
     // (1 + 2 + 3 − 4) / (3 − 1): half of the samples' number remains, just enough.
-    PixelSum pixel;
+    PixelSum<vec3> pixel;
     pixel.add(vec3(1), 1);
     pixel.add(vec3(4), -1);
     pixel.add(vec3(2), 1);
@@ -71,7 +71,7 @@ TEST(PixelSum, DividesTheWeightedSumByTheWeights) {
 }
 
 TEST(PixelSum, TakesThePositiveMeanWhereWeightsNearlyCancel) {
-    PixelSum pixel;
+    PixelSum<vec3> pixel;
     pixel.add(vec3(1), 1);
     pixel.add(vec3(9), -1);
     EXPECT_EQ(pixel.value(), vec3(1));
@@ -80,15 +80,15 @@ TEST(PixelSum, TakesThePositiveMeanWhereWeightsNearlyCancel) {
 }
 
 TEST(PixelSum, TakesThePlainMeanWhereNoWeightIsPositive) {
-    PixelSum pixel;
+    PixelSum<vec3> pixel;
     pixel.add(vec3(2), -1);
     pixel.add(vec3(4), -1);
     EXPECT_EQ(pixel.value(), vec3(3));
 }
 
 TEST(PixelSum, DoubledLightDoublesThePixelInEveryBit) {
-    PixelSum once;
-    PixelSum twice;
+    PixelSum<vec3> once;
+    PixelSum<vec3> twice;
     for (int i = 0; i < 37; ++i) {
         const vec3 light(std::sin(static_cast<float>(i)), 0.3f * static_cast<float>(i), 1e-3f);
         const float weight = i % 7 == 3 ? -1.0f : 1.0f;

@@ -1,0 +1,260 @@
+#include "glint/render.h"
+
+#include "imaging/camera.h"
+#include "imaging/film.h"
+#include "imaging/filter.h"
+#include "math/random.shared.h"
+#include "render/whitted.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <mutex>
+
+namespace glint {
+namespace {
+
+FilterKind filter_kind(PixelFilter filter) {
+    switch (filter) {
+    case PixelFilter::box:
+        return FilterKind::box;
+    case PixelFilter::tent:
+        return FilterKind::tent;
+    case PixelFilter::gaussian:
+        return FilterKind::gaussian;
+    case PixelFilter::mitchell:
+        return FilterKind::mitchell;
+    }
+    return FilterKind::mitchell;
+}
+
+FieldOfViewAxis fov_axis(FovAxis axis) {
+    switch (axis) {
+    case FovAxis::y:
+        return FieldOfViewAxis::y;
+    case FovAxis::x:
+        return FieldOfViewAxis::x;
+    case FovAxis::smaller:
+        return FieldOfViewAxis::smaller;
+    case FovAxis::larger:
+        return FieldOfViewAxis::larger;
+    }
+    return FieldOfViewAxis::y;
+}
+
+PinholeCamera camera_of(const FrozenScene& scene) {
+    const CameraDescription& c = *scene.description.camera;
+    const RenderSettings& r = scene.description.render;
+    return pinhole_camera(c.eye, c.direction, c.up, c.fov, fov_axis(c.fov_axis), r.width, r.height);
+}
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// One rendering: tiles over threads, each tile's pixels written by one thread alone.
+class Job {
+  public:
+    Job(const FrozenScene& scene, const RenderOptions& options)
+        : scene_(scene), options_(options), settings_(scene.description.render), camera_(camera_of(scene)),
+          filter_(filter_kind(settings_.filter)), area_(checked_area()) {
+        tile_ = std::max(1, options.tile_size);
+        columns_ = (area_.width + tile_ - 1) / tile_;
+        rows_ = (area_.height + tile_ - 1) / tile_;
+        picture_.image = Image(area_.width, area_.height);
+        if (options.terms)
+            for (Image& term : picture_.terms) term = Image(area_.width, area_.height);
+        if (options.coverage)
+            picture_.coverage.resize(static_cast<std::size_t>(area_.width) *
+                                     static_cast<std::size_t>(area_.height));
+    }
+
+    Picture run() {
+        const double wall = wall_seconds();
+        const double cpu = cpu_seconds();
+        TaskPool pool(options_.threads);
+        start_ = wall;
+        for (int i = 0; i < pool.threads(); ++i)
+            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel)});
+        pool.run(tile_count(), [this](std::size_t tile, int worker) {
+            render_tile(tile, workers_[static_cast<std::size_t>(worker)]);
+        });
+        collect_stats();
+        picture_.stats.wall_seconds = wall_seconds() - wall;
+        picture_.stats.cpu_seconds = cpu_seconds() - cpu;
+        return std::move(picture_);
+    }
+
+  private:
+    struct Worker {
+        WhittedTracer tracer;
+        std::uint64_t tiles = 0;
+        std::uint64_t rays_told = 0;
+    };
+
+    std::size_t tile_count() const {
+        return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    }
+
+    Rect checked_area() const {
+        if (!options_.crop) return {0, 0, settings_.width, settings_.height};
+        const Rect c = *options_.crop;
+        const bool inside = c.x >= 0 && c.y >= 0 && c.width >= 1 && c.height >= 1 &&
+                            c.width <= settings_.width - c.x && c.height <= settings_.height - c.y;
+        if (inside) return c;
+        throw Error(ErrorKind::usage, "the crop does not lie inside the picture",
+                    "expected x, y, width, height within " + std::to_string(settings_.width) + "x" +
+                        std::to_string(settings_.height));
+    }
+
+    bool cancelled() const {
+        return options_.cancel != nullptr && options_.cancel->load(std::memory_order_relaxed);
+    }
+
+    void render_tile(std::size_t tile, Worker& worker) {
+        if (cancelled()) return;
+        Rect r;
+        r.x = static_cast<int>(tile % static_cast<std::size_t>(columns_)) * tile_;
+        r.y = static_cast<int>(tile / static_cast<std::size_t>(columns_)) * tile_;
+        r.width = std::min(tile_, area_.width - r.x);
+        r.height = std::min(tile_, area_.height - r.y);
+        for (int y = r.y; y < r.y + r.height; ++y)
+            for (int x = r.x; x < r.x + r.width; ++x) {
+                render_pixel(x, y, worker);
+                if (cancelled()) return clear(r);
+            }
+        ++worker.tiles;
+        report(worker);
+    }
+
+    /// x and y count within the area; samples depend on the place in the whole picture.
+    void render_pixel(int x, int y, Worker& worker) {
+        const int px = area_.x + x;
+        const int py = area_.y + y;
+        const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
+                                   static_cast<uint>(px), static_cast<uint>(py));
+        PixelSum<Terms> sum;
+        int covered = 0;
+        for (int i = 0; i < settings_.spp; ++i) {
+            FilterSample place;
+            if (settings_.spp > 1) {
+                const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
+                place = filter_.sample(u.x, u.y);
+            }
+            const vec3 direction = pinhole_direction(camera_, px, py, place.dx, place.dy);
+            sum.add(worker.tracer.trace(camera_.eye, direction), place.weight);
+            if (worker.tracer.covered()) ++covered;
+        }
+        store(x, y, sum.value(), static_cast<float>(covered) / static_cast<float>(settings_.spp));
+    }
+
+    void store(int x, int y, const Terms& terms, float coverage) {
+        write(picture_.image.at(x, y), terms.sum());
+        if (options_.terms)
+            for (std::size_t i = 0; i < picture_.terms.size(); ++i)
+                write(picture_.terms[i].at(x, y), terms.value[i]);
+        if (options_.coverage) picture_.coverage[index(x, y)] = coverage;
+    }
+
+    static void write(float* pixel, const vec3& value) {
+        pixel[0] = value.x;
+        pixel[1] = value.y;
+        pixel[2] = value.z;
+    }
+
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(area_.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    void clear(const Rect& r) {
+        for (int y = r.y; y < r.y + r.height; ++y)
+            for (int x = r.x; x < r.x + r.width; ++x) store(x, y, Terms{}, 0.0f);
+    }
+
+    static std::uint64_t rays_of(const RayCounts& c) {
+        return c.primary + c.reflected + c.refracted + c.shadow;
+    }
+
+    void report(Worker& worker) {
+        const std::uint64_t rays = rays_of(worker.tracer.counts());
+        const std::lock_guard lock(mutex_);
+        progress_.tiles_done += 1;
+        progress_.tiles = tile_count();
+        progress_.rays += rays - worker.rays_told;
+        worker.rays_told = rays;
+        progress_.seconds = wall_seconds() - start_;
+        if (options_.progress) options_.progress(progress_);
+    }
+
+    void collect_stats() {
+        RenderStats& stats = picture_.stats;
+        for (const Worker& worker : workers_) {
+            const RayCounts& c = worker.tracer.counts();
+            stats.primary_rays += c.primary;
+            stats.reflected_rays += c.reflected;
+            stats.refracted_rays += c.refracted;
+            stats.shadow_rays += c.shadow;
+            if (worker.tiles > 0) ++stats.threads;
+        }
+        picture_.complete = progress_.tiles_done == tile_count();
+    }
+
+    const FrozenScene& scene_;
+    const RenderOptions& options_;
+    const RenderSettings settings_;
+    const PinholeCamera camera_;
+    const PixelFilterSampler filter_;
+    const Rect area_;
+    int tile_ = 16;
+    int columns_ = 0;
+    int rows_ = 0;
+    double start_ = 0;
+    Picture picture_;
+    std::vector<Worker> workers_;
+    std::mutex mutex_;
+    Progress progress_;
+};
+
+std::string size_text(const RenderSettings& r) {
+    return std::to_string(r.width) + "x" + std::to_string(r.height);
+}
+
+} // namespace
+
+Picture render(const Scene& scene, const RenderOptions& options) {
+    return Job(scene.frozen(), options).run();
+}
+
+const char* term_name(Term term) {
+    static constexpr const char* names[term_count] = {"ambient",    "diffuse",      "highlight", "clamp",
+                                                      "reflection", "transmission", "emission"};
+    return names[static_cast<std::size_t>(term)];
+}
+
+std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& scene) {
+    static constexpr const char* filters[] = {"box", "tent", "gaussian", "mitchell"};
+    const RenderSettings& r = scene.frozen().description.render;
+    const WhittedSettings& w = scene.frozen().description.whitted;
+    return {{"glint.version", version()},
+            {"glint.size", size_text(r)},
+            {"glint.spp", std::to_string(r.spp)},
+            {"glint.seed", std::to_string(r.seed)},
+            {"glint.integrator", r.integrator},
+            {"glint.filter", filters[static_cast<std::size_t>(r.filter)]},
+            {"glint.max_depth", std::to_string(w.max_depth)},
+            {"glint.shadows", w.shadows == Shadows::opaque ? "opaque" : "transmissive"},
+            {"glint.clamp", w.clamp ? "true" : "false"},
+            {"glint.energy", w.energy == Energy::balanced ? "balanced" : "report"},
+            {"glint.highlight_model", w.highlight_model == HighlightModel::phong ? "phong" : "blinn"}};
+}
+
+const char* version() { return GLINT_VERSION; }
+
+} // namespace glint

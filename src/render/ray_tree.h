@@ -1,0 +1,95 @@
+#pragma once
+// The rays of one sample as a value: what explains a pixel.
+
+#include "glint/render.h"
+#include "math/vec.h"
+#include "trace/world.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace glint {
+
+/// What a ray brings, by term; the sum in the order of `Term` is its radiance.
+struct Terms {
+    std::array<vec3, term_count> value;
+
+    vec3& operator[](Term term) { return value[static_cast<std::size_t>(term)]; }
+    const vec3& operator[](Term term) const { return value[static_cast<std::size_t>(term)]; }
+    vec3 sum() const {
+        vec3 total = value[0];
+        for (std::size_t i = 1; i < value.size(); ++i) total = total + value[i];
+        return total;
+    }
+    friend Terms operator+(Terms a, const Terms& b) {
+        for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] + b.value[i];
+        return a;
+    }
+    friend Terms operator-(Terms a, const Terms& b) {
+        for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] - b.value[i];
+        return a;
+    }
+    friend Terms operator/(Terms a, float divisor) {
+        for (vec3& v : a.value) v = v / divisor;
+        return a;
+    }
+};
+
+enum class RayKind { primary, reflected, refracted };
+
+/// Why a ray's way ends where it does.
+enum class RayEnd {
+    bounced,     ///< it goes on in one or two branches
+    matte,       ///< the surface neither reflects nor transmits
+    depth_limit, ///< no more bounces allowed
+    background,  ///< nothing was hit
+    absorbed,    ///< nothing was hit from inside a solid: nothing comes back
+};
+
+/// One light at one hit.
+struct LightNode {
+    std::uint32_t light = 0; ///< number among the lights that are not ambient
+    vec3 direction{0.0f};    ///< unit, to the light
+    float distance = 0;      ///< infinite for directional lights
+    float cosine = 0;        ///< n·l, 0 below the geometric horizon
+    vec3 arriving{0.0f};     ///< E, before shadows
+    float shadow = 1;        ///< the share that gets through what lies between
+    vec3 diffuse{0.0f};      ///< after the shadow, before and after the limit the same unless clamp is on
+    vec3 highlight{0.0f};
+};
+
+/// One ray with what it met. Children are indices into RayTree::nodes, −1 for none.
+struct RayNode {
+    RayKind kind = RayKind::primary;
+    RayEnd end = RayEnd::matte;
+    int parent = -1;
+    int depth = 0;
+    vec3 origin{0.0f};
+    vec3 direction{0.0f}; ///< unit
+    Hit hit;
+    vec3 position{0.0f};
+    vec3 geometric_normal{0.0f}; ///< toward the viewer
+    vec3 shading_normal{0.0f};
+    vec3 color{0.0f};
+    bool entering = true;             ///< from the object's outer side
+    std::vector<std::uint32_t> media; ///< transparent solids around the ray, the owner of the space first
+    std::vector<LightNode> lights;
+    float index_before = 1; ///< indices of refraction on the two sides, where the ray goes through
+    float index_after = 1;
+    bool total_reflection = false;
+    float local_weight = 1; ///< of ambient, diffuse, highlight and clamp
+    float reflected_weight = 0;
+    float refracted_weight = 0;
+    int reflected = -1;
+    int refracted = -1;
+    vec3 transmittance{1.0f}; ///< what absorption on the way leaves
+    Terms terms{};            ///< weighted, absorption included
+    vec3 radiance{0.0f};      ///< their sum
+};
+
+struct RayTree {
+    std::vector<RayNode> nodes; ///< the first is the primary ray; parents stand before their children
+};
+
+} // namespace glint

@@ -1,0 +1,342 @@
+#include "render/whitted.h"
+
+#include "math/offset.shared.h"
+#include "shading/whitted.shared.h"
+
+#include <limits>
+
+namespace glint {
+
+WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel)
+    : scene_(scene), settings_(scene.description.whitted), cancel_(cancel) {}
+
+Terms WhittedTracer::trace(const vec3& origin, const vec3& direction, RayTree* record) {
+    arena_.clear();
+    record_ = record;
+    if (record_ != nullptr) record_->nodes.clear();
+    Path path;
+    path.origin = origin;
+    path.direction = direction;
+    for (const std::uint32_t object : scene_.camera_media)
+        path.media = with(path.media, object, scene_, arena_);
+    ++counts_.primary;
+    return follow(path);
+}
+
+Terms WhittedTracer::follow(Path path) {
+    // A tree can have 2^max_depth rays: the wish to stop must reach into it.
+    if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return Terms{};
+    const int node = start_node(path);
+    Ray ray;
+    ray.origin = path.origin;
+    ray.direction = path.direction;
+    const Hit hit = visible_hit(ray, path.media);
+    if (path.kind == RayKind::primary) covered_ = static_cast<bool>(hit);
+    if (!hit) return missed(path, node);
+
+    const Surface surface = surface_at(ray, hit);
+    if (RayNode* record = node_at(node)) {
+        record->hit = hit;
+        record->position = surface.point.p;
+        record->geometric_normal = surface.n_g;
+        record->shading_normal = surface.n;
+        record->color = surface.color;
+        record->entering = surface.entering;
+        for (const Media* m = path.media; m != nullptr; m = m->rest) record->media.push_back(m->object);
+    }
+    Terms terms = local_terms(surface, path.media, node);
+    bounce(path, surface, terms, node);
+    absorb(path.media, hit.t, terms, node);
+    if (RayNode* record = node_at(node)) {
+        record->terms = terms;
+        record->radiance = terms.sum();
+    }
+    return terms;
+}
+
+// Surfaces inside a transparent solid of higher rank are passed over on the same ray, one by one; `media`
+// follows.
+Hit WhittedTracer::visible_hit(const Ray& ray, const Media*& media) {
+    Hit hit = scene_.world.closest(ray);
+    while (hit && hidden(media, hit.object, scene_)) {
+        if (holds_media(hit.object)) media = across(media, hit.object, enters(ray, hit), scene_, arena_);
+        hit = scene_.world.next(ray, hit);
+    }
+    return hit;
+}
+
+// What never leaves a solid brings nothing; what misses everything gets the background.
+Terms WhittedTracer::missed(const Path& path, int node) {
+    Terms terms{};
+    if (path.media == nullptr) terms[Term::emission] = scene_.background;
+    if (RayNode* record = node_at(node)) {
+        record->end = path.media == nullptr ? RayEnd::background : RayEnd::absorbed;
+        record->terms = terms;
+        record->radiance = terms.sum();
+    }
+    return terms;
+}
+
+bool WhittedTracer::enters(const Ray& ray, const Hit& hit) const {
+    return dot(scene_.world.surface(ray, hit).n, ray.direction) < 0.0f;
+}
+
+// Only what light goes through can be around a ray.
+bool WhittedTracer::holds_media(std::uint32_t object) const {
+    const FrozenObject& o = scene_.objects[object];
+    return o.solid && scene_.materials[o.material].transparency > 0.0f;
+}
+
+WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit) const {
+    Surface s;
+    s.object = hit.object;
+    s.material = &scene_.materials[scene_.objects[hit.object].material];
+    s.point = scene_.world.surface(ray, hit);
+    s.v = -ray.direction;
+    s.entering = dot(s.point.n, ray.direction) < 0.0f;
+    s.n_g = s.entering ? s.point.n : -s.point.n;
+    s.n = s.n_g;
+    s.color = s.material->color;
+    if (scene_.objects[hit.object].attributes != no_attributes) interpolate(hit, s);
+    return s;
+}
+
+void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
+    const MeshAttributes& attributes =
+        scene_.attributes[static_cast<std::size_t>(scene_.objects[hit.object].attributes)];
+    if (hit.kind == PrimKind::sphere) {
+        s.color = attributes.mesh->colors[hit.prim];
+        return;
+    }
+    const uvec3 corner = attributes.mesh->triangles[hit.prim];
+    const float w = 1.0f - hit.u - hit.v;
+    if (attributes.colored) {
+        const std::vector<vec3>& c = attributes.mesh->colors;
+        s.color = c[corner.x] * w + c[corner.y] * hit.u + c[corner.z] * hit.v;
+    }
+    if (attributes.normals.empty()) return;
+    const std::vector<vec3>& n = attributes.normals;
+    const vec3 sum = n[corner.x] * w + n[corner.y] * hit.u + n[corner.z] * hit.v;
+    const float squared = dot(sum, sum);
+    if (!(squared > 0.0f)) return;
+    s.n = sum / sqrt(squared);
+    if (dot(s.n, s.n_g) < 0.0f) s.n = -s.n;
+}
+
+// ── Light that arrives from the lights
+// ──────────────────────────────────────────────────────────────────────
+
+Terms WhittedTracer::local_terms(const Surface& s, const Media* media, int node) {
+    Terms terms{};
+    const FrozenMaterial& m = *s.material;
+    terms[Term::ambient] = ambient_term(scene_.ambient, s.color, m.ambient);
+    terms[Term::emission] = m.emission;
+    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
+        const LightNode light = light_at(i, s, media);
+        terms[Term::diffuse] = terms[Term::diffuse] + light.diffuse;
+        terms[Term::highlight] = terms[Term::highlight] + light.highlight;
+        if (RayNode* record = node_at(node)) record->lights.push_back(light);
+    }
+    if (settings_.clamp) {
+        const vec3 sum = (terms[Term::ambient] + terms[Term::diffuse]) + terms[Term::highlight];
+        terms[Term::clamp] = limit_to_one(sum) - sum;
+    }
+    return terms;
+}
+
+LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s, const Media* media) {
+    const FrozenLight& light = scene_.lights[index];
+    LightNode node;
+    node.light = index;
+    if (light.kind == LightKind::directional) {
+        node.direction = -light.direction;
+        node.distance = std::numeric_limits<float>::infinity();
+        node.cosine = light_cosine(s.n, s.n_g, node.direction);
+        node.arriving = directional_light_arriving(light.strength, node.cosine);
+    } else {
+        const vec3 to_light = light.position - s.point.p;
+        const float r_squared = dot(to_light, to_light);
+        node.distance = sqrt(r_squared);
+        if (!(node.distance > 0.0f)) return node;
+        node.direction = to_light / node.distance;
+        node.cosine = light_cosine(s.n, s.n_g, node.direction);
+        node.arriving = point_light_arriving(light.strength, node.cosine, r_squared);
+        if (light.kind == LightKind::spot)
+            node.arriving = node.arriving * spot_falloff(-dot(node.direction, light.direction),
+                                                         light.cos_outer, light.cos_inner);
+    }
+    const bool shines = s.material->diffuse > 0.0f || s.material->highlight > 0.0f;
+    if (!shines || node.arriving == vec3(0.0f)) return node;
+    node.shadow = shadow_factor(s, node, media);
+    if (node.shadow > 0.0f) shade_light(node, s);
+    return node;
+}
+
+void WhittedTracer::shade_light(LightNode& light, const Surface& s) const {
+    const FrozenMaterial& m = *s.material;
+    light.diffuse = diffuse_term(light.arriving, s.color, m.diffuse) * light.shadow;
+    if (settings_.clamp) light.diffuse = limit_to_one(light.diffuse);
+    if (m.highlight > 0.0f) {
+        const float lobe = settings_.highlight_model == HighlightModel::blinn
+                               ? blinn_lobe(s.n, light.direction, s.v, m.shininess)
+                               : phong_lobe(s.n, light.direction, s.v, m.shininess);
+        light.highlight = highlight_term(light.arriving, m.highlight, lobe) * light.shadow;
+    }
+}
+
+// The ray to the light ends at t = 1 for a light with a place, so that "between" needs no tolerance.
+float WhittedTracer::shadow_factor(const Surface& s, const LightNode& light, const Media* media) {
+    ++counts_.shadow;
+    const FrozenLight& source = scene_.lights[light.light];
+    Ray ray;
+    ray.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, light.direction);
+    ray.direction = light.direction;
+    if (source.kind != LightKind::directional) {
+        ray.direction = source.position - ray.origin;
+        ray.tmax = 1.0f;
+    }
+    if (!scene_.world.occluded(ray)) return 1.0f;
+    const bool walk =
+        scene_.any_transparent && (settings_.shadows == Shadows::transmissive || media != nullptr);
+    return walk ? walk_shadow(ray, media) : 0.0f;
+}
+
+// Every visible crossing takes its share: τ only, no bending (docs/light-model.md, "Shadows").
+float WhittedTracer::walk_shadow(const Ray& ray, const Media* media) {
+    crossings_.clear();
+    scene_.world.crossings(ray, crossings_);
+    float factor = 1.0f;
+    for (const Hit& hit : crossings_) {
+        if (!hidden(media, hit.object, scene_)) {
+            const float tau = scene_.materials[scene_.objects[hit.object].material].transparency;
+            if (settings_.shadows == Shadows::opaque || !(tau > 0.0f)) return 0.0f;
+            factor = factor * tau;
+        }
+        if (holds_media(hit.object)) media = across(media, hit.object, enters(ray, hit), scene_, arena_);
+    }
+    return factor;
+}
+
+// ── Light that arrives along mirror and refracted rays
+// ──────────────────────────────────────────────────────
+
+void WhittedTracer::bounce(const Path& path, const Surface& s, Terms& terms, int node) {
+    const FrozenMaterial& m = *s.material;
+    const bool follows = m.reflectivity > 0.0f || m.transparency > 0.0f;
+    if (!follows || path.depth >= settings_.max_depth) {
+        if (RayNode* record = node_at(node)) record->end = follows ? RayEnd::depth_limit : RayEnd::matte;
+        return;
+    }
+    const float local = local_weight(m.reflectivity, m.transparency, settings_.energy == Energy::balanced);
+    for (const Term term : {Term::ambient, Term::diffuse, Term::highlight, Term::clamp})
+        terms[term] = terms[term] * local;
+
+    const Split split = split_at(path, s);
+    if (RayNode* record = node_at(node)) {
+        record->end = RayEnd::bounced;
+        record->local_weight = local;
+        record->reflected_weight = split.reflected;
+        record->refracted_weight = split.refracted;
+        record->index_before = split.index_before;
+        record->index_after = split.index_after;
+        record->total_reflection = split.total;
+    }
+    if (split.reflected > 0.0f) {
+        vec3 mirrored = normalize(mirror_direction(s.v, s.n));
+        if (!(dot(mirrored, s.n_g) > 0.0f)) mirrored = normalize(mirror_direction(s.v, s.n_g));
+        ++counts_.reflected;
+        terms[Term::reflection] =
+            branch(path, s, RayKind::reflected, mirrored, path.media, node) * split.reflected;
+    }
+    if (split.refracted > 0.0f) {
+        ++counts_.refracted;
+        terms[Term::transmission] =
+            branch(path, s, RayKind::refracted, split.direction, split.media, node) * split.refracted;
+    }
+}
+
+WhittedTracer::Split WhittedTracer::split_at(const Path& path, const Surface& s) {
+    const FrozenMaterial& m = *s.material;
+    Split split;
+    split.reflected = m.reflectivity;
+    split.refracted = m.transparency;
+    split.direction = path.direction;
+    split.media = path.media;
+    if (!holds_media(s.object)) return split; // opaque, or a thin pane: straight on
+
+    split.media = across(path.media, s.object, s.entering, scene_, arena_);
+    split.index_before = index_of(path.media, scene_);
+    split.index_after = index_of(split.media, scene_);
+    if (!refract(s, s.n, split) && !split.total) refract(s, s.n_g, split);
+    if (split.total) {
+        split.reflected = m.reflectivity + m.transparency;
+        split.refracted = 0.0f;
+    }
+    return split;
+}
+
+// False if the refracted direction would not go below the surface: then the geometric normal must serve.
+bool WhittedTracer::refract(const Surface& s, const vec3& n, Split& split) const {
+    const float cosine = dot(n, s.v);
+    if (!(cosine > 0.0f) && n != s.n_g) return false;
+    const float eta = split.index_before / split.index_after;
+    const float discriminant = snell_discriminant(cosine, eta);
+    split.total = discriminant < 0.0f;
+    if (split.total) return false;
+    split.direction = refracted_direction(s.v, n, eta, discriminant);
+    if (!(dot(split.direction, s.n_g) < 0.0f) && n != s.n_g) return false;
+    if (s.material->fresnel) {
+        const float kept = s.material->reflectivity + s.material->transparency;
+        const float share =
+            fresnel_reflectance(cosine, sqrt(discriminant), split.index_before, split.index_after);
+        split.reflected = kept * share;
+        split.refracted = kept * (1.0f - share);
+    }
+    return true;
+}
+
+vec3 WhittedTracer::branch(const Path& path, const Surface& s, RayKind kind, const vec3& direction,
+                           const Media* media, int node) {
+    Path next;
+    next.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, direction);
+    next.direction = direction;
+    next.media = media;
+    next.depth = path.depth + 1;
+    next.kind = kind;
+    next.parent = node;
+    return follow(next).sum();
+}
+
+void WhittedTracer::absorb(const Media* media, float distance, Terms& terms, int node) const {
+    if (media == nullptr) return;
+    const vec3 sigma = scene_.materials[scene_.objects[media->object].material].absorption;
+    if (sigma == vec3(0.0f)) return;
+    const vec3 left = transmittance(sigma, distance);
+    for (vec3& value : terms.value) value = value * left;
+    if (RayNode* record = node_at(node)) record->transmittance = left;
+}
+
+// ── The record
+// ──────────────────────────────────────────────────────────────────────────────────────────────
+
+int WhittedTracer::start_node(const Path& path) {
+    if (record_ == nullptr) return -1;
+    const int index = static_cast<int>(record_->nodes.size());
+    RayNode node;
+    node.kind = path.kind;
+    node.parent = path.parent;
+    node.depth = path.depth;
+    node.origin = path.origin;
+    node.direction = path.direction;
+    record_->nodes.push_back(std::move(node));
+    if (RayNode* parent = node_at(path.parent))
+        (path.kind == RayKind::reflected ? parent->reflected : parent->refracted) = index;
+    return index;
+}
+
+RayNode* WhittedTracer::node_at(int node) const {
+    if (record_ == nullptr || node < 0) return nullptr;
+    return &record_->nodes[static_cast<std::size_t>(node)];
+}
+
+} // namespace glint
