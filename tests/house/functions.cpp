@@ -1,0 +1,183 @@
+// Where functions begin and end, found by counting braces: enough for code formatted as ours is.
+
+#include "sources.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace glint::house {
+
+namespace {
+
+bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Preprocessor lines, with their continuations, become blank: braces in macros need not be balanced.
+std::string without_directives(std::string code) {
+    bool directive = false;
+    for (std::size_t begin = 0; begin < code.size();) {
+        const std::size_t end = std::min(code.find('\n', begin), code.size());
+        const std::size_t first = code.find_first_not_of(" \t", begin);
+        directive = directive || (first < end && code[first] == '#');
+        const bool continues = directive && end > begin && code[end - 1] == '\\';
+        if (directive)
+            std::fill(code.begin() + static_cast<std::ptrdiff_t>(begin),
+                      code.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+        directive = continues;
+        begin = end + 1;
+    }
+    return code;
+}
+
+/// One line, single spaces.
+std::string squeeze(const std::string& text) {
+    std::string out;
+    for (char c : text) {
+        if (!is_space(c))
+            out += c;
+        else if (!out.empty() && out.back() != ' ')
+            out += ' ';
+    }
+    if (!out.empty() && out.back() == ' ') out.pop_back();
+    return out;
+}
+
+bool starts_with_word(const std::string& text, const std::string& word) {
+    return text.compare(0, word.size(), word) == 0 &&
+           (text.size() == word.size() || !is_word(text[word.size()]));
+}
+
+/// The head without the template<...> before it.
+std::string without_template(const std::string& head) {
+    if (!starts_with_word(head, "template")) return head;
+    int depth = 0;
+    for (std::size_t i = head.find('<'); i < head.size(); ++i) {
+        if (head[i] == '<') ++depth;
+        if (head[i] == '>' && --depth == 0) return without_template(squeeze(head.substr(i + 1)));
+    }
+    return head;
+}
+
+/// The position of an '=' that starts an initialiser: none of "operator=", "==", "<=" and the like, nor
+/// inside brackets.
+std::size_t initialiser(const std::string& head) {
+    int depth = 0;
+    for (std::size_t i = 0; i < head.size(); ++i) {
+        if (head[i] == '(' || head[i] == '<') ++depth;
+        if (head[i] == ')' || (head[i] == '>' && depth > 0)) --depth;
+        if (head[i] != '=' || depth > 0 || head.find("operator") < i) continue;
+        if (i + 1 < head.size() && head[i + 1] != '=') return i;
+        if (i + 1 == head.size()) return i;
+    }
+    return std::string::npos;
+}
+
+enum class Brace { scope, function, data };
+
+/// What a brace opens, judged by the text between it and the previous end of a declaration.
+Brace classify(const std::string& full_head) {
+    const std::string head = without_template(squeeze(full_head));
+    for (const char* word : {"namespace", "struct", "class", "union", "enum", "extern", "inline namespace"})
+        if (starts_with_word(head, word) &&
+            (head.find('(') == std::string::npos || std::string(word) != "extern"))
+            return Brace::scope;
+    const std::size_t value = initialiser(head);
+    if (value != std::string::npos) {
+        const std::size_t first = head.find_first_not_of(" =", value);
+        return first != std::string::npos && head[first] == '[' ? Brace::function : Brace::data;
+    }
+    return head.find('(') == std::string::npos ? Brace::data : Brace::function;
+}
+
+/// Walks over code, file and class scope; bodies and data are passed over by counting braces.
+class Scanner {
+  public:
+    explicit Scanner(const std::string& text)
+        : lines_(lines_of(text)), code_(without_directives(code_only(text))) {}
+
+    std::vector<Function> run() {
+        for (at_ = 0; at_ < code_.size(); ++at_) {
+            const char c = code_[at_];
+            if (c == '(') ++parens_;
+            if (c == ')') --parens_;
+            if (c == '{')
+                open();
+            else if (c == '}' || (c == ';' && parens_ == 0))
+                begin_head();
+            else if (c == ':' && is_access_label())
+                begin_head();
+        }
+        return std::move(functions_);
+    }
+
+  private:
+    void begin_head() {
+        head_ = at_ + 1;
+        parens_ = 0;
+    }
+
+    std::string head() const { return code_.substr(head_, at_ - head_); }
+
+    bool is_access_label() const {
+        const std::string word = squeeze(head());
+        return word == "public" || word == "private" || word == "protected";
+    }
+
+    /// In "A() : a_{1}, b_(2) {" the first brace starts a member, the second the body.
+    bool is_member_initialiser() const {
+        const std::string text = squeeze(head());
+        std::size_t colon = text.find(") : ");
+        if (colon == std::string::npos) colon = text.find(") noexcept : ");
+        return colon != std::string::npos && (is_word(text.back()) || text.back() == '>') &&
+               text.size() > colon + 3;
+    }
+
+    void open() {
+        if (parens_ > 0 || is_member_initialiser()) {
+            at_ = closing();
+            return;
+        }
+        const Brace brace = classify(head());
+        if (brace == Brace::scope) return begin_head();
+        const std::size_t first = code_.find_first_not_of(" \t\r\n", head_);
+        const std::size_t opening = at_;
+        at_ = closing();
+        if (brace == Brace::data) return;
+        add(first, code_.substr(first, opening - first));
+        begin_head();
+    }
+
+    std::size_t closing() const {
+        int depth = 0;
+        for (std::size_t i = at_; i < code_.size(); ++i) {
+            if (code_[i] == '{') ++depth;
+            if (code_[i] == '}' && --depth == 0) return i;
+        }
+        return code_.size();
+    }
+
+    void add(std::size_t first, const std::string& name) {
+        Function function{squeeze(name).substr(0, 80), line_at(code_, first), line_at(code_, at_), false};
+        // The comment block right above the head.
+        for (int i = function.first - 2; i >= 0; --i) {
+            const std::string& line = lines_[static_cast<std::size_t>(i)];
+            const std::size_t begin = line.find_first_not_of(" \t");
+            if (begin == std::string::npos || line.compare(begin, 2, "//") != 0) break;
+            function.excused = function.excused || line.compare(begin, 8, "// long:") == 0;
+        }
+        functions_.push_back(std::move(function));
+    }
+
+    std::vector<std::string> lines_;
+    std::string code_;
+    std::size_t at_ = 0;
+    std::size_t head_ = 0; ///< where the declaration being read began
+    int parens_ = 0;
+    std::vector<Function> functions_;
+};
+
+} // namespace
+
+std::vector<Function> functions_of(const std::string& text) { return Scanner(text).run(); }
+
+} // namespace glint::house

@@ -1,0 +1,115 @@
+// Who may include whom. The second lock is the linker: a room is linked against the rooms it names.
+
+#include "rooms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace glint::house {
+namespace {
+
+std::string joined(const std::vector<std::string>& lines, const std::string& separator = "\n") {
+    std::string out;
+    for (const std::string& line : lines) out += (out.empty() ? "" : separator) + line;
+    return out;
+}
+
+TEST(Layers, EveryIncludeIsOneThatTheTableAllows) {
+    const std::vector<Source> sources = sources_under({"src", "include", "apps"});
+    ASSERT_GT(sources.size(), 30u) << "the sources were not found";
+    std::vector<std::string> all;
+    for (const Source& source : sources)
+        for (const std::string& complaint : complaints(source)) all.push_back(complaint);
+    EXPECT_TRUE(all.empty()) << joined(all);
+}
+
+TEST(Layers, NoFilesIncludeEachOtherInARing) {
+    EXPECT_EQ(joined(include_ring(sources_under({"src", "include", "apps", "tests", "tools"})), " -> "), "");
+}
+
+TEST(Layers, EveryRoomStandsAboveAllThatItMayInclude) {
+    std::map<std::string, int> floors;
+    for (const Room& room : rooms()) floors[room.name] = room.floor;
+    for (const Room& room : rooms())
+        for (const std::string& below : room.below) {
+            ASSERT_EQ(floors.count(below), 1u) << room.name << " names " << below;
+            EXPECT_LT(floors[below], room.floor) << below << " is not below " << room.name;
+        }
+}
+
+TEST(Layers, EveryFolderOfTheSourcesIsARoom) {
+    std::set<std::string> folders;
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(GLINT_SOURCE_DIR) + "/src"))
+        if (entry.is_directory()) folders.insert(entry.path().filename().string());
+    for (const Room& room : rooms()) names.insert(room.name);
+    EXPECT_EQ(folders, names);
+}
+
+TEST(Layers, EveryPublicHeaderHasAnOwner) {
+    for (const Source& source : sources_under({"include"}))
+        EXPECT_NE(room_of_public_header(source.path.substr(std::string("include/").size())), "")
+            << source.path;
+}
+
+TEST(Layers, TheDesignPageShowsTheSameTable) {
+    const std::string page = read_project_file("docs/design.md");
+    for (const Room& room : rooms()) {
+        const std::string below = room.below.empty() ? "nothing" : joined(room.below, ", ");
+        const std::string row =
+            "| `" + room.name + "` | " + std::to_string(room.floor) + " | " + below + " |";
+        EXPECT_NE(page.find("\n" + row), std::string::npos) << "docs/design.md has no row\n" << row;
+    }
+}
+
+// The checks themselves, on sources that break a rule each.
+
+TEST(Layers, AnIncludeFromAHigherFloorIsFoundWithItsLine) {
+    const Source source{"src/trace/a.cpp", "#include \"math/vec.h\"\n\n#include \"glint/scene.h\"\n"};
+    EXPECT_EQ(joined(complaints(source)),
+              "src/trace/a.cpp:3: trace may not include scene: \"glint/scene.h\"");
+}
+
+TEST(Layers, AnIncludeInACommentOrAStringIsNone) {
+    const Source source{"src/math/a.cpp",
+                        "// #include \"scene/frozen.h\"\n/*\n#include \"scene/frozen.h\"\n*/\n"
+                        "const char* text = R\"(\n#include \"scene/frozen.h\"\n)\";\n"};
+    EXPECT_EQ(joined(complaints(source)), "");
+}
+
+TEST(Layers, AForeignHeaderInAHeaderOrInTheWrongRoomIsFound) {
+    EXPECT_EQ(joined(complaints({"src/formats/a.h", "#include <png.h>\n"})),
+              "src/formats/a.h:1: <png.h> belongs in a .cpp, not in a header");
+    EXPECT_EQ(joined(complaints({"src/trace/a.cpp", "#include <fmt/format.h>\n"})),
+              "src/trace/a.cpp:1: <fmt/format.h> is not for trace");
+    EXPECT_EQ(
+        joined(complaints({"src/render/a.cpp", "#  include <boost/any.hpp>\n"})),
+        "src/render/a.cpp:1: <boost/any.hpp> is no standard header and not in the table of foreign ones");
+    EXPECT_EQ(joined(complaints({"src/formats/a.cpp", "#include <png.h>\n#include <vector>\n"})), "");
+}
+
+TEST(Layers, AProgramThatLooksBehindThePublicHeadersIsFound) {
+    EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"text.h\"\n#include \"glint/render.h\"\n"})),
+              "");
+    EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"scene/frozen.h\"\n"})),
+              "apps/cli/a.cpp:1: programs use public headers and their own, not \"scene/frozen.h\"");
+}
+
+TEST(Layers, APublicHeaderThatNeedsAPrivateOneIsFound) {
+    EXPECT_EQ(joined(complaints({"include/glint/scene.h", "#include \"math/vec.h\"\n"})),
+              "include/glint/scene.h:1: a public header includes the private \"math/vec.h\"");
+}
+
+TEST(Layers, ARingOfIncludesIsFound) {
+    const std::vector<Source> ring = {{"src/math/a.h", "#include \"math/b.h\"\n"},
+                                      {"src/math/b.h", "#include \"math/c.h\"\n"},
+                                      {"src/math/c.h", "#include \"math/b.h\"\n"}};
+    EXPECT_EQ(joined(include_ring(ring), " "), "src/math/b.h src/math/c.h src/math/b.h");
+}
+
+} // namespace
+} // namespace glint::house

@@ -1,0 +1,30 @@
+#pragma once
+// The table of the house: which room may include which, and where headers of other projects may stand.
+
+#include "sources.h"
+
+#include <string>
+#include <vector>
+
+namespace glint::house {
+
+/// A folder of src/. It may include its own headers and those of `below`, all on lower floors.
+struct Room {
+    std::string name;
+    int floor = 0;
+    std::vector<std::string> below;
+};
+
+/// The rooms, lowest floor first. docs/design.md shows the same table.
+const std::vector<Room>& rooms();
+
+/// The room a public header belongs to: "glint/scene.h" → "scene"; empty for an unknown one.
+std::string room_of_public_header(const std::string& name);
+
+/// What is wrong with the includes of one file of src/, include/ or apps/: "path:line: why", one each.
+std::vector<std::string> complaints(const Source& source);
+
+/// The files that include each other in a ring, first and last the same; empty where there is no ring.
+std::vector<std::string> include_ring(const std::vector<Source>& sources);
+
+} // namespace glint::house

@@ -1,0 +1,142 @@
+// Words that stay out of the sources, each with the reason.
+
+#include "sources.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+namespace glint::house {
+namespace {
+
+/// A word that must not stand in the code (comments and literals aside) of some folders.
+struct Ban {
+    std::vector<std::string> words;
+    std::vector<std::string> folders;
+    std::string reason;
+    std::vector<std::string> except; ///< files in which it may stand
+};
+
+const std::vector<Ban>& bans() {
+    static const std::vector<Ban> table = {
+        {{"printf", "fprintf", "puts", "std::cout", "std::cerr", "std::clog", "exit", "_exit", "quick_exit",
+          "abort", "getenv", "setlocale"},
+         {"src"},
+         "nothing below the programs prints, exits or reads the environment",
+         {}},
+        {{"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "pow", "exp", "exp2", "log", "log2", "cbrt",
+          "hypot", "fma"},
+         {"src"},
+         "the picture must not depend on the machine's mathematics",
+         {"src/math/", "src/imaging/compare.cpp"}},
+        {{"rand", "srand", "std::random_device", "std::mt19937", "std::shuffle"},
+         {"src"},
+         "random numbers are a function of seed, pixel, sample and dimension",
+         {}},
+        {{"virtual"}, {"src"}, "closed sets are values", {}},
+        {{"std::unordered_map", "std::unordered_set"},
+         {"src"},
+         "the order of a hash table depends on the library",
+         {}},
+    };
+    return table;
+}
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// The place of a word from a place on, whole and, unless it names its namespace, not somebody's member or
+/// part of ours. std:: and glm:: before it are seen through.
+std::size_t find_word(const std::string& code, const std::string& word, std::size_t from) {
+    for (std::size_t at = code.find(word, from); at != std::string::npos; at = code.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if (end < code.size() && is_word(code[end])) continue;
+        if (at == 0) return at;
+        const char before = code[at - 1];
+        if (is_word(before) || before == '.' || before == '>') continue;
+        const std::string space = at >= 5 ? code.substr(at - 5, 5) : "";
+        if (before != ':' || space == "std::" || space == "glm::") return at;
+    }
+    return std::string::npos;
+}
+
+/// A name with a call after it, or one that needs none.
+bool counts(const std::string& code, std::size_t end, const std::string& word) {
+    if (word == "virtual" || word.find("::") != std::string::npos) return true;
+    return end < code.size() && code[end] == '(';
+}
+
+bool excepted(const Ban& ban, const std::string& path) {
+    for (const std::string& prefix : ban.except)
+        if (path.compare(0, prefix.size(), prefix) == 0) return true;
+    return false;
+}
+
+/// "path:line: word: reason" for every place at which a ban is broken.
+std::string breaches(const Ban& ban, const Source& source) {
+    std::string out;
+    if (excepted(ban, source.path)) return out;
+    const std::string code = code_only(source.text);
+    for (const std::string& word : ban.words)
+        for (std::size_t at = find_word(code, word, 0); at != std::string::npos;
+             at = find_word(code, word, at + 1))
+            if (counts(code, at + word.size(), word))
+                out += source.path + ":" + std::to_string(line_at(code, at)) + ": " + word + ": " +
+                       ban.reason + "\n";
+    return out;
+}
+
+TEST(Words, CodeUsesNothingThatItsRoomForgoes) {
+    std::string all;
+    for (const Ban& ban : bans())
+        for (const Source& source : sources_under(ban.folders)) all += breaches(ban, source);
+    EXPECT_EQ(all, "");
+}
+
+TEST(Words, NothingSaysOfItselfThatItIsUnfinished) {
+    // Written in halves, so that this file does not name what it looks for.
+    const std::vector<std::string> marks = {std::string("TO") + "DO", std::string("FIX") + "ME",
+                                            std::string("not imple") + "mented"};
+    for (const Source& source : sources_under({"include", "src", "apps", "tools", "tests"}))
+        for (const std::string& mark : marks) {
+            const std::size_t at = source.text.find(mark);
+            EXPECT_EQ(at, std::string::npos)
+                << source.path << ":" << line_at(source.text, at) << ": " << mark;
+        }
+}
+
+TEST(Words, NothingNamesAPlaceOnOneMachine) {
+    for (const Source& source : sources_under({"include", "src", "apps", "tools", "tests"}))
+        for (const std::string folder : {"home", "root", "work", "Users"}) {
+            const std::string path = "/" + folder + "/";
+            const std::size_t at = source.text.find("\"" + path);
+            EXPECT_EQ(at, std::string::npos)
+                << source.path << ":" << line_at(source.text, at) << ": " << path;
+        }
+}
+
+TEST(Words, EveryHeaderIsGuarded) {
+    for (const Source& source : sources_under({"include", "src", "apps", "tools", "tests"})) {
+        if (source.path.substr(source.path.size() - 2) != ".h") continue;
+        // Headers that GLSL reads too have no #pragma.
+        const std::string code = code_only(source.text);
+        EXPECT_TRUE(code.find("#pragma once") != std::string::npos ||
+                    code.find("#ifndef GLINT_") != std::string::npos)
+            << source.path;
+    }
+}
+
+// The check itself.
+
+TEST(Words, ABrokenBanIsFoundWithItsLine) {
+    const Ban ban{{"exp", "std::cout", "virtual"}, {"src"}, "why", {"src/math/"}};
+    EXPECT_EQ(breaches(ban, {"src/a.cpp", "int a;\nfloat b = std::exp(c);\n"}), "src/a.cpp:2: exp: why\n");
+    EXPECT_EQ(breaches(ban, {"src/a.cpp", "void f() { std::cout << 1; }\nvirtual void g();\n"}),
+              "src/a.cpp:1: std::cout: why\nsrc/a.cpp:2: virtual: why\n");
+    EXPECT_EQ(breaches(ban, {"src/a.cpp",
+                             "// exp(1)\nauto s = \"exp(1)\"; o.exp(1); my_exp(1); exp2(1); Exp::exp(1);"}),
+              "");
+    EXPECT_EQ(breaches(ban, {"src/math/a.cpp", "exp(1)"}), "");
+}
+
+} // namespace
+} // namespace glint::house
