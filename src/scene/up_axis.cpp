@@ -43,19 +43,28 @@ bool contains(const std::vector<dvec2>& hull, const dvec2& p) {
     return hull.size() > 2;
 }
 
-// One vertex of a face, seen along an axis: how high, and above which point of the ground.
-struct Standing {
-    double height = 0;
-    dvec2 ground{0};
+// What tells how a mesh lies: the points it consists of, and its surface as a whole.
+struct Body {
+    std::vector<dvec3> points; ///< finite, and used by a face where there are faces
+    dvec3 middle{0};           ///< centre of the surface, or of the points
+    dvec3 facing{0};           ///< sum of the areas as vectors, by the surface: 0 for what is closed
 };
 
-struct Sheet {
-    dvec3 middle{0}; ///< centre of the surface
-    dvec3 facing{0}; ///< sum of the areas as vectors, by the surface: 0 for what is closed
-};
+std::vector<dvec3> points_of(const Mesh& mesh) {
+    std::vector<bool> used(mesh.positions.size(), mesh.triangles.empty());
+    for (const glm::uvec3& t : mesh.triangles) used[t.x] = used[t.y] = used[t.z] = true;
 
-Sheet sheet_of(const Mesh& mesh) {
-    Sheet sheet;
+    std::vector<dvec3> points;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const glm::vec3& p = mesh.positions[i];
+        if (used[i] && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) points.emplace_back(p);
+    }
+    return points;
+}
+
+Body body_of(const Mesh& mesh) {
+    Body body{points_of(mesh)};
+    dvec3 moment(0);
     double surface = 0;
     for (const glm::uvec3& t : mesh.triangles) {
         const dvec3 a(mesh.positions[t.x]);
@@ -63,72 +72,66 @@ Sheet sheet_of(const Mesh& mesh) {
         const dvec3 c(mesh.positions[t.z]);
         const dvec3 normal = glm::cross(b - a, c - a);
         const double size = glm::length(normal);
-        if (!(size > 0) || !std::isfinite(size)) continue;
+        if (!std::isfinite(size)) continue;
         surface += size;
-        sheet.facing += normal;
-        sheet.middle += size / 3 * (a + b + c);
+        body.facing += normal;
+        moment += size / 3 * (a + b + c);
     }
     if (surface > 0) {
-        sheet.facing /= surface;
-        sheet.middle /= surface;
+        body.facing /= surface;
+        body.middle = moment / surface;
+        return body;
     }
-    return sheet;
+    for (const dvec3& p : body.points) body.middle += p / static_cast<double>(body.points.size());
+    return body;
 }
 
-std::vector<Standing> seen_along(const Mesh& mesh, int up) {
-    std::vector<bool> used(mesh.positions.size());
-    for (const glm::uvec3& t : mesh.triangles) used[t.x] = used[t.y] = used[t.z] = true;
-
-    std::vector<Standing> seen;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        const glm::vec3& p = mesh.positions[i];
-        if (used[i]) seen.push_back({p[up], dvec2(p[(up + 1) % 3], p[(up + 2) % 3])});
-    }
-    return seen;
-}
+// A point as seen from above when the given axis is up.
+dvec2 on_ground(const dvec3& p, int up) { return dvec2(p[(up + 1) % 3], p[(up + 2) % 3]); }
 
 // The hull of what lies between two heights, as seen from above.
-std::vector<dvec2> hull_between(const std::vector<Standing>& seen, double from, double to) {
+std::vector<dvec2> hull_between(const Body& body, int up, double from, double to) {
     std::vector<dvec2> points;
-    for (const Standing& s : seen) {
-        if (s.height >= from && s.height <= to) points.push_back(s.ground);
+    for (const dvec3& p : body.points) {
+        if (p[up] >= from && p[up] <= to) points.push_back(on_ground(p, up));
     }
     return convex_hull(std::move(points));
 }
 
-// How well the mesh stands with this axis up: the share of its outline that its lowest layer spans, less what
-// its highest one does, and little where it would fall over.
-double stability(const Mesh& mesh, const dvec3& middle, int up) {
-    const std::vector<Standing> seen = seen_along(mesh, up);
+// How well the mesh stands with this axis up: the share of its outline that its lowest layer spans, less half
+// of what its highest one does, and less again where it would fall over. A ball has about 0.06, a box 0.5.
+double stability(const Body& body, int up) {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -lowest;
-    for (const Standing& s : seen) {
-        lowest = std::min(lowest, s.height);
-        highest = std::max(highest, s.height);
+    for (const dvec3& p : body.points) {
+        lowest = std::min(lowest, p[up]);
+        highest = std::max(highest, p[up]);
     }
-    const double whole = area(hull_between(seen, lowest, highest));
+    const double whole = area(hull_between(body, up, lowest, highest));
     if (!(whole > 0)) return 0;
 
-    const double layer = (highest - lowest) * 0.02;
-    const std::vector<dvec2> base = hull_between(seen, lowest, lowest + layer);
-    const double top = area(hull_between(seen, highest - layer, highest)) / whole;
-    const double stands = contains(base, dvec2(middle[(up + 1) % 3], middle[(up + 2) % 3])) ? 1 : 0.3;
-    return stands * area(base) / whole - 0.5 * top;
+    const double layer = (highest - lowest) * 0.03;
+    const std::vector<dvec2> base = hull_between(body, up, lowest, lowest + layer);
+    const double top = area(hull_between(body, up, highest - layer, highest)) / whole;
+    const double share = area(base) / whole;
+    return (contains(base, on_ground(body.middle, up)) ? share : 0.3 * share) - 0.5 * top;
 }
 
 } // namespace
 
 Axis guess_up_axis(const Mesh& mesh) {
+    const Body body = body_of(mesh);
+
     // An open sheet, such as a landscape, shows its upper side.
-    const Sheet sheet = sheet_of(mesh);
     constexpr double open = 0.3;
-    const dvec3 facing = glm::abs(sheet.facing);
+    const dvec3 facing = glm::abs(body.facing);
     if (std::max(facing.y, facing.z) > open) return facing.y > facing.z ? Axis::y : Axis::z;
 
-    // Anything else stands on what is flat and wide enough; where neither is better, up is z, as in scene
-    // files.
-    const double margin = 0.02;
-    return stability(mesh, sheet.middle, 1) > stability(mesh, sheet.middle, 2) + margin ? Axis::y : Axis::z;
+    // Anything else stands on what is flat and wide enough. What stands on neither is y-up, as most scans
+    // are.
+    constexpr double standing = 0.1;
+    const double with_z_up = stability(body, 2);
+    return with_z_up > standing && with_z_up >= stability(body, 1) ? Axis::z : Axis::y;
 }
 
 } // namespace glint
