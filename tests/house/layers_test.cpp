@@ -99,6 +99,12 @@ TEST(Layers, AProgramThatLooksBehindThePublicHeadersIsFound) {
               "apps/cli/a.cpp:1: programs use public headers and their own, not \"scene/frozen.h\"");
 }
 
+TEST(Layers, ProgramsDoNotIncludeEachOther) {
+    EXPECT_EQ(joined(complaints({"apps/cli/pages/a.cpp", "#include \"../text.h\"\n"})), "");
+    EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"../viewer/text.h\"\n"})),
+              "apps/cli/a.cpp:1: programs use public headers and their own, not \"../viewer/text.h\"");
+}
+
 TEST(Layers, APublicHeaderThatNeedsAPrivateOneIsFound) {
     EXPECT_EQ(joined(complaints({"include/glint/scene.h", "#include \"math/vec.h\"\n"})),
               "include/glint/scene.h:1: a public header includes the private \"math/vec.h\"");

@@ -1,6 +1,7 @@
 #include "rooms.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -104,12 +105,20 @@ std::string against_foreign(const Source& source, const std::string& owner, cons
     return {};
 }
 
+/// Does a relative name, seen from a file of apps/cli, lead to a file of apps/cli?
+bool stays_in_program(const std::string& path, const std::string& name) {
+    const std::filesystem::path target =
+        (std::filesystem::path(path).parent_path() / name).lexically_normal();
+    const std::string program = part(path, 0) + "/" + part(path, 1) + "/";
+    return find_room(part(name, 0)) == nullptr && starts_with(target.generic_string(), program);
+}
+
 /// Why a file may not include one of our headers; empty if it may.
 std::string against_own(const Source& source, const std::string& owner, const std::string& name) {
     const bool is_public = starts_with(name, "glint/");
     if (owner == "apps") {
-        const bool own = name.find('/') == std::string::npos;
-        return is_public || own ? "" : "programs use public headers and their own, not \"" + name + "\"";
+        if (is_public || stays_in_program(source.path, name)) return {};
+        return "programs use public headers and their own, not \"" + name + "\"";
     }
     const std::string other = is_public ? room_of_public_header(name) : part(name, 0);
     if (find_room(other) == nullptr || name.find('/') == std::string::npos)
