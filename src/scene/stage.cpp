@@ -48,7 +48,7 @@ Extent extent_of(const SceneDescription& scene) {
 void add_materials(SceneDescription& scene, const Mesh& mesh) {
     Material clay;
     clay.name = "clay";
-    clay.color = mesh.colors.empty() ? Vec3(0.72, 0.36, 0.2) : Vec3(1);
+    clay.color = mesh.colors.empty() ? Vec3(0.66, 0.29, 0.15) : Vec3(1);
     clay.ambient = 1;
     clay.diffuse = 0.95;
     clay.highlight = 0.12;
