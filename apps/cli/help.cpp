@@ -7,7 +7,7 @@
 namespace glint::cli {
 namespace {
 
-constexpr int help_column = 36;
+constexpr int help_column = 38;
 
 /// One line, with options that share it: "-q, --quiet" or "-q, -v, -h".
 struct Row {

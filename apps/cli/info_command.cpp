@@ -91,7 +91,7 @@ std::string info_text(const std::string& file, const SceneDescription& descripti
         text += fmt::format("  {:<11}{}\n", material.name, " " + properties(material));
     text += "picture settings\n";
     for (const auto& setting : picture_settings(scene))
-        text += fmt::format("  {:<18}{}\n", setting.first, setting.second);
+        text += fmt::format("  {:<18}{}\n", setting_name(setting.first), setting.second);
     return text;
 }
 

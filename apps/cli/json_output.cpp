@@ -25,7 +25,7 @@ Json scene_json(const SceneStats& stats) {
 
 Json settings_json(const Scene& scene) {
     Json json = Json::object();
-    for (const auto& setting : picture_settings(scene)) json[setting.first] = setting.second;
+    for (const auto& setting : picture_settings(scene)) json[setting_name(setting.first)] = setting.second;
     return json;
 }
 

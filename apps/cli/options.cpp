@@ -17,8 +17,7 @@ constexpr Option quiet{'q', "quiet", "", "print errors only", false, true};
 constexpr Option help{'h', "help", "", "this help", true};
 
 constexpr std::array render_options{
-    Option{'o', "output", "FILE", ".png .exr .pfm, or - for PNG on stdout; default: FILE's stem + .png",
-           false, true},
+    Option{'o', "output", "FILE", ".png, .exr, .pfm, or - for PNG on stdout; default: STEM.png", false, true},
     Option{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true},
     Option{0, "spp", "N", "samples per pixel; 1 is the pixel's centre", false, true},
     Option{0, "max-depth", "N", "bounces after the first hit"},

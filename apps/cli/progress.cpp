@@ -66,7 +66,7 @@ void ProgressMeter::show() {
         return;
     }
     const std::string state = fmt::format("{:3.0f} %  {}  {} left", std::floor(done * 100),
-                                          ray_rate(last_.rays, last_.seconds), duration(left));
+                                          ray_rate(last_.rays, last_.seconds), whole_duration(left));
     if (style_ == ProgressStyle::plain) return console_.line("rendering " + state);
     const int filled = static_cast<int>(done * bar_width);
     console_.status(fmt::format("[{:#<{}}{:{}}] {}", "", filled, "", bar_width - filled, state));

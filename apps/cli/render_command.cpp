@@ -39,8 +39,8 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     options.metadata = picture_settings(scene);
     if (const auto& crop = request.render.crop)
         options.metadata.emplace_back(
-            "crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
-    options.metadata.emplace_back("hash", hash);
+            "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
+    options.metadata.emplace_back("glint.hash", hash);
     return options;
 }
 

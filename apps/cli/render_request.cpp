@@ -55,14 +55,14 @@ RenderOptions render_options(const Arguments& arguments) {
     return options;
 }
 
+/// The part must be a part.
 void require_crop_inside(const RenderSettings& settings, const std::optional<Rect>& crop) {
     if (!crop) return;
-    const bool inside = crop->width > 0 && crop->height > 0 && crop->x + crop->width <= settings.width &&
-                        crop->y + crop->height <= settings.height;
-    if (!inside)
-        throw Error(ErrorKind::usage,
-                    fmt::format("--crop {},{},{},{} is not within the picture", crop->x, crop->y, crop->width,
-                                crop->height),
+    const std::string given = fmt::format("--crop {},{},{},{}", crop->x, crop->y, crop->width, crop->height);
+    if (crop->width == 0 || crop->height == 0)
+        throw Error(ErrorKind::usage, given + " holds no pixel", "expected X,Y,W,H with W and H at least 1");
+    if (crop->x + crop->width > settings.width || crop->y + crop->height > settings.height)
+        throw Error(ErrorKind::usage, given + " reaches beyond the picture",
                     fmt::format("the picture has {}×{} pixels", settings.width, settings.height));
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace glint::cli {
 
@@ -20,7 +21,12 @@ std::string counted(std::uint64_t number, const std::string& noun) {
 std::string duration(double seconds) {
     if (seconds < 0.9995) return fmt::format("{:.3f} s", seconds);
     if (seconds < 59.95) return fmt::format("{:.{}f} s", seconds, seconds < 9.995 ? 2 : 1);
-    const auto whole = static_cast<std::uint64_t>(seconds + 0.5);
+    return whole_duration(std::round(seconds));
+}
+
+std::string whole_duration(double seconds) {
+    const auto whole = static_cast<std::uint64_t>(std::ceil(seconds));
+    if (whole < 60) return fmt::format("{} s", whole);
     if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
     return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
@@ -39,5 +45,7 @@ double mega_rays(std::uint64_t rays, double seconds) {
 std::string ray_rate(std::uint64_t rays, double seconds) {
     return fmt::format("{:.2f} Mrays/s", mega_rays(rays, seconds));
 }
+
+std::string setting_name(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 } // namespace glint::cli

@@ -12,11 +12,16 @@ std::string with_commas(std::uint64_t number);
 std::string counted(std::uint64_t number, const std::string& noun);
 /// Seconds: "0.012 s", "1.23 s", "2 min 05 s", "3 h 07 min".
 std::string duration(double seconds);
+/// The same in whole seconds, rounded up: "31 s".
+std::string whole_duration(double seconds);
 /// Bytes: "512 B", "1.5 MiB".
 std::string bytes(double count);
 /// Rays for each second, in millions: "3.41 Mrays/s".
 std::string ray_rate(std::uint64_t rays, double seconds);
 /// Millions of rays for each second; 0 where no time passed.
 double mega_rays(std::uint64_t rays, double seconds);
+
+/// The key of a picture's setting as people read it: "glint.max_depth" → "max_depth".
+std::string setting_name(const std::string& key);
 
 } // namespace glint::cli
