@@ -1,0 +1,263 @@
+#include "formats/ply_body.h"
+
+#include "formats/ply_cursor.h"
+#include "imaging/tone.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace glint::ply {
+namespace {
+
+/// To float without overflow: finite stays finite.
+float to_float(double value) {
+    constexpr double greatest = std::numeric_limits<float>::max();
+    if (std::isfinite(value)) value = std::clamp(value, -greatest, greatest);
+    return static_cast<float>(value);
+}
+
+/// Directions and texture coordinates that are not finite mean nothing: 0.
+float finite_or_zero(double value) { return std::isfinite(value) ? to_float(value) : 0.0f; }
+
+/// Linear light of the 256 sRGB codes, computed once: the curve takes longer than the rest of a vertex.
+const std::array<float, 256>& light_of_codes() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> light{};
+        for (std::size_t code = 0; code < light.size(); ++code)
+            light[code] = linear_from_srgb8(static_cast<std::uint8_t>(code));
+        return light;
+    }();
+    return table;
+}
+
+/// Linear light of a stored colour. Bytes and 16-bit values are sRGB codes, and so are wider whole numbers, 0
+/// … 255; floats are linear light, and what is negative or no number is black.
+float to_light(double value, Type type) {
+    if (type == Type::uint16) return linear_from_srgb16(static_cast<std::uint16_t>(value));
+    if (is_integer(type)) return light_of_codes()[static_cast<std::size_t>(std::clamp(value, 0.0, 255.0))];
+    return std::max(0.0f, finite_or_zero(value));
+}
+
+template <class Cursor>
+class BodyReader {
+  public:
+    BodyReader(const Source& source, const Header& header, const Layout& layout)
+        : header_(header), layout_(layout), cursor_(source, header.body),
+          vertices_(header.elements[layout.vertex_element].count) {}
+
+    Body read() {
+        for (std::size_t i = 0; i < header_.elements.size(); ++i) {
+            const Element& element = header_.elements[i];
+            if (element.properties.empty()) continue;
+            check_promise(element);
+            if (i == layout_.vertex_element) {
+                read_vertices(element);
+            } else {
+                read_rows(element, layout_.corners[i]);
+            }
+        }
+        body_.trailing = cursor_.trailing();
+        return std::move(body_);
+    }
+
+  private:
+    using Values = std::array<double, role_count>;
+
+    /// Refuses counts that the rest of the file cannot hold, before anything is made of that size.
+    void check_promise(const Element& element) const {
+        std::size_t least = 0;
+        for (const Property& p : element.properties)
+            least += Cursor::least_bytes(p.is_list() ? *p.count_type : p.type);
+        const std::size_t most = cursor_.room() / least;
+        if (element.count > most)
+            cursor_.fail(cursor_.promise_offset(element),
+                         "the header promises " + std::to_string(element.count) + " rows of " +
+                             quoted(element.name) + ", but the file has room for at most " +
+                             std::to_string(most),
+                         "the file is cut, or its header is wrong");
+    }
+
+    std::uint64_t list_length(const Property& property, const Element& element, std::uint64_t row) {
+        const std::int64_t length = cursor_.integer(*property.count_type);
+        const std::size_t most = cursor_.room() / Cursor::least_bytes(property.type);
+        if (length >= 0 && static_cast<std::uint64_t>(length) <= most)
+            return static_cast<std::uint64_t>(length);
+        cursor_.fail(cursor_.value_offset(),
+                     "list " + quoted(property.name) + " of " + row_name(element, row) + " claims " +
+                         std::to_string(length) + " values",
+                     length < 0 ? "a length cannot be negative"
+                                : "the rest of the file has room for at most " + std::to_string(most));
+    }
+
+    void skip_property(const Property& property, const Element& element, std::uint64_t row) {
+        const std::uint64_t count = property.is_list() ? list_length(property, element, row) : 1;
+        cursor_.skip(property.type, count);
+    }
+
+    void read_vertices(const Element& element) {
+        const auto count = static_cast<std::size_t>(element.count);
+        const VertexLayout& vertex = layout_.vertex;
+        body_.mesh.positions.resize(count);
+        if (vertex.normals) body_.mesh.normals.resize(count);
+        if (vertex.colors) body_.mesh.colors.resize(count);
+        if (vertex.uvs) body_.mesh.uvs.resize(count);
+
+        Values values{};
+        std::array<std::size_t, role_count> offsets{};
+        for (std::size_t i = 0; i < count; ++i) {
+            cursor_.begin_row(element, i);
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const auto role = static_cast<std::size_t>(vertex.roles[p]);
+                if (role == role_count) {
+                    skip_property(element.properties[p], element, i);
+                    continue;
+                }
+                values[role] = cursor_.number(vertex.types[role]);
+                offsets[role] = cursor_.value_offset();
+            }
+            cursor_.end_row();
+            store_vertex(i, values);
+            check_vertex(i, values, offsets);
+        }
+    }
+
+    void store_vertex(std::size_t i, const Values& values) {
+        const auto value = [&](Role role) { return values[static_cast<std::size_t>(role)]; };
+        const auto light = [&](Role role) {
+            const Type type = layout_.vertex.types[static_cast<std::size_t>(role)];
+            if (!is_integer(type)) body_.brightest = std::max(body_.brightest, value(role));
+            return to_light(value(role), type);
+        };
+        Mesh& mesh = body_.mesh;
+        mesh.positions[i] = {to_float(value(Role::x)), to_float(value(Role::y)), to_float(value(Role::z))};
+        if (layout_.vertex.normals)
+            mesh.normals[i] = {finite_or_zero(value(Role::nx)), finite_or_zero(value(Role::ny)),
+                               finite_or_zero(value(Role::nz))};
+        if (layout_.vertex.colors) mesh.colors[i] = {light(Role::red), light(Role::green), light(Role::blue)};
+        if (layout_.vertex.uvs)
+            mesh.uvs[i] = {finite_or_zero(value(Role::u)), finite_or_zero(value(Role::v))};
+    }
+
+    /// Notes a vertex that faces must not use; whether one does shows only at the end.
+    void check_vertex(std::size_t i, const Values& values,
+                      const std::array<std::size_t, role_count>& offsets) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (std::fabs(values[k]) <= greatest_coordinate) continue;
+            body_.bad_vertices.push_back(
+                {static_cast<std::uint32_t>(i), offsets[k], std::isfinite(values[k])});
+            return;
+        }
+    }
+
+    /// Rows of any other element; `corners` is the property that lists those of faces or strips, or −1.
+    void read_rows(const Element& element, int corners) {
+        const bool strips = is_strips(element);
+        if (corners >= 0 && !strips)
+            reserve_triangles(element, element.properties[static_cast<std::size_t>(corners)]);
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            cursor_.begin_row(element, row);
+            for (std::size_t p = 0; p < element.properties.size(); ++p) {
+                const Property& property = element.properties[p];
+                if (static_cast<int>(p) != corners) {
+                    skip_property(property, element, row);
+                } else if (strips) {
+                    read_strip(property, element, row);
+                } else {
+                    read_face(property, element, row);
+                }
+            }
+            cursor_.end_row();
+        }
+    }
+
+    void reserve_triangles(const Element& element, const Property& list) {
+        const std::size_t least = Cursor::least_bytes(*list.count_type) + 3 * Cursor::least_bytes(list.type);
+        const std::uint64_t most = std::min<std::uint64_t>(element.count, cursor_.room() / least);
+        body_.mesh.triangles.reserve(body_.mesh.triangles.size() + static_cast<std::size_t>(most));
+    }
+
+    std::uint32_t index(Type type, const Element& element, std::uint64_t row) {
+        return checked(cursor_.integer(type), element, row);
+    }
+
+    std::uint32_t checked(std::int64_t value, const Element& element, std::uint64_t row) const {
+        if (value >= 0 && static_cast<std::uint64_t>(value) < vertices_)
+            return static_cast<std::uint32_t>(value);
+        cursor_.fail(
+            cursor_.value_offset(),
+            "vertex index " + std::to_string(value) + " in " + row_name(element, row) + " is out of range",
+            vertices_ == 1 ? std::string("the file has 1 vertex, so the only index is 0")
+                           : "the file has " + std::to_string(vertices_) +
+                                 " vertices, so indices go from 0 to " + std::to_string(vertices_ - 1));
+    }
+
+    void read_face(const Property& list, const Element& element, std::uint64_t row) {
+        const std::size_t offset = cursor_.offset();
+        const std::uint64_t length = list_length(list, element, row);
+        if (length == 3) {
+            const std::uint32_t a = index(list.type, element, row);
+            const std::uint32_t b = index(list.type, element, row);
+            const std::uint32_t c = index(list.type, element, row);
+            body_.mesh.triangles.emplace_back(a, b, c);
+            return;
+        }
+
+        const std::size_t first = body_.corners.size();
+        for (std::uint64_t i = 0; i < length; ++i) body_.corners.push_back(index(list.type, element, row));
+        if (length > 3) {
+            body_.polygons.push_back(
+                {body_.mesh.triangles.size(), first, static_cast<std::size_t>(length), offset});
+        } else {
+            body_.corners.resize(first);
+            ++body_.small_faces;
+        }
+    }
+
+    /// A strip: each corner makes a triangle with the two before it, every second one turned around; −1
+    /// begins anew. Triangles that repeat a corner only turn the strip, and are no faces.
+    void read_strip(const Property& list, const Element& element, std::uint64_t row) {
+        const std::uint64_t length = list_length(list, element, row);
+        std::uint32_t older = 0;
+        std::uint32_t old = 0;
+        std::uint64_t since_start = 0;
+        for (std::uint64_t i = 0; i < length; ++i) {
+            const std::int64_t value = cursor_.integer(list.type);
+            if (value == -1) {
+                since_start = 0;
+                continue;
+            }
+            const std::uint32_t corner = checked(value, element, row);
+            const bool repeats = corner == old || corner == older || old == older;
+            if (since_start >= 2 && !repeats) {
+                const bool turned = since_start % 2 == 1;
+                body_.mesh.triangles.emplace_back(turned ? old : older, turned ? older : old, corner);
+            }
+            older = old;
+            old = corner;
+            ++since_start;
+        }
+    }
+
+    const Header& header_;
+    const Layout& layout_;
+    Cursor cursor_;
+    std::uint64_t vertices_;
+    Body body_;
+};
+
+} // namespace
+
+Body read_body(const Source& source, const Header& header, const Layout& layout) {
+    switch (header.format) {
+    case PlyFormat::ascii:
+        return BodyReader<TextCursor>(source, header, layout).read();
+    case PlyFormat::binary_little_endian:
+        return BodyReader<BinaryCursor<std::endian::little>>(source, header, layout).read();
+    default:
+        return BodyReader<BinaryCursor<std::endian::big>>(source, header, layout).read();
+    }
+}
+
+} // namespace glint::ply

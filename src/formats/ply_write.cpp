@@ -1,0 +1,122 @@
+#include "glint/formats.h"
+#include "imaging/tone.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <limits>
+
+namespace glint {
+namespace {
+
+/// Values of one row after another, in the dialect's form.
+class Output {
+  public:
+    explicit Output(PlyFormat format) : format_(format) {}
+
+    void line(const std::string& text) { text_ += text + "\n"; }
+
+    void number(float value) {
+        if (format_ == PlyFormat::ascii) return word(value);
+        bytes(std::bit_cast<std::uint32_t>(value));
+    }
+    void integer(std::uint32_t value) {
+        if (format_ == PlyFormat::ascii) return word(value);
+        bytes(value);
+    }
+    void byte(std::uint8_t value) {
+        if (format_ == PlyFormat::ascii) return word(static_cast<std::uint32_t>(value));
+        text_.push_back(static_cast<char>(value));
+    }
+    void end_row() {
+        if (format_ == PlyFormat::ascii) text_.back() = '\n';
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    /// The shortest text that gives the value back, in any locale.
+    template <class Value>
+    void word(Value value) {
+        char buffer[32];
+        text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+        text_ += ' ';
+    }
+    void bytes(std::uint32_t bits) {
+        for (int i = 0; i < 4; ++i) {
+            const int shift = format_ == PlyFormat::binary_little_endian ? 8 * i : 24 - 8 * i;
+            text_.push_back(static_cast<char>(static_cast<unsigned char>(bits >> shift & 0xffu)));
+        }
+    }
+
+    PlyFormat format_;
+    std::string text_;
+};
+
+const char* format_name(PlyFormat format) {
+    switch (format) {
+    case PlyFormat::ascii:
+        return "ascii";
+    case PlyFormat::binary_little_endian:
+        return "binary_little_endian";
+    default:
+        return "binary_big_endian";
+    }
+}
+
+/// Whether every colour is that of an sRGB byte to the bit: then bytes say it all, and more programs read
+/// them.
+bool are_codes(const std::vector<glm::vec3>& colors) {
+    const auto is_code = [](float light) {
+        return std::bit_cast<std::uint32_t>(linear_from_srgb8(srgb8_from_linear(light))) ==
+               std::bit_cast<std::uint32_t>(light);
+    };
+    return std::all_of(colors.begin(), colors.end(),
+                       [&](const glm::vec3& c) { return is_code(c.x) && is_code(c.y) && is_code(c.z); });
+}
+
+void write_header(Output& out, const Mesh& mesh, PlyFormat format, bool byte_colors) {
+    const auto properties = [&](const char* type, std::initializer_list<const char*> names) {
+        for (const char* name : names) out.line(std::string("property ") + type + " " + name);
+    };
+    out.line("ply");
+    out.line(std::string("format ") + format_name(format) + " 1.0");
+    out.line("element vertex " + std::to_string(mesh.positions.size()));
+    properties("float", {"x", "y", "z"});
+    if (!mesh.normals.empty()) properties("float", {"nx", "ny", "nz"});
+    if (!mesh.colors.empty()) properties(byte_colors ? "uchar" : "float", {"red", "green", "blue"});
+    if (!mesh.uvs.empty()) properties("float", {"s", "t"});
+    const bool wide = mesh.positions.size() > std::numeric_limits<std::int32_t>::max();
+    out.line("element face " + std::to_string(mesh.triangles.size()));
+    out.line(std::string("property list uchar ") + (wide ? "uint" : "int") + " vertex_indices");
+    out.line("end_header");
+}
+
+void write_vertex(Output& out, const Mesh& mesh, std::size_t i, bool byte_colors) {
+    const auto numbers = [&](const auto& values) {
+        for (int k = 0; k < values.length(); ++k) out.number(values[k]);
+    };
+    numbers(mesh.positions[i]);
+    if (!mesh.normals.empty()) numbers(mesh.normals[i]);
+    if (!mesh.colors.empty() && !byte_colors) numbers(mesh.colors[i]);
+    if (!mesh.colors.empty() && byte_colors)
+        for (int k = 0; k < 3; ++k) out.byte(srgb8_from_linear(mesh.colors[i][k]));
+    if (!mesh.uvs.empty()) numbers(mesh.uvs[i]);
+    out.end_row();
+}
+
+} // namespace
+
+void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format) {
+    Output out(format);
+    const bool byte_colors = are_codes(mesh.colors);
+    write_header(out, mesh, format, byte_colors);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) write_vertex(out, mesh, i, byte_colors);
+    for (const glm::uvec3& triangle : mesh.triangles) {
+        out.byte(3);
+        for (int k = 0; k < 3; ++k) out.integer(triangle[k]);
+        out.end_row();
+    }
+    write_file(path, std::as_bytes(std::span(out.text())));
+}
+
+} // namespace glint
