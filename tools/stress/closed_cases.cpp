@@ -1,0 +1,173 @@
+#include "closed_cases.h"
+
+#include "describe.h"
+#include "shapes.h"
+#include "trace/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace glint::stress {
+
+namespace {
+
+Polyhedron random_polyhedron(Random& random) {
+    switch (random.below(4)) {
+    case 0:
+        return make_box(dvec3(0.0), dvec3(1.5));
+    case 1:
+        return make_octahedron(dvec3(0.0), 1.5);
+    case 2:
+        return make_dodecahedron(dvec3(0.0), 1.0);
+    default:
+        return make_icosahedron(dvec3(0.0), 1.0);
+    }
+}
+
+Polyhedron make_closed(Closed kind, Random& random) {
+    if (kind == Closed::icosphere) return make_icosphere(random.between(1, 3));
+    if (kind == Closed::polyhedron) return random_polyhedron(random);
+    const int around = random.between(16, 32);
+    const int across = random.between(8, 16);
+    return make_torus(around, across);
+}
+
+/// A closed mesh in its place, in float, and rays that look for its seams.
+class ClosedWorld {
+  public:
+    ClosedWorld(Closed kind, Random& random)
+        : kind_(kind), random_(random), place_(random_placement(random, 12)),
+          shape_(make_closed(kind, random)) {
+        // A factor that leaves no coordinate a round number, half the time.
+        if (random.one_in(2))
+            for (dvec3& p : shape_.positions) p *= 1.0 - 0.01 * random.unit();
+        WorldInput input;
+        input.meshes.resize(1);
+        for (const dvec3& p : shape_.positions) input.meshes[0].positions.push_back(place_(p));
+        input.meshes[0].triangles = shape_.triangles;
+        TaskPool pool(1);
+        world_ = World(std::move(input), pool);
+    }
+
+    const World& world() const { return world_; }
+
+    /// Inside by a margin that covers the chords of the mesh and the rounding at offsets of 2^12.
+    dvec3 inside_point() {
+        if (kind_ != Closed::torus) return random_.in_ball(0.7);
+        const double angle = random_.uniform(0.0, 2.0 * std::numbers::pi);
+        return dvec3(std::cos(angle), std::sin(angle), 0.0) + random_.in_ball(0.2);
+    }
+
+    Ray from_inside() {
+        const dvec3 inside = inside_point();
+        Ray ray = toward(place_(inside), target());
+        if (!random_.one_in(4)) return ray;
+        // Straight up or down through a vertex: the origin shares two of its coordinates, to the bit.
+        const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
+        const int axis = random_.between(0, 2);
+        dvec3 origin = vertex;
+        origin[axis] = 0.0;
+        if (kind_ == Closed::torus || glm::dot(origin, origin) > 0.49) return ray;
+        ray.origin = place_(origin);
+        ray.direction = vec3(0.0f);
+        ray.direction[axis] = random_.one_in(2) ? 1.0f : -1.0f;
+        return ray;
+    }
+
+    Ray from_outside() {
+        const double distance = std::ldexp(1.0, random_.between(2, 8));
+        if (!random_.one_in(4)) return toward(place_(random_.direction() * distance), target());
+        const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
+        const int axis = random_.between(0, 2);
+        dvec3 origin = vertex;
+        origin[axis] = -distance;
+        Ray ray;
+        ray.origin = place_(origin);
+        ray.direction = vec3(0.0f);
+        ray.direction[axis] = 1.0f;
+        return ray;
+    }
+
+  private:
+    std::uint32_t any(std::size_t count) { return random_.below(static_cast<std::uint32_t>(count)); }
+
+    /// A vertex, a point of an edge, a point of a face, or any point about.
+    vec3 target() {
+        const uvec3& t = shape_.triangles[any(shape_.triangles.size())];
+        const dvec3 a(place_(shape_.positions[t.x]));
+        const dvec3 b(place_(shape_.positions[t.y]));
+        const dvec3 c(place_(shape_.positions[t.z]));
+        const double x = random_.unit();
+        const double y = random_.unit();
+        switch (random_.below(4)) {
+        case 0:
+            return vec3(a);
+        case 1:
+            return vec3(a + (b - a) * (random_.one_in(2) ? 0.5 : x));
+        case 2:
+            return vec3(a + (b - a) * x + (c - a) * (y * (1.0 - x)));
+        default:
+            return place_(random_.in_ball(1.2));
+        }
+    }
+
+    Ray toward(const vec3& origin, const vec3& target) {
+        Ray ray;
+        ray.origin = origin;
+        ray.direction = target - origin;
+        if (random_.one_in(2)) ray.direction = vec3(glm::normalize(dvec3(ray.direction)));
+        if (random_.one_in(8)) {
+            // Along an axis from anywhere.
+            ray.direction = vec3(0.0f);
+            ray.direction[random_.between(0, 2)] = random_.one_in(2) ? 1.0f : -1.0f;
+        }
+        if (ray.direction == vec3(0.0f)) ray.direction.x = 1.0f;
+        return ray;
+    }
+
+    Closed kind_;
+    Random& random_;
+    Placement place_;
+    Polyhedron shape_;
+    World world_;
+};
+
+} // namespace
+
+Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays) {
+    Random random(seed);
+    ClosedWorld closed(kind, random);
+    Tally tally;
+    for (; tally.rays < rays; ++tally.rays) {
+        const Ray ray = closed.from_inside();
+        const Hit hit = closed.world().closest(ray);
+        tally.hits += hit ? 1 : 0;
+        tally.on_edge += hit.on_edge ? 1 : 0;
+        if (!hit) tally.fail(describe(ray) + ": leaks out of a closed mesh");
+        if (!closed.world().occluded(ray)) tally.fail(describe(ray) + ": leaks out unoccluded");
+    }
+    return tally;
+}
+
+Tally run_through(Closed kind, std::uint64_t seed, std::uint32_t rays) {
+    Random random(seed);
+    ClosedWorld closed(kind, random);
+    Tally tally;
+    std::vector<Hit> crossings;
+    for (; tally.rays < rays; ++tally.rays) {
+        const Ray ray = closed.from_outside();
+        closed.world().crossings(ray, crossings);
+        const bool apart =
+            std::any_of(crossings.begin(), crossings.end(), [](const Hit& h) { return h.on_edge; });
+        tally.hits += crossings.empty() ? 0 : 1;
+        tally.on_edge += apart ? 1 : 0;
+        if (!apart && crossings.size() % 2 != 0)
+            tally.fail(describe(ray) + ": crosses a closed mesh " + std::to_string(crossings.size()) +
+                       " times");
+    }
+    return tally;
+}
+
+} // namespace glint::stress

@@ -1,0 +1,163 @@
+#include "soup_cases.h"
+
+#include "describe.h"
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace glint::stress {
+
+namespace {
+
+bool same_bits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+bool same(const Hit& a, const Hit& b) {
+    return same_bits(a.t, b.t) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.object == b.object &&
+           a.prim == b.prim && a.kind == b.kind && a.on_edge == b.on_edge;
+}
+
+/// Rays that look for trouble in one world: through corners and edges, along sides and axes, from far away.
+class TroubleRays {
+  public:
+    TroubleRays(const WorldInput& world, const Placement& place, Random& random)
+        : place_(place), random_(random) {
+        for (const auto& mesh : world.meshes)
+            for (const uvec3& t : mesh.triangles)
+                for (int k = 0; k < 3; ++k) corners_.push_back(mesh.positions[t[k]]);
+        if (corners_.empty())
+            for (const auto& s : world.spheres)
+                for (int k = 0; k < 3; ++k) corners_.push_back(vec3(s.center));
+        while (corners_.size() < 3) corners_.push_back(place(random.in_cube(1.0)));
+    }
+
+    Ray operator()() {
+        Ray ray;
+        ray.origin = origin();
+        ray.direction = direction(ray.origin);
+        // Directions of any length, t counted in them.
+        if (random_.one_in(4))
+            ray.direction *= std::ldexp(1.0f, random_.between(-20, 20));
+        else if (random_.one_in(2))
+            ray.direction = vec3(glm::normalize(dvec3(ray.direction)));
+        return ray;
+    }
+
+  private:
+    vec3 corner(std::uint32_t t, std::uint32_t k) { return corners_[3 * t + k % 3]; }
+    std::uint32_t any_triangle() { return random_.below(static_cast<std::uint32_t>(corners_.size() / 3)); }
+
+    vec3 on_edge() {
+        const std::uint32_t t = any_triangle();
+        const std::uint32_t k = random_.below(3);
+        const double along = random_.one_in(2) ? 0.5 : random_.unit();
+        return vec3(glm::mix(dvec3(corner(t, k)), dvec3(corner(t, k + 1)), along));
+    }
+
+    vec3 within() {
+        const std::uint32_t t = any_triangle();
+        const double u = random_.unit();
+        const double v = random_.unit() * (1.0 - u);
+        return vec3(dvec3(corner(t, 0)) * (1.0 - u - v) + dvec3(corner(t, 1)) * u + dvec3(corner(t, 2)) * v);
+    }
+
+    vec3 origin() {
+        switch (random_.below(6)) {
+        case 0:
+            return within();
+        case 1: {
+            const std::uint32_t t = any_triangle();
+            return corner(t, random_.below(3));
+        }
+        case 2:
+            return place_(random_.direction() * std::ldexp(1.0, random_.between(2, 14)));
+        default:
+            return place_(random_.in_cube(2.0));
+        }
+    }
+
+    vec3 axis() {
+        vec3 d(0.0f);
+        d[random_.between(0, 2)] = random_.one_in(2) ? 1.0f : -1.0f;
+        // Nearly along an axis: what 1/d must survive.
+        if (random_.one_in(2)) d[random_.between(0, 2)] += random_.one_in(2) ? 1e-30f : -1e-12f;
+        return d;
+    }
+
+    vec3 direction(const vec3& from) {
+        const std::uint32_t t = any_triangle();
+        const std::uint32_t k = random_.below(3);
+        vec3 d(0.0f);
+        switch (random_.below(6)) {
+        case 0:
+            d = corner(t, k) - from;
+            break;
+        case 1:
+            d = on_edge() - from;
+            break;
+        case 2:
+        case 3:
+            d = within() - from;
+            break;
+        case 4:
+            d = random_.one_in(2) ? axis() : corner(t, k) - corner(t, k + 1);
+            break;
+        default:
+            d = vec3(random_.direction());
+        }
+        return d == vec3(0.0f) ? vec3(0.0f, 1.0f, 0.0f) : d;
+    }
+
+    const Placement& place_;
+    Random& random_;
+    std::vector<vec3> corners_;
+};
+
+/// Walks with next() and compares with crossings().
+bool walk_agrees(const World& world, const Ray& ray) {
+    std::vector<Hit> all;
+    world.crossings(ray, all);
+    Hit at = world.closest(ray);
+    for (const Hit& expected : all) {
+        if (!same(at, expected)) return false;
+        at = world.next(ray, at);
+    }
+    return !at;
+}
+
+/// One ray against brute force; its hit becomes the end of a second, shorter one.
+void compare(const World& world, Ray ray, Random& random, Tally& tally) {
+    for (int round = 0; round < 2; ++round) {
+        const Hit hit = world.closest(ray);
+        const Hit truth = world.closest_brute_force(ray);
+        ++tally.rays;
+        tally.hits += truth ? 1 : 0;
+        tally.on_edge += truth.on_edge ? 1 : 0;
+        if (!same(hit, truth))
+            tally.fail(describe(ray) + ": closest is " + describe(hit) + ", not " + describe(truth));
+        if (world.occluded(ray) != world.occluded_brute_force(ray))
+            tally.fail(describe(ray) + ": occluded differs from brute force");
+        if (random.one_in(16) && !walk_agrees(world, ray))
+            tally.fail(describe(ray) + ": next() differs from crossings()");
+        // Bounds that fall exactly on a hit: both are exclusive.
+        (random.one_in(2) ? ray.tmin : ray.tmax) = truth ? truth.t : 1.0f;
+    }
+}
+
+} // namespace
+
+Tally run_soup(Soup kind, std::uint64_t seed, std::uint32_t rays) {
+    Random random(seed);
+    const Placement place = random_placement(random, 24);
+    WorldInput input = make_soup(kind, place, random);
+    TroubleRays next_ray(input, place, random);
+    TaskPool pool(1);
+    const World world(std::move(input), pool);
+    Tally tally;
+    while (tally.rays < rays) compare(world, next_ray(), random, tally);
+    return tally;
+}
+
+} // namespace glint::stress

@@ -1,0 +1,143 @@
+#include "soups.h"
+
+#include <array>
+#include <cmath>
+
+namespace glint::stress {
+
+namespace {
+
+using Corners = std::array<dvec3, 3>;
+
+/// A point of the grid of quarters in [-1, 1]^3: shared coordinates, exact ties.
+dvec3 on_grid(Random& random) {
+    const int x = random.between(-4, 4);
+    const int y = random.between(-4, 4);
+    const int z = random.between(-4, 4);
+    return dvec3(x, y, z) * 0.25;
+}
+
+/// Two long sides and a very short one.
+Corners needle(Random& random) {
+    const dvec3 a = random.in_cube(1.0);
+    const dvec3 b = random.in_cube(1.0);
+    const double width = std::pow(10.0, random.between(-9, -2));
+    return {a, b, b + random.in_cube(width)};
+}
+
+/// Three corners nearly on one line, in any order.
+Corners sliver(Random& random) {
+    const dvec3 a = random.in_cube(1.0);
+    const dvec3 b = random.in_cube(1.0);
+    const double height = std::pow(10.0, random.between(-9, -2));
+    const dvec3 between = a + (b - a) * random.unit() + random.in_cube(height);
+    return random.one_in(2) ? Corners{a, b, between} : Corners{a, between, b};
+}
+
+Corners square_to_axis(Random& random) {
+    Corners t{on_grid(random), on_grid(random), on_grid(random)};
+    const int axis = random.between(0, 2);
+    t[1][axis] = t[2][axis] = t[0][axis];
+    return t;
+}
+
+Corners without_area(Random& random) {
+    const dvec3 a = on_grid(random);
+    const dvec3 step = on_grid(random) * 0.25;
+    const int k = random.between(0, 4);
+    return {a, a + step * double(k), a + step * 4.0};
+}
+
+Corners triangle(Soup kind, Random& random) {
+    switch (kind) {
+    case Soup::needles:
+        return needle(random);
+    case Soup::slivers:
+        return sliver(random);
+    case Soup::axis_aligned:
+        return square_to_axis(random);
+    case Soup::coplanar: {
+        Corners t{on_grid(random), on_grid(random), on_grid(random)};
+        t[0].z = t[1].z = t[2].z = 0.25;
+        return t;
+    }
+    case Soup::zero_area:
+        return random.one_in(3) ? Corners{on_grid(random), on_grid(random), on_grid(random)}
+                                : without_area(random);
+    default: {
+        const dvec3 a = random.in_cube(1.0);
+        const double size = random.one_in(2) ? 1.0 : 0.1;
+        const dvec3 ab = random.in_cube(size);
+        const dvec3 ac = random.in_cube(size);
+        return {a, a + ab, a + ac};
+    }
+    }
+}
+
+void add_triangles(Soup kind, const Placement& place, Random& random, WorldInput& world) {
+    std::array<WorldInput::Triangles, 3> meshes;
+    const std::uint32_t count = 1 + random.below(kind == Soup::mixed ? 24 : 64);
+    Corners last{};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const bool again = kind == Soup::duplicates && i > 0 && !random.one_in(3);
+        if (!again) last = triangle(kind, random);
+        WorldInput::Triangles& mesh = meshes[random.below(3)];
+        const std::uint32_t first = static_cast<std::uint32_t>(mesh.positions.size());
+        const std::uint32_t turn = random.below(3);
+        for (std::uint32_t k = 0; k < 3; ++k) mesh.positions.push_back(place(last[(k + turn) % 3]));
+        if (random.one_in(2))
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+        else
+            mesh.triangles.emplace_back(first, first + 2, first + 1);
+    }
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        meshes[k].object = 7 - 2 * k;
+        world.meshes.push_back(std::move(meshes[k]));
+    }
+}
+
+/// A local space somewhere near the placed cube, stretched and sheared.
+std::int32_t add_affine(const Placement& place, Random& random, WorldInput& world) {
+    dmat4 m(1.0);
+    for (int column = 0; column < 3; ++column) {
+        dvec3 side = random.in_cube(0.4);
+        side[column] += 1.0;
+        m[column] = dvec4(side * place.scale, 0.0);
+    }
+    m[3] = dvec4(dvec3(place(random.in_cube(0.5))), 1.0);
+    world.world_from_local.push_back(m);
+    return static_cast<std::int32_t>(world.world_from_local.size()) - 1;
+}
+
+void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        const bool local = random.one_in(3);
+        const std::int32_t affine = local ? add_affine(place, random, world) : -1;
+        const dvec3 at = random.one_in(2) ? on_grid(random) : random.in_cube(1.0);
+        const dvec3 p = local ? at * 0.5 : dvec3(place(at));
+        const double radius = 0.25 * random.between(1, 3) * (local ? 1.0 : place.scale);
+        if (random.one_in(2)) {
+            world.spheres.push_back({20 + i / 4, i, p, radius, affine});
+            continue;
+        }
+        dvec3 axis(0.0);
+        axis[random.between(0, 2)] = random.one_in(2) ? 1.0 : -1.0;
+        if (random.one_in(2)) axis = random.direction();
+        world.cylinders.push_back({10 + i, p, axis, radius * random.between(1, 4), radius, affine});
+    }
+    for (std::uint32_t i = random.below(3); i > 0; --i) {
+        const dvec3 normal = random.one_in(2) ? dvec3(0, 0, 1) : random.in_cube(3.0);
+        world.planes.push_back({30 + i, normal, glm::dot(normal, dvec3(place(on_grid(random))))});
+    }
+}
+
+} // namespace
+
+WorldInput make_soup(Soup kind, const Placement& place, Random& random) {
+    WorldInput world;
+    if (kind != Soup::quadrics) add_triangles(kind, place, random, world);
+    if (kind == Soup::quadrics || kind == Soup::mixed) add_quadrics(place, random, world);
+    return world;
+}
+
+} // namespace glint::stress

@@ -1,0 +1,16 @@
+#pragma once
+// Small worlds of ugly primitives.
+
+#include "shapes.h"
+#include "stress_random.h"
+#include "trace/world.h"
+
+namespace glint::stress {
+
+enum class Soup { random, needles, slivers, axis_aligned, coplanar, duplicates, zero_area, quadrics, mixed };
+
+/// At most 64 triangles in up to three meshes, at most 12 quadrics and 2 planes, about the cube [-1, 1]^3
+/// before the placement.
+WorldInput make_soup(Soup kind, const Placement& place, Random& random);
+
+} // namespace glint::stress

@@ -1,0 +1,63 @@
+#pragma once
+// Random numbers for stress cases: a function of the seed alone, on every machine.
+
+#include "math/vec.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace glint::stress {
+
+/// SplitMix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+
+    std::uint64_t bits() {
+        state_ += 0x9e3779b97f4a7c15u;
+        std::uint64_t x = state_;
+        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+        x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+        return x ^ (x >> 31);
+    }
+    /// In [0, n), n > 0.
+    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(((bits() >> 32) * n) >> 32); }
+    /// In [lo, hi].
+    int between(int lo, int hi) {
+        return lo + static_cast<int>(below(static_cast<std::uint32_t>(hi - lo + 1)));
+    }
+    bool one_in(std::uint32_t n) { return below(n) == 0; }
+    /// In [0, 1).
+    double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+    double uniform(double lo, double hi) {
+        const double x = unit();
+        return lo + (hi - lo) * x;
+    }
+    /// In the cube [-size, size]^3.
+    dvec3 in_cube(double size) {
+        const double x = uniform(-size, size);
+        const double y = uniform(-size, size);
+        const double z = uniform(-size, size);
+        return {x, y, z};
+    }
+    /// In the ball of that radius.
+    dvec3 in_ball(double radius) {
+        for (;;) {
+            const dvec3 p = in_cube(1.0);
+            if (glm::dot(p, p) <= 1.0) return p * radius;
+        }
+    }
+    /// Of unit length.
+    dvec3 direction() {
+        for (;;) {
+            const dvec3 p = in_cube(1.0);
+            const double squared = glm::dot(p, p);
+            if (squared <= 1.0 && squared > 1e-4) return p / std::sqrt(squared);
+        }
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+} // namespace glint::stress
