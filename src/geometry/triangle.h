@@ -62,35 +62,36 @@ inline bool mixed_signs(T a, T b, T c) {
     return (a < T(0) || b < T(0) || c < T(0)) && (a > T(0) || b > T(0) || c > T(0));
 }
 
-/// Hit with tmin < t (in double) and t (rounded to float) <= limit. Both orientations count. A ray with a NaN
-/// hits nothing. Edges belong to both their triangles.
-inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& vertices, float tmin,
-                               float limit, TriangleHit& hit) {
-    const auto& [v0, v1, v2] = vertices;
-    const float a = v0[ray.kz] - ray.oz;
-    const float b = v1[ray.kz] - ray.oz;
-    const float c = v2[ray.kz] - ray.oz;
-    const float ax = (v0[ray.kx] - ray.ox) - ray.sx * a;
-    const float ay = (v0[ray.ky] - ray.oy) - ray.sy * a;
-    const float bx = (v1[ray.kx] - ray.ox) - ray.sx * b;
-    const float by = (v1[ray.ky] - ray.oy) - ray.sy * b;
-    const float cx = (v2[ray.kx] - ray.ox) - ray.sx * c;
-    const float cy = (v2[ray.ky] - ray.oy) - ray.sy * c;
+/// A vertex seen from a sheared ray: x and y across it, z = v[kz] − o[kz] before its scaling by sz.
+struct ShearedVertex {
+    float x, y, z;
+};
 
-    // Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0.
-    if (mixed_signs(cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax)) return false;
+inline ShearedVertex shear(const ShearedRay& ray, const std::array<float, 3>& v) {
+    const float z = v[ray.kz] - ray.oz;
+    return {(v[ray.kx] - ray.ox) - ray.sx * z, (v[ray.ky] - ray.oy) - ray.sy * z, z};
+}
 
+/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So what this
+/// rejects, exact arithmetic rejects as well.
+inline bool surely_outside(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
+    return mixed_signs(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+}
+
+/// The exact part of the test, for what is not surely outside.
+inline bool intersect_sheared(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c, float sz,
+                              float tmin, float limit, TriangleHit& hit) {
     // Products of floats are exact in double, so that these signs are exact.
-    const double u = double(cx) * by - double(cy) * bx;
-    const double v = double(ax) * cy - double(ay) * cx;
-    const double w = double(bx) * ay - double(by) * ax;
+    const double u = double(c.x) * b.y - double(c.y) * b.x;
+    const double v = double(a.x) * c.y - double(a.y) * c.x;
+    const double w = double(b.x) * a.y - double(b.y) * a.x;
     if (mixed_signs(u, v, w)) return false;
     const double det = u + v + w;
     if (det == 0.0) return false;
 
-    const double az = ray.sz * a;
-    const double bz = ray.sz * b;
-    const double cz = ray.sz * c;
+    const double az = sz * a.z;
+    const double bz = sz * b.z;
+    const double cz = sz * c.z;
     const double t = (u * az + v * bz + w * cz) / det;
     hit.t = static_cast<float>(t);
     if (!(t > tmin && hit.t <= limit)) return false;
@@ -99,6 +100,16 @@ inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& ve
     hit.on_edge = u == 0.0 || v == 0.0 || w == 0.0;
     hit.positive = det > 0.0;
     return true;
+}
+
+/// Hit with tmin < t (in double) and t (rounded to float) <= limit. Both orientations count. A ray with a NaN
+/// hits nothing. Edges belong to both their triangles.
+inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& vertices, float tmin,
+                               float limit, TriangleHit& hit) {
+    const ShearedVertex a = shear(ray, vertices[0]);
+    const ShearedVertex b = shear(ray, vertices[1]);
+    const ShearedVertex c = shear(ray, vertices[2]);
+    return !surely_outside(a, b, c) && intersect_sheared(a, b, c, ray.sz, tmin, limit, hit);
 }
 
 /// The point with weights u and v of vertices 1 and 2, the normal by the winding. Where the triangle has no
