@@ -102,7 +102,8 @@ class Collapser {
         return {ref, child_box(node, child), run.first, run.count};
     }
 
-    /// Standing for itself, is it cheaper as a leaf? The same arithmetic as in measure() finds the same minimum.
+    /// Standing for itself, is it cheaper as a leaf? The same arithmetic as in measure() finds the same
+    /// minimum.
     bool is_leaf(const Subtree& s) const {
         if (s.ref.count > 0) return true;
         if (s.count > wide_leaf) return false;

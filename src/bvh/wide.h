@@ -13,8 +13,8 @@ inline constexpr int wide_children = 8;
 /// A leaf holds at most this many elements.
 inline constexpr std::uint32_t wide_leaf = 8;
 
-/// Eight boxes side by side, by axis: seven half cache lines. The boxes of missing children are inverted (lo = +∞,
-/// hi = −∞), so that no ray enters them. What a child is, its code tells: see WideTree.
+/// Eight boxes side by side, by axis: seven half cache lines. The boxes of missing children are inverted (lo
+/// = +∞, hi = −∞), so that no ray enters them. What a child is, its code tells: see WideTree.
 struct alignas(32) WideNode {
     float lo[3][wide_children]; ///< [axis][child]
     float hi[3][wide_children];
@@ -38,13 +38,14 @@ struct WideTree {
     int depth = 0; ///< nodes on the longest way to a leaf
 };
 
-/// The price of a leaf with these elements of Tree::order, in steps into a node; infinite if they do not fit in one.
-/// Asked for runs of at most wide_leaf elements; single elements must fit.
+/// The price of a leaf with these elements of Tree::order, in steps into a node; infinite if they do not fit
+/// in one. Asked for runs of at most wide_leaf elements; single elements must fit.
 using LeafCost = std::function<float(std::uint32_t first, std::uint32_t count)>;
 
-/// The cheapest way, by the surface area heuristic, to merge the nodes of a binary tree into wide ones and runs into
-/// leaves: dynamic programming after Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through
-/// Compressed Wide BVHs", 2017, section 3. `tree` must be split down to runs that fit into leaves.
+/// The cheapest way, by the surface area heuristic, to merge the nodes of a binary tree into wide ones and
+/// runs into leaves: dynamic programming after Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on
+/// GPUs Through Compressed Wide BVHs", 2017, section 3. `tree` must be split down to runs that fit into
+/// leaves.
 WideTree collapse(const Tree& tree, const LeafCost& leaf_cost);
 
 } // namespace glint

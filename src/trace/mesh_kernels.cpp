@@ -1,11 +1,12 @@
-// Batches of rays through a MeshTree, for every SIMD target: groups of up to 64 rays of one octant and dominant axis go
-// down together, a 64-bit mask for each node telling which of them are there.
+// Batches of rays through a MeshTree, for every SIMD target: groups of up to 64 rays of one octant and
+// dominant axis go down together, a 64-bit mask for each node telling which of them are there.
 //
-// Coherent groups are bounded by a shaft that culls eight children at once before any ray is looked at (after Reshetov,
-// Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008); incoherent ones filter ray by ray, each node fetched once for
-// all (Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", 2014). The answer is the least (t, triangle), so
-// neither order nor kernel nor vector width shows in it. Box tests only have to be conservative and may fuse
-// multiply-adds; the triangle test is that of geometry/triangle.h, operation by operation.
+// Coherent groups are bounded by a shaft that culls eight children at once before any ray is looked at (after
+// Reshetov, Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008); incoherent ones filter ray by ray, each
+// node fetched once for all (Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", 2014). The answer
+// is the least (t, triangle), so neither order nor kernel nor vector width shows in it. Box tests only have
+// to be conservative and may fuse multiply-adds; the triangle test is that of geometry/triangle.h, operation
+// by operation.
 
 #include "geometry/triangle.h"
 #include "trace/mesh_tree.h"
@@ -29,12 +30,16 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count, RayHint) {
+void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
+                   RayHint) {
     for (std::size_t i = 0; i < count; ++i) records[i] = closest_scalar(tree, rays[i]);
 }
-void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count, RayHint) {
+void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
+                    RayHint) {
     for (std::size_t i = 0; i < count; ++i) blocked[i] = occluded_scalar(tree, rays[i]) ? 1 : 0;
 }
+TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) { return closest_scalar(tree, ray); }
+bool occluded_lone(const MeshTree& tree, const Ray& ray) { return occluded_scalar(tree, ray); }
 
 #else
 
@@ -81,7 +86,8 @@ std::uint32_t bits_of(M mask) {
 
 std::size_t first_bit(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
 
-// ── From rays to groups ─────────────────────────────────────────────────────────────────────────────────────
+// ── From rays to groups
+// ─────────────────────────────────────────────────────────────────────────────────────
 
 constexpr std::uint32_t class_count = 24;
 constexpr std::uint8_t no_class = 255; ///< NaN, infinite or without direction: hits nothing
@@ -96,13 +102,15 @@ std::uint8_t class_of(const Ray& ray) {
     const float most = std::max(x, std::max(y, z));
     if (!(zero == 0.0f) || !(most > 0.0f)) return no_class;
     const std::uint32_t axis = x == most ? 0u : (y == most ? 1u : 2u);
-    const std::uint32_t octant = (std::signbit(ray.direction.x) ? 1u : 0u) | (std::signbit(ray.direction.y) ? 2u : 0u) |
+    const std::uint32_t octant = (std::signbit(ray.direction.x) ? 1u : 0u) |
+                                 (std::signbit(ray.direction.y) ? 2u : 0u) |
                                  (std::signbit(ray.direction.z) ? 4u : 0u);
     return static_cast<std::uint8_t>(axis * 8u + octant);
 }
 
 /// Copies rays side by side; places beyond the last repeat it and are masked out everywhere.
-void gather(Group& group, const Ray* rays, const std::uint32_t* numbers, std::size_t count, float (*direction)[64]) {
+void gather(Group& group, const Ray* rays, const std::uint32_t* numbers, std::size_t count,
+            float (*direction)[64]) {
     group.count = count;
     for (std::size_t i = 0; i < group_rays; ++i) {
         const std::uint32_t number = numbers[std::min(i, count - 1)];
@@ -154,7 +162,8 @@ void set_up(Group& group, std::uint8_t ray_class, const Bounds& bounds, const fl
     }
 }
 
-// ── Leaves ──────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Leaves
+// ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Where a leaf's words are.
 struct Leaf {
@@ -173,28 +182,34 @@ struct Leaf {
     std::uint32_t corner_word(std::uint32_t i) const { return corners[i / 2] >> (16 * (i % 2)) & 0xffffu; }
 };
 
-/// One ray against a whole leaf: vertices sheared eight at a time, then triangles tested eight at a time.
-/// Returns whether it hit; closest hits are recorded.
-template <bool any>
-bool test_ray(const Leaf& leaf, Group& group, std::size_t r) {
-    alignas(32) float x[8], y[8], z[8];
-    const Floats ox = hn::Set(df, group.origin[group.kx][r]);
-    const Floats oy = hn::Set(df, group.origin[group.ky][r]);
-    const Floats oz = hn::Set(df, group.origin[group.kz][r]);
-    const Floats sx = hn::Set(df, group.shear_x[r]);
-    const Floats sy = hn::Set(df, group.shear_y[r]);
+/// One ray as a leaf sees it, with what it has found.
+struct Probe {
+    std::size_t kx, ky, kz;
+    float ox, oy, oz, sx, sy, sz;
+    float tmin;
+    float limit; ///< the greatest t still wanted, inclusive
+    float u = 0, v = 0;
+    std::uint32_t triangle = no_triangle;
+};
+
+/// Triangles of a leaf that the probe may hit, as bits: vertices are sheared eight at a time, triangles
+/// tested eight at a time. x, y and z receive the sheared vertices.
+std::uint32_t candidates_of(const Leaf& leaf, const Probe& probe, float* x, float* y, float* z) {
+    const Floats ox = hn::Set(df, probe.ox), oy = hn::Set(df, probe.oy), oz = hn::Set(df, probe.oz);
+    const Floats sx = hn::Set(df, probe.sx), sy = hn::Set(df, probe.sy);
     std::uint32_t candidates = (1u << leaf.count) - 1u;
     for (std::size_t i = 0; i < 8; i += lanes) {
-        const Floats vz = hn::Sub(hn::LoadU(df, leaf.axis[group.kz] + i), oz);
-        const Floats vx = hn::Sub(hn::Sub(hn::LoadU(df, leaf.axis[group.kx] + i), ox), hn::Mul(sx, vz));
-        const Floats vy = hn::Sub(hn::Sub(hn::LoadU(df, leaf.axis[group.ky] + i), oy), hn::Mul(sy, vz));
+        const Floats vz = hn::Sub(hn::LoadU(df, leaf.axis[probe.kz] + i), oz);
+        const Floats vx = hn::Sub(hn::Sub(hn::LoadU(df, leaf.axis[probe.kx] + i), ox), hn::Mul(sx, vz));
+        const Floats vy = hn::Sub(hn::Sub(hn::LoadU(df, leaf.axis[probe.ky] + i), oy), hn::Mul(sy, vz));
         hn::Store(vx, df, x + i);
         hn::Store(vy, df, y + i);
         hn::Store(vz, df, z + i);
         if constexpr (lanes == 8) {
             const hn::RebindToSigned<decltype(df)> di;
             const hn::Rebind<std::uint16_t, decltype(df)> d16;
-            const auto words = hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners)));
+            const auto words =
+                hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners)));
             const auto seven = hn::Set(di, 7);
             const auto ia = hn::IndicesFromVec(df, hn::And(words, seven));
             const auto ib = hn::IndicesFromVec(df, hn::And(hn::ShiftRight<3>(words), seven));
@@ -210,9 +225,16 @@ bool test_ray(const Leaf& leaf, Group& group, std::size_t r) {
             candidates &= ~bits_of(hn::And(below, above));
         }
     }
+    return candidates;
+}
+
+/// One ray against a whole leaf. Returns whether it hit; closest hits are recorded.
+template <bool any>
+bool test_ray(const Leaf& leaf, Probe& probe) {
+    alignas(32) float x[8], y[8], z[8];
     bool found = false;
-    for (; candidates != 0; candidates &= candidates - 1) {
-        const auto i = static_cast<std::uint32_t>(std::countr_zero(candidates));
+    for (std::uint32_t rest = candidates_of(leaf, probe, x, y, z); rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
         const std::uint32_t word = leaf.corner_word(i);
         const std::uint32_t ka = word & 7u, kb = word >> 3 & 7u, kc = word >> 6 & 7u;
         const ShearedVertex a{x[ka], y[ka], z[ka]};
@@ -220,17 +242,41 @@ bool test_ray(const Leaf& leaf, Group& group, std::size_t r) {
         const ShearedVertex c{x[kc], y[kc], z[kc]};
         if (lanes != 8 && surely_outside(a, b, c)) continue;
         TriangleHit hit;
-        const float sz = group.inverse[group.kz][r];
-        if (!intersect_sheared(a, b, c, sz, group.tmin[r], group.limit[r], hit)) continue;
+        if (!intersect_sheared(a, b, c, probe.sz, probe.tmin, probe.limit, hit)) continue;
         if (any) return true;
-        if (hit.t == group.limit[r] && leaf.triangles[i] > group.triangle[r]) continue;
-        group.limit[r] = hit.t;
-        group.u[r] = hit.u;
-        group.v[r] = hit.v;
-        group.triangle[r] = leaf.triangles[i];
+        if (hit.t == probe.limit && leaf.triangles[i] > probe.triangle) continue;
+        probe.limit = hit.t;
+        probe.u = hit.u;
+        probe.v = hit.v;
+        probe.triangle = leaf.triangles[i];
         found = true;
     }
     return found;
+}
+
+/// The same for a ray of a group.
+template <bool any>
+bool test_member(const Leaf& leaf, Group& group, std::size_t r) {
+    Probe probe{group.kx,
+                group.ky,
+                group.kz,
+                group.origin[group.kx][r],
+                group.origin[group.ky][r],
+                group.origin[group.kz][r],
+                group.shear_x[r],
+                group.shear_y[r],
+                group.inverse[group.kz][r],
+                group.tmin[r],
+                group.limit[r],
+                0.0f,
+                0.0f,
+                group.triangle[r]};
+    if (!test_ray<any>(leaf, probe)) return false;
+    group.limit[r] = probe.limit;
+    group.u[r] = probe.u;
+    group.v[r] = probe.v;
+    group.triangle[r] = probe.triangle;
+    return true;
 }
 
 /// What the exact part finds for one vector of rays, as floats; t is infinite where there is no hit.
@@ -261,8 +307,8 @@ HalfHit intersect_half(const hn::Vec<decltype(dfh)> (&c)[9], hn::Vec<decltype(df
             hn::DemoteTo(dfh, hn::Div(w, det))};
 }
 
-/// One vector of rays against a whole leaf: each vertex is sheared once, each triangle tested for all rays. Returns
-/// the lanes that hit; for closest hits these are recorded.
+/// One vector of rays against a whole leaf: each vertex is sheared once, each triangle tested for all rays.
+/// Returns the lanes that hit; for closest hits these are recorded.
 template <bool any>
 std::uint32_t test_vector(const Leaf& leaf, Group& group, std::size_t first, std::uint32_t live) {
     alignas(32) float x[8][lanes], y[8][lanes], z[8][lanes];
@@ -328,7 +374,8 @@ std::uint32_t test_vector(const Leaf& leaf, Group& group, std::size_t first, std
         hn::Store(hn::IfThenElse(mask, t, limit), df, group.limit + first);
         hn::BlendedStore(hn::Combine(df, hi.u, lo.u), mask, df, group.u + first);
         hn::BlendedStore(hn::Combine(df, hi.v, lo.v), mask, df, group.v + first);
-        hn::BlendedStore(hn::Set(du, leaf.triangles[i]), hn::RebindMask(du, mask), du, group.triangle + first);
+        hn::BlendedStore(hn::Set(du, leaf.triangles[i]), hn::RebindMask(du, mask), du,
+                         group.triangle + first);
         hits |= found;
     }
     return hits;
@@ -348,13 +395,14 @@ std::uint64_t test_leaf(const MeshTree& tree, std::uint32_t code, Group& group, 
         }
         for (; live != 0; live &= live - 1) {
             const std::size_t r = first + first_bit(live);
-            if (test_ray<any>(leaf, group, r)) hits |= std::uint64_t{1} << r;
+            if (test_member<any>(leaf, group, r)) hits |= std::uint64_t{1} << r;
         }
     }
     return hits;
 }
 
-// ── Nodes ───────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Nodes
+// ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// What is still to be visited.
 struct Entry {
@@ -396,16 +444,14 @@ void enter_by_ray(const Planes& planes, const Group& group, std::uint64_t mask, 
             const Floats ix = hn::Set(df, group.inverse[0][r]);
             const Floats iy = hn::Set(df, group.inverse[1][r]);
             const Floats iz = hn::Set(df, group.inverse[2][r]);
-            const Floats near =
-                hn::Max(hn::Max(hn::MulAdd(nx, ix, hn::Set(df, group.near_offset[0][r])),
-                                hn::MulAdd(ny, iy, hn::Set(df, group.near_offset[1][r]))),
-                        hn::Max(hn::MulAdd(nz, iz, hn::Set(df, group.near_offset[2][r])),
-                                hn::Set(df, group.tmin[r])));
-            const Floats far =
-                hn::Min(hn::Min(hn::MulAdd(fx, ix, hn::Set(df, group.far_offset[0][r])),
-                                hn::MulAdd(fy, iy, hn::Set(df, group.far_offset[1][r]))),
-                        hn::Min(hn::MulAdd(fz, iz, hn::Set(df, group.far_offset[2][r])),
-                                hn::Set(df, group.limit[r])));
+            const Floats near = hn::Max(hn::Max(hn::MulAdd(nx, ix, hn::Set(df, group.near_offset[0][r])),
+                                                hn::MulAdd(ny, iy, hn::Set(df, group.near_offset[1][r]))),
+                                        hn::Max(hn::MulAdd(nz, iz, hn::Set(df, group.near_offset[2][r])),
+                                                hn::Set(df, group.tmin[r])));
+            const Floats far = hn::Min(hn::Min(hn::MulAdd(fx, ix, hn::Set(df, group.far_offset[0][r])),
+                                               hn::MulAdd(fy, iy, hn::Set(df, group.far_offset[1][r]))),
+                                       hn::Min(hn::MulAdd(fz, iz, hn::Set(df, group.far_offset[2][r])),
+                                               hn::Set(df, group.limit[r])));
             const auto hit = hn::Le(near, far);
             if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, near, hn::Set(df, infinity)));
             rows[r] = static_cast<std::uint8_t>(rows[r] | bits_of(hit) << i);
@@ -455,8 +501,9 @@ std::uint64_t enter_box(const Planes& planes, std::size_t child, const Group& gr
     return inside & mask;
 }
 
-/// The space that a group's rays sweep between two planes square to the dominant axis, bounded by a straight line on
-/// each of four sides. Each ray is a line there, so lines through the outermost places on both planes bound them all.
+/// The space that a group's rays sweep between two planes square to the dominant axis, bounded by a straight
+/// line on each of four sides. Each ray is a line there, so lines through the outermost places on both planes
+/// bound them all.
 class Shaft {
   public:
     Shaft(const Group& group, const Bounds& bounds) : group_(group) {
@@ -472,9 +519,11 @@ class Shaft {
         for (std::size_t i = 0; i < group_rays; i += lanes) {
             const Floats o = hn::Load(df, group.origin[group.kz] + i);
             first = backward_ ? hn::Max(first, o) : hn::Min(first, o);
-            for (std::size_t a = 0; a < 3; ++a) reach = hn::Max(reach, hn::Abs(hn::Load(df, group.origin[a] + i)));
+            for (std::size_t a = 0; a < 3; ++a)
+                reach = hn::Max(reach, hn::Abs(hn::Load(df, group.origin[a] + i)));
         }
-        const float origin = backward_ ? hn::GetLane(hn::MaxOfLanes(df, first)) : hn::GetLane(hn::MinOfLanes(df, first));
+        const float origin =
+            backward_ ? hn::GetLane(hn::MaxOfLanes(df, first)) : hn::GetLane(hn::MinOfLanes(df, first));
         start_ = backward_ ? std::min(start_, origin) : std::max(start_, origin);
         slack_ = 0x1p-18f * (corner + hn::GetLane(hn::MaxOfLanes(df, reach)));
         end_ = leave_;
@@ -487,11 +536,13 @@ class Shaft {
         Floats most = hn::Set(df, backward_ ? infinity : -infinity);
         for (std::size_t i = 0; i < group_rays; i += lanes) {
             // direction · t, with direction = 1 / inverse.
-            const Floats way = hn::Div(hn::Load(df, group_.limit + i), hn::Load(df, group_.inverse[group_.kz] + i));
+            const Floats way =
+                hn::Div(hn::Load(df, group_.limit + i), hn::Load(df, group_.inverse[group_.kz] + i));
             const Floats place = hn::Add(hn::Load(df, group_.origin[group_.kz] + i), way);
             most = backward_ ? hn::Min(most, place) : hn::Max(most, place);
         }
-        const float place = backward_ ? hn::GetLane(hn::MinOfLanes(df, most)) : hn::GetLane(hn::MaxOfLanes(df, most));
+        const float place =
+            backward_ ? hn::GetLane(hn::MinOfLanes(df, most)) : hn::GetLane(hn::MaxOfLanes(df, most));
         end_ = backward_ ? std::max(leave_, place) : std::min(leave_, place);
     }
 
@@ -539,7 +590,8 @@ class Shaft {
             low_slope_[side] = usable ? low_slope : 0.0f;
             high_slope_[side] = usable ? high_slope : 0.0f;
             low_base_[side] = (usable ? low[0] - low_slope * start_ : std::min(low[0], low[1])) - 4 * slack_;
-            high_base_[side] = (usable ? high[0] - high_slope * start_ : std::max(high[0], high[1])) + 4 * slack_;
+            high_base_[side] =
+                (usable ? high[0] - high_slope * start_ : std::max(high[0], high[1])) + 4 * slack_;
         }
     }
 
@@ -586,7 +638,8 @@ constexpr std::size_t stack_size = 8 * (max_tree_depth + 1);
 
 template <bool any, bool coherent>
 std::uint64_t traverse(const MeshTree& tree, Group& group) {
-    std::uint64_t alive = group.count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << group.count) - 1;
+    std::uint64_t alive =
+        group.count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << group.count) - 1;
     std::uint64_t hits = 0;
     Shaft shaft(group, tree.bounds);
     Entry stack[stack_size];
@@ -612,7 +665,8 @@ std::uint64_t traverse(const MeshTree& tree, Group& group) {
             std::uint32_t met = shaft.meets(planes, node, entered.key);
             if (std::popcount(met) * 8 <= live) {
                 for (std::size_t child = 0; child < wide_children; ++child)
-                    entered.mask[child] = (met >> child & 1u) != 0 ? enter_box(planes, child, group, mask) : 0;
+                    entered.mask[child] =
+                        (met >> child & 1u) != 0 ? enter_box(planes, child, group, mask) : 0;
             } else {
                 enter_by_ray<false>(planes, group, mask, entered);
             }
@@ -624,7 +678,114 @@ std::uint64_t traverse(const MeshTree& tree, Group& group) {
     return hits;
 }
 
-// ── Batches ─────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Single rays
+// ─────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A ray against boxes: eight children at once.
+class LoneRay {
+  public:
+    LoneRay(const Ray& ray, const Bounds& bounds) {
+        const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
+        const vec3 reach = glm::abs(ray.origin);
+        const vec3 d = glm::abs(ray.direction);
+        const float most = std::max(d.x, std::max(d.y, d.z));
+        const float pad = 0x1p-20f * (std::max(reach.x, std::max(reach.y, reach.z)) +
+                                      std::max(far.x, std::max(far.y, far.z)));
+        for (int axis = 0; axis < 3; ++axis) {
+            const float clamped = std::max(d[axis], most * 1e-18f);
+            const float size = std::min(1.0f / clamped, std::numeric_limits<float>::max());
+            const float inverse = std::copysign(size, ray.direction[axis]);
+            const float shift = ray.origin[axis] * inverse;
+            inverse_[axis] = inverse;
+            near_offset_[axis] = -(shift + pad * size);
+            far_offset_[axis] = pad * size - shift;
+            negative_[axis] = std::signbit(ray.direction[axis]);
+        }
+        tmin_ = ray.tmin;
+    }
+
+    /// The children whose boxes the ray meets up to `limit`, as bits, and where.
+    std::uint32_t meets(const WideNode& node, float limit, float* entries) const {
+        std::uint32_t met = 0;
+        for (std::size_t i = 0; i < 8; i += lanes) {
+            Floats near = hn::Set(df, tmin_);
+            Floats far = hn::Set(df, limit);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const float* first = negative_[axis] ? node.hi[axis] : node.lo[axis];
+                const float* last = negative_[axis] ? node.lo[axis] : node.hi[axis];
+                const Floats inverse = hn::Set(df, inverse_[axis]);
+                near = hn::Max(near,
+                               hn::MulAdd(hn::Load(df, first + i), inverse, hn::Set(df, near_offset_[axis])));
+                far =
+                    hn::Min(far, hn::MulAdd(hn::Load(df, last + i), inverse, hn::Set(df, far_offset_[axis])));
+            }
+            met |= bits_of(hn::Le(near, far)) << i;
+            hn::Store(near, df, entries + i);
+        }
+        return met;
+    }
+
+  private:
+    float inverse_[3];
+    float near_offset_[3];
+    float far_offset_[3];
+    float tmin_;
+    bool negative_[3];
+};
+
+struct LoneEntry {
+    std::uint32_t code;
+    float t;
+};
+
+/// Children in the order of their entries: the farthest first on the stack, the nearest returned.
+LoneEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entries, LoneEntry* stack,
+                      std::size_t& size) {
+    const auto first = static_cast<std::size_t>(std::countr_zero(met));
+    LoneEntry nearest{node.child[first], entries[first]};
+    const std::size_t base = size;
+    for (met &= met - 1; met != 0; met &= met - 1) {
+        const auto child = static_cast<std::size_t>(std::countr_zero(met));
+        LoneEntry entry{node.child[child], entries[child]};
+        if (entry.t < nearest.t) std::swap(entry, nearest);
+        std::size_t at = size++;
+        for (; at > base && stack[at - 1].t < entry.t; --at) stack[at] = stack[at - 1];
+        stack[at] = entry;
+    }
+    return nearest;
+}
+
+Probe probe_of(const Ray& ray) {
+    const ShearedRay sheared(ray);
+    const float limit = std::nextafter(ray.tmax, -infinity);
+    return {sheared.kx, sheared.ky, sheared.kz, sheared.ox, sheared.oy, sheared.oz, sheared.sx,
+            sheared.sy, sheared.sz, ray.tmin,   limit,      0.0f,       0.0f,       no_triangle};
+}
+
+/// Follows one ray; returns whether it hit. The nearest child goes on at once, others wait on the stack.
+template <bool any>
+bool follow(const MeshTree& tree, const LoneRay& ray, Probe& probe) {
+    LoneEntry stack[stack_size];
+    std::size_t size = 0;
+    LoneEntry at{0, probe.tmin};
+    alignas(32) float entries[8];
+    for (;;) {
+        if ((at.code & leaf_bit) != 0) {
+            if (test_ray<any>(Leaf(tree, LeafCode{at.code}), probe) && any) return true;
+        } else if (const WideNode& node = tree.nodes[at.code];
+                   const std::uint32_t met = ray.meets(node, probe.limit, entries)) {
+            at = push_sorted(node, met, entries, stack, size);
+            continue;
+        }
+        do {
+            if (size == 0) return probe.triangle != no_triangle;
+            at = stack[--size];
+        } while (at.t > probe.limit);
+    }
+}
+
+// ── Batches
+// ─────────────────────────────────────────────────────────────────────────────────────────────────
 
 constexpr std::size_t batch_rays = 4096;
 
@@ -657,7 +818,8 @@ void for_each_group(const MeshTree& tree, const Ray* rays, std::size_t count, Ra
     }
 }
 
-void closest_rays(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count, RayHint hint) {
+void closest_rays(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
+                  RayHint hint) {
     for (std::size_t at = 0; at < count; at += batch_rays) {
         const std::size_t n = std::min(batch_rays, count - at);
         std::fill_n(records + at, n, TriangleRecord{});
@@ -671,7 +833,8 @@ void closest_rays(const MeshTree& tree, const Ray* rays, TriangleRecord* records
     }
 }
 
-void occluded_rays(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count, RayHint hint) {
+void occluded_rays(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
+                   RayHint hint) {
     for (std::size_t at = 0; at < count; at += batch_rays) {
         const std::size_t n = std::min(batch_rays, count - at);
         std::fill_n(blocked + at, n, std::uint8_t{0});
@@ -685,10 +848,25 @@ void occluded_rays(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked,
 } // namespace
 
 // What the dispatcher calls: anonymous functions cannot be exported.
-void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count, RayHint hint) {
+TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) {
+    TriangleRecord record;
+    if (class_of(ray) == no_class || tree.nodes.empty()) return record;
+    Probe probe = probe_of(ray);
+    if (follow<false>(tree, LoneRay(ray, tree.bounds), probe))
+        record = {probe.limit, probe.u, probe.v, probe.triangle};
+    return record;
+}
+bool occluded_lone(const MeshTree& tree, const Ray& ray) {
+    if (class_of(ray) == no_class || tree.nodes.empty()) return false;
+    Probe probe = probe_of(ray);
+    return follow<true>(tree, LoneRay(ray, tree.bounds), probe);
+}
+void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
+                   RayHint hint) {
     closest_rays(tree, rays, records, count, hint);
 }
-void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count, RayHint hint) {
+void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
+                    RayHint hint) {
     occluded_rays(tree, rays, blocked, count, hint);
 }
 
@@ -703,12 +881,22 @@ namespace glint {
 
 HWY_EXPORT(closest_batch);
 HWY_EXPORT(occluded_batch);
+HWY_EXPORT(closest_lone);
+HWY_EXPORT(occluded_lone);
 
-void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records, RayHint hint) {
+TriangleRecord closest(const MeshTree& tree, const Ray& ray) {
+    return HWY_DYNAMIC_DISPATCH(closest_lone)(tree, ray);
+}
+
+bool occluded(const MeshTree& tree, const Ray& ray) { return HWY_DYNAMIC_DISPATCH(occluded_lone)(tree, ray); }
+
+void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records,
+             RayHint hint) {
     HWY_DYNAMIC_DISPATCH(closest_batch)(tree, rays.data(), records.data(), rays.size(), hint);
 }
 
-void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) {
+void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked,
+              RayHint hint) {
     HWY_DYNAMIC_DISPATCH(occluded_batch)(tree, rays.data(), blocked.data(), rays.size(), hint);
 }
 

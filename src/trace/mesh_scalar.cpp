@@ -1,4 +1,5 @@
-// One ray at a time through a MeshTree, in plain C++: the oracle of the kernels, and what runs where they cannot.
+// One ray at a time through a MeshTree, in plain C++: the oracle of the kernels, and what runs where they
+// cannot.
 
 #include "bvh/traverse.h"
 #include "geometry/triangle.h"

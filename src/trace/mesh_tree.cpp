@@ -81,7 +81,8 @@ class Packer {
                 words.push_back(std::bit_cast<std::uint32_t>(vertices.positions[i][axis]));
         for (std::uint32_t i = 0; i < run.count; ++i) words.push_back(tree_.order[run.first + i]);
         words.resize((words.size() + 3) / 4 * 4);
-        return leaf_bit | (run.count - 1) << 28 | (vertices.count - 1) << 25 | static_cast<std::uint32_t>(offset);
+        return leaf_bit | (run.count - 1) << 28 | (vertices.count - 1) << 25 |
+               static_cast<std::uint32_t>(offset);
     }
 
     std::span<const vec3> positions_;
@@ -97,7 +98,8 @@ std::vector<BoxRef> boxes_of(std::span<const vec3> positions, std::span<const uv
         const vec3& b = positions[triangles[i].y];
         const vec3& c = positions[triangles[i].z];
         if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
-        boxes.push_back({glm::min(glm::min(a, b), c), static_cast<std::uint32_t>(i), glm::max(glm::max(a, b), c)});
+        boxes.push_back(
+            {glm::min(glm::min(a, b), c), static_cast<std::uint32_t>(i), glm::max(glm::max(a, b), c)});
     }
     return boxes;
 }

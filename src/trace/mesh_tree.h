@@ -29,8 +29,8 @@ enum class RayHint {
     incoherent ///< they do not
 };
 
-/// A leaf's place in MeshTree::leaf_words: leaf_bit | triangles − 1 (3 bits) | vertices − 1 (3 bits) | offset in
-/// units of 16 bytes (25 bits).
+/// A leaf's place in MeshTree::leaf_words: leaf_bit | triangles − 1 (3 bits) | vertices − 1 (3 bits) | offset
+/// in units of 16 bytes (25 bits).
 struct LeafCode {
     std::uint32_t code;
     std::uint32_t triangles() const { return ((code >> 28) & 7u) + 1; }
@@ -40,12 +40,12 @@ struct LeafCode {
 
 /// Triangles over shared vertices, numbered from 0 in the order given.
 ///
-/// A leaf is a block of 32-bit words: eight 16-bit words, each three 3-bit numbers of vertices (v0 in the low bits),
-/// then x, y and z of all its vertices, then the numbers of its triangles. Vertices that triangles of the leaf share
-/// are stored once.
+/// A leaf is a block of 32-bit words: eight 16-bit words, each three 3-bit numbers of vertices (v0 in the low
+/// bits), then x, y and z of all its vertices, then the numbers of its triangles. Vertices that triangles of
+/// the leaf share are stored once.
 struct MeshTree {
-    std::vector<WideNode> nodes;            ///< children: a node, or a LeafCode
-    std::vector<std::uint32_t> leaf_words;  ///< with a tail that vector loads may read
+    std::vector<WideNode> nodes;           ///< children: a node, or a LeafCode
+    std::vector<std::uint32_t> leaf_words; ///< with a tail that vector loads may read
     Bounds bounds;
     int depth = 0;
     std::size_t triangles = 0;
@@ -53,16 +53,21 @@ struct MeshTree {
     std::size_t bytes() const { return nodes.size() * sizeof(WideNode) + leaf_words.size() * 4; }
 };
 
-/// Builds the tree with the pool's threads; it does not depend on their number. Triangles with a vertex that is not
-/// finite are left out: nothing hits them. Throws std::length_error where the leaves exceed 512 MiB.
+/// Builds the tree with the pool's threads; it does not depend on their number. Triangles with a vertex that
+/// is not finite are left out: nothing hits them. Throws std::length_error where the leaves exceed 512 MiB.
 MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool);
 
 /// One ray in plain C++, as the kernels must answer it.
 TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray);
 bool occluded_scalar(const MeshTree& tree, const Ray& ray);
 
+/// The same with the machine's vectors.
+TriangleRecord closest(const MeshTree& tree, const Ray& ray);
+bool occluded(const MeshTree& tree, const Ray& ray);
+
 /// The least (t, triangle) with tmin < t < tmax of each ray. rays and records have one length.
-void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records, RayHint hint);
+void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records,
+             RayHint hint);
 
 /// Whether each ray hits anything with tmin < t < tmax: 1 or 0. rays and blocked have one length.
 void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint);
