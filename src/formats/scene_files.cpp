@@ -65,6 +65,18 @@ std::string read_file(const std::string& path) {
 
 std::string_view axis_letter(Axis axis) { return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z"; }
 
+void refuse_overrides_of_lists(const SceneSource& source, Problems& problems) {
+    int origin = 0;
+    for (const std::string& text : source.overrides()) {
+        const TableSpec* spec = find_table(text.substr(0, text.find('.')));
+        ++origin;
+        if (spec && spec->form == TableForm::list)
+            problems.error({origin, 0, 0}, "a bare mesh has no " + spec->header() + " to change",
+                           "write a scene around it: glint new mesh");
+    }
+    problems.throw_if_any();
+}
+
 // Overrides of a staged mesh reach what a stage has: settings, its camera, its materials by name.
 void override_stage(SceneDescription& staged, const std::string& name, const LoadOptions& options) {
     const SceneSource source({}, name, options.overrides);
@@ -73,6 +85,7 @@ void override_stage(SceneDescription& staged, const std::string& name, const Loa
     TreeValue materials;
     for (const Material& material : staged.materials) materials.entries.push_back({material.name, {}, {}});
     root.entries.push_back({"material", {}, std::move(materials)});
+    refuse_overrides_of_lists(source, problems);
     apply_overrides(root, source, problems);
     patch_scene(root, staged, problems);
     problems.throw_if_any();

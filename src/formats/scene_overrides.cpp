@@ -83,7 +83,7 @@ class Overrider {
     TreeValue* find_top(const Path& path) {
         const TableSpec& top = *find_table("");
         if (find_key(top, path.key, {})) return &root_;
-        if (find_table(path.key))
+        if (!path.key.empty() && find_table(path.key))
             fail(in_quotes(path.key) + " is a table, not a value",
                  "name one of its keys: " + example(path.key));
         else {

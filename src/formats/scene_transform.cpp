@@ -24,7 +24,8 @@ Mat4 rotation(const Vec3& axis, double degrees) {
 }
 
 // Reports an entry that does not hold exactly one transformation.
-bool check_one(TableReader& entry) {
+void check_one(TableReader& entry) {
+    if (!entry.good()) return;
     int count = 0;
     for (const char* key : {"translate", "rotate", "scale", "matrix"}) count += entry.has(key) ? 1 : 0;
     if (entry.has("angle") && !entry.has("rotate"))
@@ -40,7 +41,6 @@ bool check_one(TableReader& entry) {
     else if (count == 0)
         entry.error(entry.header(), "an empty entry of \"transform\"",
                     "expected translate, rotate, scale or matrix");
-    return entry.good();
 }
 
 Mat4 read_entry(const TreeValue& table, const ReadContext& context) {
