@@ -3,6 +3,7 @@
 
 #include "glint/scene.h"
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace glint::kit {
 struct Exhibit {
     std::string name; ///< one word
     SceneDescription scene;
+
+    friend void PrintTo(const Exhibit& exhibit, std::ostream* out) { *out << exhibit.name; } // for GoogleTest
 };
 
 /// At least twelve scenes, small pictures, one sample a pixel.

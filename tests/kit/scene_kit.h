@@ -13,29 +13,31 @@ namespace glint::kit {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// A scene without anything in it: black background, one sample a pixel, square picture of `size` pixels, seen
-/// from `eye` along `direction`.
+/// A scene without anything in it: black background, one sample a pixel, square picture of `size` pixels,
+/// seen from `eye` along `direction`.
 SceneDescription empty_scene(const Vec3& eye = Vec3(0), const Vec3& direction = Vec3(0, 1, 0), int size = 16,
                              double fov = 45);
 
 /// Materials that do one thing only: no ambient, no highlight, and c · k_d = `diffuse`.
 Material matte(double diffuse = 1);
-Material black();                                    ///< does nothing
-Material mirror(double reflectivity = 1);            ///< black, but for ρ
+Material black();                                      ///< does nothing
+Material mirror(double reflectivity = 1);              ///< black, but for ρ
 Material glass(double index, double transparency = 1); ///< black, but for τ
-Material lamp(const Vec3& emission);                 ///< black, but for its own light
+Material lamp(const Vec3& emission);                   ///< black, but for its own light
 
 /// Adds a shape with a material of its own; the object may be changed until the next call.
 Object& add(SceneDescription& scene, Shape shape, const Material& material);
 /// Adds a shape of a material that is in the scene.
 Object& add(SceneDescription& scene, Shape shape, const std::string& material);
-void add_light(SceneDescription& scene, const Vec3& position, double intensity = 1, const Vec3& color = Vec3(1));
+void add_light(SceneDescription& scene, const Vec3& position, double intensity = 1,
+               const Vec3& color = Vec3(1));
 void add_ambient(SceneDescription& scene, const Vec3& color);
 /// The material of an object of the scene.
 Material& material_of_object(SceneDescription& scene, std::size_t object);
 
 MeshShape mesh_of(Mesh mesh);
-/// A sphere about the origin as a closed mesh: `rings` · 2 · `rings` quads cut in two, outward, with vertex normals.
+/// A sphere about the origin as a closed mesh: `rings` · 2 · `rings` quads cut in two, outward, with vertex
+/// normals.
 Mesh sphere_mesh(double radius, unsigned rings);
 /// A closed box as a mesh with shared corners, outward.
 Mesh box_mesh(const Vec3& center, const Vec3& size);
