@@ -90,15 +90,6 @@ std::vector<std::byte> encode(PictureFormat format, const Image& image, const Pi
     return encode_png(image, options);
 }
 
-LoadedPicture decode(std::span<const std::byte> bytes, const std::string& name) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\x89PNG")) return decode_png(bytes, name);
-    if (text.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, name);
-    if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm(bytes, name);
-    if (bytes.empty()) refuse_picture(name, "the file is empty", "write or copy it again");
-    refuse_picture(name, "this is no picture in PNG, EXR or PFM", "convert it to one of these first", 0);
-}
-
 } // namespace
 
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
@@ -135,9 +126,18 @@ void write_picture(const std::string& path, const Image& image, const PictureOpt
         write_file(path, bytes);
 }
 
+LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\x89PNG")) return decode_png(bytes, name);
+    if (text.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, name);
+    if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm(bytes, name);
+    if (bytes.empty()) refuse_picture(name, "the file is empty", "write or copy it again");
+    refuse_picture(name, "this is no picture in PNG, EXR or PFM", "convert it to one of these first", 0);
+}
+
 LoadedPicture read_picture(const std::string& path) {
     try {
-        return decode(read_bytes(path), path);
+        return decode_picture(read_bytes(path), path);
     } catch (const std::bad_alloc&) {
         Location where;
         where.file = path;

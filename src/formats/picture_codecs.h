@@ -22,6 +22,8 @@ std::vector<std::byte> encode_pfm(const Image& image);
 /// bytes that are cut, lie or cannot be understood. Memory is taken only as far as the number of bytes can
 /// justify it.
 
+/// Any of the three, told apart by their first bytes.
+LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name);
 /// Gray, palette and RGB of any depth, 1 to 8 bits as 8; transparency is left out, gamma is not applied.
 LoadedPicture decode_png(std::span<const std::byte> bytes, const std::string& name);
 /// Single-part files by scan lines; R, G and B, or Y alone, of any type; the picture is the data window.
