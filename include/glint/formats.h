@@ -64,7 +64,7 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name);
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
 
-/// Writes positions, normals, colours and triangles as PLY.
+/// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading gives the same bits.
 void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format = PlyFormat::binary_little_endian);
 
 // ── Pictures ───────────────────────────────────────────────────────────────────────────────────────────────
