@@ -1,8 +1,11 @@
 #include "closed_cases.h"
 
 #include "describe.h"
-#include "shapes.h"
+#include "geometry/polyhedron.h"
+#include "placement.h"
 #include "trace/world.h"
+
+#include "shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +29,28 @@ Polyhedron random_polyhedron(Random& random) {
     }
 }
 
+Polyhedron in_double(const Mesh& mesh, double scale) {
+    Polyhedron result;
+    for (const vec3& p : mesh.positions) result.positions.push_back(dvec3(p) * scale);
+    result.triangles = mesh.triangles;
+    return result;
+}
+
+/// Within the unit ball, or nearly.
 Polyhedron make_closed(Closed kind, Random& random) {
-    if (kind == Closed::icosphere) return make_icosphere(random.between(1, 3));
-    if (kind == Closed::polyhedron) return random_polyhedron(random);
     const int around = random.between(16, 32);
     const int across = random.between(8, 16);
-    return make_torus(around, across);
+    switch (kind) {
+    case Closed::icosphere:
+        return in_double(meshgen::make_icosphere(random.between(1, 3)), 1.0);
+    case Closed::torus:
+        return in_double(meshgen::make_torus(around, across, 1.0, 0.4), 1.0);
+    case Closed::knot:
+        return in_double(meshgen::make_knot(4 * around, across, {}), 0.3);
+    case Closed::polyhedron:
+        break;
+    }
+    return random_polyhedron(random);
 }
 
 /// A closed mesh in its place, in float, and rays that look for its seams.
