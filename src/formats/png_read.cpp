@@ -1,6 +1,8 @@
 #include "formats/picture_codecs.h"
 #include "formats/png_guard.h"
 
+#include <png.h>
+
 #include <cstring>
 #include <new>
 

@@ -2,6 +2,8 @@
 #include "formats/png_guard.h"
 #include "imaging/tone.h"
 
+#include <png.h>
+
 #include <algorithm>
 #include <new>
 
