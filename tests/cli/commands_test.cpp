@@ -139,6 +139,7 @@ class New : public Workplace {
 
 TEST_F(New, WritesStartersThatPassTheCheck) {
     ASSERT_FALSE(templates().empty());
+    write("model.ply", content("mesh.ply")); // the reader's own mesh, which one of them names
     for (const std::string& name : templates()) {
         ASSERT_EQ(glint("new " + name + " -o " + name + ".toml").exit, 0);
         const Outcome check = glint("check " + name + ".toml");
@@ -151,7 +152,7 @@ TEST_F(New, WritesTheFirstTemplateToStdout) {
     const Outcome outcome = glint("new");
     EXPECT_EQ(outcome.exit, 0);
     EXPECT_EQ(outcome.out, glint("new " + templates().front()).out);
-    EXPECT_NE(outcome.out.find("version = 1"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("[camera]"), std::string::npos) << outcome.out;
 }
 
 TEST_F(New, OverwritesOnlyByForce) {

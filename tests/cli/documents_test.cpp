@@ -25,7 +25,7 @@ class Documents : public Workplace {
                         "COMP_WORDS=(" +
                         words +
                         ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_glint\n"
-                        "printf '%s ' \"${COMPREPLY[@]}\"\n";
+                        "for word in \"${COMPREPLY[@]}\"; do printf '%s ' \"$word\"; done\n";
         const Outcome outcome = run_program({"/bin/bash", "-s"}, setting);
         EXPECT_EQ(outcome.err, "");
         return outcome.out;

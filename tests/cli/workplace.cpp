@@ -34,6 +34,7 @@ size = [16, 12]
 [material.white]
 [[sphere]]
 center = [0, 0, 0]
+radius = 1
 material = "white"
 )";
 
@@ -45,7 +46,7 @@ radius = -1
 material = "whyte"
 )";
 
-constexpr const char* triangle = R"(ply
+constexpr const char* tetrahedron = R"(ply
 format ascii 1.0
 element vertex 4
 property float x
@@ -74,9 +75,9 @@ Workplace::Workplace() {
     write("dark.toml", dark);
     write("bad.toml", bad);
     std::string slow = scene;
-    slow.replace(slow.find("[16, 12]"), 8, "[640, 480]").replace(slow.find("spp = 1"), 7, "spp = 100000");
+    slow.replace(slow.find("[16, 12]"), 8, "[1024, 1024]").replace(slow.find("spp = 1"), 7, "spp = 4000");
     write("long.toml", slow);
-    write("mesh.ply", triangle);
+    write("mesh.ply", tetrahedron);
     write("garbage.png", "not a picture");
     fs::create_directory(folder_ / "empty");
 }
