@@ -138,6 +138,8 @@ Terms WhittedTracer::local_terms(const Surface& s, const Media* media, int node)
         if (RayNode* record = node_at(node)) record->lights.push_back(light);
     }
     if (settings_.clamp) {
+        terms[Term::ambient] = limit_to_range(terms[Term::ambient]);
+        terms[Term::highlight] = limit_to_range(terms[Term::highlight]);
         const vec3 sum = (terms[Term::ambient] + terms[Term::diffuse]) + terms[Term::highlight];
         terms[Term::clamp] = limit_to_one(sum) - sum;
     }
