@@ -165,7 +165,8 @@ void check_writable(const std::string& path) {
     if (!target.regular) return;
     const fs::path folder = folder_of(target.place);
     if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, errno);
-    if (!fs::is_directory(folder)) fail(path, ENOTDIR);
+    std::error_code none;
+    if (!fs::is_directory(folder, none)) fail(path, ENOTDIR);
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
