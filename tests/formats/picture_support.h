@@ -14,6 +14,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -92,6 +93,17 @@ inline Image varied_image(int width, int height) {
     Image image(width, height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] = static_cast<float>(i % 97) / 61.0f - 0.1f + static_cast<float>(i) * 1e-6f;
+    return image;
+}
+
+/// Every kind of float: subnormal, −0, NaN with a payload, infinities.
+inline Image awkward_image() {
+    Image image = varied_image(37, 53);
+    image.pixels[0] = -0.0f;
+    image.pixels[1] = std::numeric_limits<float>::denorm_min();
+    image.pixels[2] = std::numeric_limits<float>::infinity();
+    image.pixels[3] = -std::numeric_limits<float>::max();
+    image.pixels[4] = std::bit_cast<float>(0x7fc12345U);
     return image;
 }
 

@@ -175,7 +175,12 @@ TEST_F(WritePicture, RefusesArgumentsThatDoNotFitTogether) {
 }
 
 TEST_F(WritePicture, AFailureLeavesTheOldPicture) {
-    for (const char* name : {"a.png", "a.exr", "a.pfm"}) {
+#ifdef GLINT_WITH_EXR
+    const std::vector<std::string> names{"a.png", "a.pfm", "a.exr"};
+#else
+    const std::vector<std::string> names{"a.png", "a.pfm"};
+#endif
+    for (const std::string& name : names) {
         write_picture(file(name), varied_image(4, 4));
         const Bytes old = load(file(name));
         {
@@ -184,7 +189,7 @@ TEST_F(WritePicture, AFailureLeavesTheOldPicture) {
         }
         EXPECT_EQ(load(file(name)), old);
     }
-    EXPECT_EQ(file_count(), 3U);
+    EXPECT_EQ(file_count(), names.size());
 }
 
 TEST_F(WritePicture, DashIsAPngOnStandardOutput) {

@@ -9,25 +9,11 @@
 #include <ImfStringAttribute.h>
 #include <ImfTiledOutputFile.h>
 
-#include <limits>
-
 namespace glint::test {
 
 namespace {
 
 using Exr = PictureTest;
-using Pfm = PictureTest;
-
-/// Every kind of float: subnormal, −0, NaN with a payload, infinities.
-Image awkward_image() {
-    Image image = varied_image(37, 53);
-    image.pixels[0] = -0.0f;
-    image.pixels[1] = std::numeric_limits<float>::denorm_min();
-    image.pixels[2] = std::numeric_limits<float>::infinity();
-    image.pixels[3] = -std::numeric_limits<float>::max();
-    image.pixels[4] = std::bit_cast<float>(0x7fc12345U);
-    return image;
-}
 
 /// One channel of an EXR, read by OpenEXR itself.
 std::vector<float> channel_of(const std::string& path, const std::string& name, int width, int height) {
@@ -151,32 +137,6 @@ TEST_F(Exr, RefusesTiles) {
         const Imf::TiledOutputFile out(file("tiles.exr").c_str(), header, 0);
     }
     expect_error(ErrorKind::input, {"in tiles", "by scan lines"}, [&] { read_picture(file("tiles.exr")); });
-}
-
-TEST_F(Pfm, WritesAndReadsTheSameBits) {
-    const Image image = awkward_image();
-    write_picture(file("a.pfm"), image);
-    const LoadedPicture read = read_picture(file("a.pfm"));
-    EXPECT_EQ(read.bits, 32);
-    EXPECT_TRUE(same_bits(read.image, image));
-}
-
-TEST_F(Pfm, IsLittleEndianFromTheBottomAndNothingMore) {
-    Image image(1, 2);
-    image.pixels = {1, 2, 3, -1, 0.5f, 0};
-    write_picture(file("a.pfm"), image);
-    using namespace std::string_view_literals;
-    EXPECT_EQ(load(file("a.pfm")), bytes_of("PF\n1 2\n-1.0\n"
-                                            "\0\0\x80\xbf\0\0\0\x3f\0\0\0\0"
-                                            "\0\0\x80\x3f\0\0\0\x40\0\0\x40\x40"sv));
-}
-
-TEST_F(Pfm, ReadsBothByteOrdersAndGray) {
-    using namespace std::string_view_literals;
-    EXPECT_EQ(read(bytes_of("PF 1 1 1.0\n\x3f\x80\0\0\x40\0\0\0\0\0\0\0"sv)).image.pixels,
-              (std::vector{1.0f, 2.0f, 0.0f}));
-    EXPECT_EQ(read(bytes_of("Pf\n1 2\n-2.5\n\0\0\x80\x3f\0\0\0\x40"sv)).image.pixels,
-              (std::vector{2.0f, 2.0f, 2.0f, 1.0f, 1.0f, 1.0f}));
 }
 
 } // namespace
