@@ -134,7 +134,7 @@ Options
   --format F         ascii, binary or big-endian (binary)
   -p N, -q N         knot: turns about the axis (2) and through the hole (3)
   --seed N           terrain: another island (1)
-  --levels N         flake: how often balls grow on balls (4)
+  --levels N         flake: how often balls grow on balls (3)
   --rings N          city: rings of towers (9)
   -h, --help         this text
 )";

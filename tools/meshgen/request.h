@@ -21,7 +21,7 @@ struct Request {
     int p = 2;         ///< knot
     int q = 3;         ///< knot
     unsigned seed = 1; ///< terrain
-    int levels = 4;    ///< flake
+    int levels = 3;    ///< flake
     int rings = 9;     ///< city
 };
 

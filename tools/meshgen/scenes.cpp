@@ -14,15 +14,15 @@ namespace glint::meshgen {
 namespace {
 
 constexpr const char* flake_head =
-    R"(# A sphere flake: every ball carries nine of a third of its size, four times over.
+    R"(# A sphere flake: every ball carries nine of a third of its size, three times over.
 # Made by `glint-meshgen flake`. After Haines' "balls" of 1987.
 
 version = 1
 
 [camera]
-eye = [2.6, -5.9, 2.5]
-look_at = [0, 0, 0.13]
-fov = 33
+eye = [2.5, -5.6, 2.2]
+look_at = [0.05, 0, 0.22]
+fov = 31
 
 [render]
 size = [960, 640]
@@ -33,9 +33,9 @@ background = [0.02, 0.03, 0.06]
 max_depth = 6
 
 [material.floor]
-color = [0.10, 0.13, 0.20]
+color = [0.05, 0.07, 0.12]
 diffuse = 0.9
-reflectivity = 0.22
+reflectivity = 0.3
 
 [[plane]]
 normal = [0, 0, 1]
@@ -108,21 +108,30 @@ constexpr const char* city_head = R"(# A city of cylinders at dusk, on the water
 version = 1
 
 [camera]
-eye = [-16, -25, 9.5]
-look_at = [0.4, 0, 1.7]
-fov = 27
+eye = [-15, -26, 3.1]
+look_at = [0, 0, 1.75]
+fov = 25
 
 [render]
 size = [960, 640]
 spp = 16
-background = [0.42, 0.25, 0.24]
+background = [0.10, 0.09, 0.16]
 
 [whitted]
 max_depth = 4
 
 [material.water]
-color = [0.03, 0.05, 0.09]
-reflectivity = 0.5
+color = [0.02, 0.04, 0.07]
+reflectivity = 0.6
+
+[material.sky]
+color = [0.86, 0.80, 0.84]
+diffuse = 0.95
+
+[material.sun]
+diffuse = 0
+ambient = 0
+emission = [1, 0.80, 0.45]
 
 [material.quay]
 color = [0.30, 0.27, 0.27]
@@ -156,6 +165,22 @@ normal = [0, 0, 1]
 offset = -0.15
 material = "water"
 
+[[plane]] # the sky is a wall behind the city, lit from where the sun sets
+normal = [-0.5, -0.866, 0]
+offset = -80
+material = "sky"
+
+[[sphere]]
+center = [34.4, 75.6, 5.5]
+radius = 4
+material = "sun"
+
+[[light]]
+type = "point"
+position = [25, 47, 1]
+color = [1, 0.42, 0.16]
+intensity = 560
+
 [[cylinder]]
 base = [0, 0, -1]
 height = 1
@@ -164,13 +189,13 @@ material = "quay"
 
 [[light]]
 type = "ambient"
-color = [0.15, 0.14, 0.21]
+color = [0.10, 0.10, 0.17]
 
 [[light]]
-type = "directional" # the sun, low in the west
-direction = [0.94, 0.30, -0.30]
-color = [1, 0.62, 0.34]
-irradiance = 1.25
+type = "directional" # the sun, low behind the city
+direction = [0.85, -0.5, -0.26]
+color = [1, 0.55, 0.25]
+irradiance = 1.9
 
 [[light]]
 type = "directional" # what the sky gives from the other side
