@@ -12,7 +12,6 @@
 namespace glint {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float largest = std::numeric_limits<float>::max();
 
 /// x + y <= 1 in the first quadrant of z = 1.

@@ -85,21 +85,22 @@ class ClosedWorld {
         if (!random_.one_in(4)) return ray;
         // Straight up or down through a vertex: the origin shares two of its coordinates, to the bit.
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
-        const int axis = random_.between(0, 2);
+        const int axis = random_.axis();
         dvec3 origin = vertex;
         origin[axis] = 0.0;
         if (kind_ == Closed::torus || glm::dot(origin, origin) > 0.49) return ray;
         ray.origin = place_(origin);
         ray.direction = vec3(0.0f);
-        ray.direction[axis] = random_.one_in(2) ? 1.0f : -1.0f;
+        ray.direction[axis] = static_cast<float>(random_.sign());
         return ray;
     }
 
     Ray from_outside() {
         const double distance = std::ldexp(1.0, random_.between(2, 8));
-        if (!random_.one_in(4)) return toward(place_(random_.direction() * distance), target());
+        const vec3 outside = place_(random_.direction() * distance);
+        if (!random_.one_in(4)) return toward(outside, target());
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
-        const int axis = random_.between(0, 2);
+        const int axis = random_.axis();
         dvec3 origin = vertex;
         origin[axis] = -distance;
         Ray ray;
@@ -137,11 +138,8 @@ class ClosedWorld {
         ray.origin = origin;
         ray.direction = target - origin;
         if (random_.one_in(2)) ray.direction = vec3(glm::normalize(dvec3(ray.direction)));
-        if (random_.one_in(8)) {
-            // Along an axis from anywhere.
-            ray.direction = vec3(0.0f);
-            ray.direction[random_.between(0, 2)] = random_.one_in(2) ? 1.0f : -1.0f;
-        }
+        // Along an axis from anywhere.
+        if (random_.one_in(8)) ray.direction = vec3(random_.along_axis());
         if (ray.direction == vec3(0.0f)) ray.direction.x = 1.0f;
         return ray;
     }

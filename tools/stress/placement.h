@@ -19,7 +19,7 @@ struct Placement {
 inline Placement random_placement(Random& random, int offset_bits) {
     Placement placement;
     if (random.one_in(2)) return placement;
-    if (random.one_in(2)) placement.scale = std::pow(10.0, random.between(-12, 12));
+    if (random.one_in(2)) placement.scale = random.power_of_ten(-12, 12);
     if (random.one_in(2)) {
         const int bits = random.between(0, offset_bits);
         placement.offset = random.in_cube(std::ldexp(1.0, bits));
