@@ -353,6 +353,13 @@ TableSpec mesh_table() {
               .fallback = "\"auto\"",
               .choices = "auto flat smooth",
               .help = "`\"auto\"`: stored ones if any, else flat; `\"smooth\"`: weighted by angle"},
+             {.key = "facing",
+              .type = KeyType::choice,
+              .fallback = "\"viewer\"",
+              .choices = "viewer stored",
+              .help = "where lights find its normals: turned to the viewer, or as its winding has them, so "
+                      "that the "
+                      "inside of an open mesh is lit through its back, as in the report's pictures"},
              {.key = "vertex_colors",
               .type = KeyType::choice,
               .fallback = "\"auto\"",

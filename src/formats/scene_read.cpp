@@ -118,6 +118,7 @@ MeshShape read_mesh(TableReader& table) {
     table.read("file", mesh.file);
     table.read("scale", mesh.scale);
     table.read_choice("normals", mesh.normals);
+    table.read_choice("facing", mesh.facing);
     table.read_choice("vertex_colors", mesh.vertex_colors);
     table.read("point_radius", mesh.point_radius);
     return mesh;
