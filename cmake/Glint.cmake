@@ -10,6 +10,9 @@ target_compile_features(glint_flags INTERFACE cxx_std_20)
 # depend on the compiler and the triangle test would leak (docs/design.md, "One picture, one hash").
 target_compile_options(glint_flags INTERFACE -ffp-contract=off -fno-fast-math
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+# g++ 12 vectorises a double rounded to float and taken back to double as no change at all: other bits than
+# clang's, and wrong ones.
+target_compile_options(glint_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>)
 target_include_directories(glint_flags INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 target_compile_definitions(glint_flags INTERFACE GLM_FORCE_PURE GLM_FORCE_XYZW_ONLY GLM_FORCE_SILENT_WARNINGS)

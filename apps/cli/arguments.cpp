@@ -23,7 +23,7 @@ std::optional<Number> parse_number(const std::string& text) {
 
 [[noreturn]] void refuse(const std::string& key, const std::string& given, const std::string& expected) {
     const std::string name = key.size() == 1 ? "-" + key : "--" + key;
-    throw Error(ErrorKind::usage, fmt::format("{} '{}' is not valid", name, given), "expected " + expected);
+    throw Error(ErrorKind::usage, fmt::format("{} \"{}\" is not valid", name, given), "expected " + expected);
 }
 
 std::string range(std::int64_t least, std::int64_t most) {

@@ -19,8 +19,8 @@ std::string starter(const Arguments& arguments, const std::vector<std::string>& 
     const std::string& name = arguments.operands().front();
     if (std::find(names.begin(), names.end(), name) != names.end()) return template_text(name);
     const auto near = nearest_name(name, names);
-    throw Error(ErrorKind::usage, fmt::format("unknown template '{}'", name),
-                near ? fmt::format("did you mean '{}'?", *near)
+    throw Error(ErrorKind::usage, fmt::format("unknown template \"{}\"", name),
+                near ? fmt::format("did you mean \"{}\"?", *near)
                      : fmt::format("there are: {}", fmt::join(names, ", ")));
 }
 
@@ -40,7 +40,7 @@ int new_command(const Arguments& arguments, Console& console) {
     }
     require_writable(path);
     if (std::filesystem::exists(path) && !arguments.has("force"))
-        throw Error(ErrorKind::output, fmt::format("'{}' exists", path), "--force overwrites it");
+        throw Error(ErrorKind::output, fmt::format("\"{}\" exists", path), "--force overwrites it");
     write_file(path, std::as_bytes(std::span(text)));
     console.line(fmt::format("{}: written; render it with: glint {}", path, path));
     return exit_code::done;

@@ -13,6 +13,11 @@
 
 namespace glint::cli {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr bool has_exr = GLINT_EXR;
+
+} // namespace
 
 PictureFormat picture_format(const std::string& path) {
     if (path == "-") return PictureFormat::png;
@@ -20,16 +25,20 @@ PictureFormat picture_format(const std::string& path) {
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     if (extension == ".png") return PictureFormat::png;
+    if (extension == ".exr" && !has_exr)
+        throw Error(ErrorKind::output,
+                    fmt::format("cannot write \"{}\": this glint was built without OpenEXR", path),
+                    "use .png or .pfm");
     if (extension == ".exr") return PictureFormat::exr;
     if (extension == ".pfm") return PictureFormat::pfm;
-    throw Error(ErrorKind::usage, fmt::format("'{}' names no kind of picture that can be written", path),
+    throw Error(ErrorKind::usage, fmt::format("\"{}\" names no kind of picture that can be written", path),
                 "expected a name that ends in .png, .exr or .pfm, or - for PNG on stdout");
 }
 
 void require_writable(const std::string& path) {
     if (path == "-") return;
     const auto refuse = [&](const std::string& why, const std::string& cure) {
-        throw Error(ErrorKind::output, fmt::format("cannot write '{}': {}", path, why), cure);
+        throw Error(ErrorKind::output, fmt::format("cannot write \"{}\": {}", path, why), cure);
     };
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) refuse("it is a folder", "name a file in it");
@@ -37,7 +46,7 @@ void require_writable(const std::string& path) {
     const std::string folder = parent.empty() ? "." : parent.string();
     if (!fs::exists(folder, ignored))
         refuse("its folder does not exist", "create it first: mkdir -p " + folder);
-    if (!fs::is_directory(folder, ignored)) refuse(fmt::format("'{}' is not a folder", folder), "");
+    if (!fs::is_directory(folder, ignored)) refuse(fmt::format("\"{}\" is not a folder", folder), "");
 
     // Permissions, read-only disks and odd file systems all show themselves by trying.
     std::string probe = (fs::path(folder) / ".glint-XXXXXX").string();

@@ -7,7 +7,7 @@ namespace glint::cli {
 
 enum class PictureFormat { png, exr, pfm };
 
-/// By the extension; "-" is PNG. Throws Error(usage) for any other.
+/// By the extension; "-" is PNG. Throws Error(usage) for any other, Error(output) for one that was not built.
 PictureFormat picture_format(const std::string& path);
 
 /// Throws Error(output) unless a file can be made in the folder of `path`; "-" always can.

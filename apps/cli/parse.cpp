@@ -40,21 +40,21 @@ std::string as_typed(const std::string& rest, const std::vector<std::string>& wo
     // Without dashes, so that "-size" is near to "--size" and "--time" is not.
     const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     const auto near = bare.size() > 1 ? nearest_name(bare, long_names) : std::nullopt;
-    throw Error(ErrorKind::usage, fmt::format("unknown option '{}'", name),
-                near ? fmt::format("did you mean '--{}'?", *near) : help_hint(command));
+    throw Error(ErrorKind::usage, fmt::format("unknown option \"{}\"", name),
+                near ? fmt::format("did you mean \"--{}\"?", *near) : help_hint(command));
 }
 
 void check_value(const Command& command, const Option& option, const std::string& value) {
     const std::vector<std::string> names = all_spellings(command);
     if (std::find(names.begin(), names.end(), value) != names.end() || value.empty())
         throw Error(ErrorKind::usage, fmt::format("{} needs a value: {}", spelling(option), option.value),
-                    value.empty() ? "" : fmt::format("'{}' after it is an option", value));
+                    value.empty() ? "" : fmt::format("\"{}\" after it is an option", value));
     const std::vector<std::string> allowed = choices(option);
     if (allowed.empty() || std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return;
     const auto near = nearest_name(value, allowed);
-    throw Error(ErrorKind::usage, fmt::format("{} '{}' is not valid", spelling(option), value),
-                near ? fmt::format("did you mean '{}'?", *near)
-                     : fmt::format("expected {}", fmt::join(allowed, ", ")));
+    throw Error(ErrorKind::usage, fmt::format("{} \"{}\" is not valid", spelling(option), value),
+                fmt::format("expected {}", fmt::join(allowed, ", ")) +
+                    (near ? fmt::format("; did you mean \"{}\"?", *near) : ""));
 }
 
 void check_operands(const Command& command, const std::vector<std::string>& operands) {
@@ -68,7 +68,7 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
         if (count == 0) wrong("no scene given");
         // A command's name behind an option would otherwise be taken for a scene.
         if (count > 1 && find_command(operands[0]))
-            throw Error(ErrorKind::usage, fmt::format("'{}' comes too late", operands[0]),
+            throw Error(ErrorKind::usage, fmt::format("\"{}\" comes too late", operands[0]),
                         fmt::format("the command comes first: glint {} ...", operands[0]));
         if (count > 1) wrong("more than one scene given");
         break;
@@ -91,7 +91,7 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
             if (name == last)
                 throw Error(ErrorKind::usage, fmt::format("{} needs a value: {}", name, option.value),
                             option.help);
-    throw Error(ErrorKind::usage, fmt::format("'{}' is not understood", last), help_hint(command));
+    throw Error(ErrorKind::usage, fmt::format("\"{}\" is not understood", last), help_hint(command));
 }
 
 } // namespace

@@ -20,8 +20,8 @@ void refuse_unknown_command(const std::string& word) {
     const bool like_a_file = word.find_first_of("./") != std::string::npos || word.front() == '-';
     if (like_a_file || std::filesystem::exists(word)) return;
     const auto near = nearest_name(word, command_names());
-    throw Error(ErrorKind::usage, fmt::format("'{}' is neither a command nor a file", word),
-                near ? fmt::format("did you mean '{}'?", *near) : "glint --help lists the commands");
+    throw Error(ErrorKind::usage, fmt::format("\"{}\" is neither a command nor a file", word),
+                near ? fmt::format("did you mean \"{}\"?", *near) : "glint --help lists the commands");
 }
 
 Console console_for(const Arguments& arguments) {

@@ -9,7 +9,7 @@ LoadOptions load_options(const Arguments& arguments) {
     options.overrides = arguments.all("D");
     for (const std::string& override_ : options.overrides)
         if (override_.find('=') == std::string::npos || override_.front() == '=')
-            throw Error(ErrorKind::usage, "-D '" + override_ + "' sets nothing",
+            throw Error(ErrorKind::usage, "-D \"" + override_ + "\" sets nothing",
                         "expected path=value, such as -D whitted.max_depth=3");
     options.allow_outside = arguments.has("allow-outside");
     const std::string up = arguments.text("up").value_or("auto");

@@ -64,7 +64,7 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name);
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
 
-/// Writes positions, normals, colours and triangles as PLY.
+/// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading gives the same bits.
 void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format = PlyFormat::binary_little_endian);
 
 // ── Pictures ───────────────────────────────────────────────────────────────────────────────────────────────
@@ -88,6 +88,11 @@ struct PictureOptions {
 /// Writes .png, .exr or .pfm by the extension; "-" is stdout (as PNG).
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options = {});
 
+/// Throws what write_picture() would throw for the path alone: Error(usage) for an extension that is none of the
+/// three or cannot hold alpha or layers, Error(output) for a missing folder or permission. Writes nothing: call it
+/// before a long render.
+void check_picture_target(const std::string& path, bool with_alpha = false, bool with_layers = false);
+
 /// A picture as read: 8- and 16-bit ones hold their integer values, float ones linear light.
 struct LoadedPicture {
     Image image;
@@ -95,7 +100,8 @@ struct LoadedPicture {
 };
 LoadedPicture read_picture(const std::string& path);
 
-/// What `glint diff` compares: |a − b| in units of 1/255 where a picture has 8 or 16 bits, linear light otherwise.
+/// What `glint diff` compares: |a − b| in units of 1/255 where both pictures have 8 or 16 bits, linear light where
+/// both are float. One of each is refused with Error(usage), different sizes with Error(input).
 struct PictureDifference {
     Comparison comparison;
     bool eight_bit = false; ///< units of 1/255

@@ -117,11 +117,17 @@ struct PolyhedronShape {
     Vec3 axis{0, 0, 1}; ///< prism, pyramid
 };
 enum class NormalsMode { automatic, flat, smooth };
+/// Which way a mesh's normals face when lights are summed.
+enum class Facing {
+    viewer, ///< turned to the viewer, as everything else
+    stored  ///< by the winding: the inside of an open mesh is lit through its back, as the report's program did
+};
 enum class VertexColors { automatic, ignore };
 struct MeshShape {
     std::string file; ///< as written; empty for a mesh made in memory
     Vec3 scale{1};    ///< applied before the object's transform
     NormalsMode normals = NormalsMode::automatic;
+    Facing facing = Facing::viewer;
     VertexColors vertex_colors = VertexColors::automatic;
     std::optional<double> point_radius; ///< for point clouds; none: chosen from their density
     std::shared_ptr<const Mesh> data;   ///< filled by load_scene(), or by hand

@@ -80,15 +80,23 @@ class BodyReader {
     }
 
     std::uint64_t list_length(const Property& property, const Element& element, std::uint64_t row) {
+        // Counts have 32 bits, so that the product cannot overflow.
         const std::int64_t length = cursor_.integer(*property.count_type);
-        const std::size_t most = cursor_.room() / Cursor::least_bytes(property.type);
-        if (length >= 0 && static_cast<std::uint64_t>(length) <= most)
-            return static_cast<std::uint64_t>(length);
+        const std::uint64_t least = Cursor::least_bytes(property.type);
+        if (length < 0 || static_cast<std::uint64_t>(length) * least > cursor_.room())
+            fail_length(length, property, element, row);
+        return static_cast<std::uint64_t>(length);
+    }
+
+    [[noreturn]] void fail_length(std::int64_t length, const Property& list, const Element& element,
+                                  std::uint64_t row) const {
+        const std::size_t most = cursor_.room() / Cursor::least_bytes(list.type);
         cursor_.fail(cursor_.value_offset(),
-                     "list " + quoted(property.name) + " of " + row_name(element, row) + " claims " +
+                     "list " + quoted(list.name) + " of " + row_name(element, row) + " claims " +
                          std::to_string(length) + " values",
                      length < 0 ? "a length cannot be negative"
-                                : "the rest of the file has room for at most " + std::to_string(most));
+                                : "there is room for at most " + std::to_string(most) +
+                                      ": the file is cut, or this length is wrong");
     }
 
     void skip_property(const Property& property, const Element& element, std::uint64_t row) {
@@ -178,13 +186,12 @@ class BodyReader {
         body_.mesh.triangles.reserve(body_.mesh.triangles.size() + static_cast<std::size_t>(most));
     }
 
-    std::uint32_t index(Type type, const Element& element, std::uint64_t row) {
-        return checked(cursor_.integer(type), element, row);
+    std::uint32_t checked(std::int64_t value, const Element& element, std::uint64_t row) const {
+        if (static_cast<std::uint64_t>(value) >= vertices_) fail_index(value, element, row);
+        return static_cast<std::uint32_t>(value);
     }
 
-    std::uint32_t checked(std::int64_t value, const Element& element, std::uint64_t row) const {
-        if (value >= 0 && static_cast<std::uint64_t>(value) < vertices_)
-            return static_cast<std::uint32_t>(value);
+    [[noreturn]] void fail_index(std::int64_t value, const Element& element, std::uint64_t row) const {
         cursor_.fail(
             cursor_.value_offset(),
             "vertex index " + std::to_string(value) + " in " + row_name(element, row) + " is out of range",
@@ -194,18 +201,20 @@ class BodyReader {
     }
 
     void read_face(const Property& list, const Element& element, std::uint64_t row) {
-        const std::size_t offset = cursor_.offset();
         const std::uint64_t length = list_length(list, element, row);
+        const std::size_t offset = cursor_.value_offset();
         if (length == 3) {
-            const std::uint32_t a = index(list.type, element, row);
-            const std::uint32_t b = index(list.type, element, row);
-            const std::uint32_t c = index(list.type, element, row);
-            body_.mesh.triangles.emplace_back(a, b, c);
+            glm::uvec3 triangle;
+            int k = 0;
+            cursor_.integers(list.type, 3,
+                             [&](std::int64_t value) { triangle[k++] = checked(value, element, row); });
+            body_.mesh.triangles.push_back(triangle);
             return;
         }
 
         const std::size_t first = body_.corners.size();
-        for (std::uint64_t i = 0; i < length; ++i) body_.corners.push_back(index(list.type, element, row));
+        cursor_.integers(list.type, length,
+                         [&](std::int64_t value) { body_.corners.push_back(checked(value, element, row)); });
         if (length > 3) {
             body_.polygons.push_back(
                 {body_.mesh.triangles.size(), first, static_cast<std::size_t>(length), offset});
@@ -222,11 +231,10 @@ class BodyReader {
         std::uint32_t older = 0;
         std::uint32_t old = 0;
         std::uint64_t since_start = 0;
-        for (std::uint64_t i = 0; i < length; ++i) {
-            const std::int64_t value = cursor_.integer(list.type);
+        cursor_.integers(list.type, length, [&](std::int64_t value) {
             if (value == -1) {
                 since_start = 0;
-                continue;
+                return;
             }
             const std::uint32_t corner = checked(value, element, row);
             const bool repeats = corner == old || corner == older || old == older;
@@ -237,7 +245,7 @@ class BodyReader {
             older = old;
             old = corner;
             ++since_start;
-        }
+        });
     }
 
     const Header& header_;

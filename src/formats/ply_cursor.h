@@ -23,7 +23,6 @@ class BinaryCursor {
     /// The fewest bytes that a value can take, and how many bytes are left for values.
     static std::size_t least_bytes(Type type) { return size_of(type); }
     std::size_t room() const { return source_.size() - at_; }
-    std::size_t offset() const { return at_; }
     /// Where the value taken last begins.
     std::size_t value_offset() const { return value_; }
 
@@ -41,19 +40,27 @@ class BinaryCursor {
 
     /// `type` must be an integer type.
     std::int64_t integer(Type type) {
+        std::int64_t value = 0;
+        integers(type, 1, [&](std::int64_t taken) { value = taken; });
+        return value;
+    }
+
+    /// Calls visit(value) for each of the next values of an integer type.
+    template <class Visit>
+    void integers(Type type, std::uint64_t count, Visit visit) {
         switch (type) {
         case Type::int8:
-            return static_cast<std::int8_t>(take<std::uint8_t>());
+            return take_each<std::uint8_t, std::int8_t>(count, visit);
         case Type::uint8:
-            return take<std::uint8_t>();
+            return take_each<std::uint8_t, std::uint8_t>(count, visit);
         case Type::int16:
-            return static_cast<std::int16_t>(take<std::uint16_t>());
+            return take_each<std::uint16_t, std::int16_t>(count, visit);
         case Type::uint16:
-            return take<std::uint16_t>();
+            return take_each<std::uint16_t, std::uint16_t>(count, visit);
         case Type::int32:
-            return static_cast<std::int32_t>(take<std::uint32_t>());
+            return take_each<std::uint32_t, std::int32_t>(count, visit);
         default:
-            return take<std::uint32_t>();
+            return take_each<std::uint32_t, std::uint32_t>(count, visit);
         }
     }
 
@@ -86,6 +93,12 @@ class BinaryCursor {
         return static_cast<Bits>(bits);
     }
 
+    template <class Bits, class Value, class Visit>
+    void take_each(std::uint64_t count, Visit& visit) {
+        for (std::uint64_t i = 0; i < count; ++i)
+            visit(static_cast<std::int64_t>(static_cast<Value>(take<Bits>())));
+    }
+
     [[noreturn]] void fail_cut() const {
         fail(source_.size(), "the file ends within " + row_name(*element_, row_),
              "its header promises " + std::to_string(element_->count) + "; the file seems to be cut");
@@ -108,13 +121,16 @@ class TextCursor {
     /// A digit and what parts it from the next value; the last value needs no such thing.
     static std::size_t least_bytes(Type) { return 2; }
     std::size_t room() const { return text_.size() - at_ + 1; }
-    std::size_t offset() const { return at_; }
     std::size_t value_offset() const { return value_; }
 
     void begin_row(const Element& element, std::uint64_t row);
     void end_row();
     double number(Type type);
     std::int64_t integer(Type type);
+    template <class Visit>
+    void integers(Type type, std::uint64_t count, Visit visit) {
+        for (std::uint64_t i = 0; i < count; ++i) visit(integer(type));
+    }
     void skip(Type type, std::uint64_t count = 1);
     std::size_t trailing();
 

@@ -61,6 +61,10 @@ bool balanced(std::span<HalfEdge> edges) {
 
 dvec3 edge(const vec3& from, const vec3& to) { return dvec3(to) - dvec3(from); }
 
+bool no_area_from(const vec3& a, const vec3& b, const vec3& c) {
+    return glm::cross(edge(a, b), edge(a, c)) == dvec3(0.0);
+}
+
 } // namespace
 
 std::vector<std::uint32_t> weld_by_position(std::span<const vec3> positions) {
@@ -111,8 +115,8 @@ double signed_volume(std::span<const vec3> positions, std::span<const uvec3> tri
 }
 
 bool is_degenerate(const vec3& a, const vec3& b, const vec3& c) {
-    const dvec3 n = glm::cross(edge(a, b), edge(a, c));
-    return n.x == 0 && n.y == 0 && n.z == 0;
+    // Seen from a far corner two others may seem one; seen from themselves they do not.
+    return no_area_from(a, b, c) && no_area_from(b, c, a) && no_area_from(c, a, b);
 }
 
 std::size_t drop_degenerate(std::span<const vec3> positions, std::vector<uvec3>& triangles) {

@@ -21,8 +21,8 @@ bool is_closed(std::span<const vec3> positions, std::span<const uvec3> triangles
 /// scene units cubed; for a mesh that is not closed the number means nothing.
 double signed_volume(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
-/// Whether a triangle has no area: the cross product of its edges, in double, is exactly zero. A repeated
-/// corner is such a case. A corner that is not finite is none.
+/// Whether a triangle has no area: at each of its corners the cross product of the two edges, in double, is
+/// exactly zero. A repeated corner is such a case. A corner that is not finite is none.
 bool is_degenerate(const vec3& a, const vec3& b, const vec3& c);
 
 /// Removes the degenerate triangles, keeps the order of the others; returns how many went.

@@ -21,8 +21,9 @@ double fifth_root(double y) {
     }
 }
 
-/// The sRGB curve as the linear values where its rounded code steps up. Looking up a code starts at the first
-/// code of the value's bucket and walks: one step for 8 bits, at most 13 for 16.
+/// The sRGB curve as the linear values where its rounded code steps up. The curve rises by no more
+/// than 12.92, so with more than 12.92 buckets for each code no bucket holds two steps: a code is its
+/// bucket's first, or the next.
 class SrgbTable {
   public:
     SrgbTable(unsigned highest, std::size_t buckets)
@@ -41,9 +42,8 @@ class SrgbTable {
     unsigned code(float linear) const {
         if (!(linear > 0)) return 0;
         if (linear >= 1) return highest_;
-        unsigned code = first_[static_cast<std::size_t>(linear * buckets_)];
-        while (linear >= threshold_[code + 1]) ++code;
-        return code;
+        const unsigned first = first_[static_cast<std::size_t>(linear * buckets_)];
+        return first + (linear >= threshold_[first + 1] ? 1U : 0U);
     }
 
   private:
@@ -86,12 +86,12 @@ float linear_from_srgb8(std::uint8_t code) { return static_cast<float>(linear_fr
 float linear_from_srgb16(std::uint16_t code) { return static_cast<float>(linear_from_srgb(code / 65535.0)); }
 
 std::uint8_t srgb8_from_linear(float linear) {
-    static const SrgbTable table(255, 4096);
+    static const SrgbTable table(255, std::size_t{1} << 12U);
     return static_cast<std::uint8_t>(table.code(linear));
 }
 
 std::uint16_t srgb16_from_linear(float linear) {
-    static const SrgbTable table(65535, 65536);
+    static const SrgbTable table(65535, std::size_t{1} << 20U);
     return static_cast<std::uint16_t>(table.code(linear));
 }
 

@@ -97,6 +97,7 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit)
     s.n_g = s.entering ? s.point.n : -s.point.n;
     s.n = s.n_g;
     s.color = s.material->color;
+    if (scene_.objects[hit.object].lit_as_stored && !s.entering) s.lit_side = -1.0f;
     if (scene_.objects[hit.object].attributes != no_attributes) interpolate(hit, s);
     return s;
 }
@@ -138,6 +139,8 @@ Terms WhittedTracer::local_terms(const Surface& s, const Media* media, int node)
         if (RayNode* record = node_at(node)) record->lights.push_back(light);
     }
     if (settings_.clamp) {
+        terms[Term::ambient] = limit_to_range(terms[Term::ambient]);
+        terms[Term::highlight] = limit_to_range(terms[Term::highlight]);
         const vec3 sum = (terms[Term::ambient] + terms[Term::diffuse]) + terms[Term::highlight];
         terms[Term::clamp] = limit_to_one(sum) - sum;
     }
@@ -151,7 +154,7 @@ LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s, const M
     if (light.kind == LightKind::directional) {
         node.direction = -light.direction;
         node.distance = std::numeric_limits<float>::infinity();
-        node.cosine = light_cosine(s.n, s.n_g, node.direction);
+        node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
         node.arriving = directional_light_arriving(light.strength, node.cosine);
     } else {
         const vec3 to_light = light.position - s.point.p;
@@ -159,7 +162,7 @@ LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s, const M
         node.distance = sqrt(r_squared);
         if (!(node.distance > 0.0f)) return node;
         node.direction = to_light / node.distance;
-        node.cosine = light_cosine(s.n, s.n_g, node.direction);
+        node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
         node.arriving = point_light_arriving(light.strength, node.cosine, r_squared);
         if (light.kind == LightKind::spot)
             node.arriving = node.arriving * spot_falloff(-dot(node.direction, light.direction),
@@ -178,8 +181,8 @@ void WhittedTracer::shade_light(LightNode& light, const Surface& s) const {
     if (settings_.clamp) light.diffuse = limit_to_one(light.diffuse);
     if (m.highlight > 0.0f) {
         const float lobe = settings_.highlight_model == HighlightModel::blinn
-                               ? blinn_lobe(s.n, light.direction, s.v, m.shininess)
-                               : phong_lobe(s.n, light.direction, s.v, m.shininess);
+                               ? blinn_lobe(s.n * s.lit_side, light.direction, s.v, m.shininess)
+                               : phong_lobe(s.n * s.lit_side, light.direction, s.v, m.shininess);
         light.highlight = highlight_term(light.arriving, m.highlight, lobe) * light.shadow;
     }
 }

@@ -2,9 +2,9 @@
 // Whitted's recursive backward ray tracing: one primary ray in, the light along it out, term by term.
 // T. Whitted, "An Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
+#include "render/ray_tree.h"
 #include "scene/frozen.h"
 #include "scene/media.h"
-#include "render/ray_tree.h"
 
 namespace glint {
 
@@ -43,9 +43,10 @@ class WhittedTracer {
         const FrozenMaterial* material = nullptr;
         std::uint32_t object = 0;
         SurfacePoint point;
-        vec3 v{0.0f};   ///< to the viewer
-        vec3 n_g{0.0f}; ///< geometric normal toward the viewer
-        vec3 n{0.0f};   ///< shading normal on the side of n_g
+        vec3 v{0.0f};          ///< to the viewer
+        vec3 n_g{0.0f};        ///< geometric normal toward the viewer
+        vec3 n{0.0f};          ///< shading normal on the side of n_g
+        float lit_side = 1.0f; ///< −1: lights find both normals turned away from the viewer (Facing::stored)
         vec3 color{0.0f};
         bool entering = true;
     };

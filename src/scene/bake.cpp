@@ -202,6 +202,7 @@ class Baker {
             triangles.positions.push_back(to_float(transform_point(m, dvec3(p))));
         triangles.triangles = s.data->triangles;
         add_attributes(s, m, triangles, id);
+        baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
         const bool closed = need_closedness_ && is_closed(triangles.positions, triangles.triangles);
         add_triangles(std::move(triangles), id, closed);
     }

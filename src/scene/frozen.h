@@ -38,9 +38,10 @@ inline constexpr std::int32_t no_attributes = -1;
 /// Parallel to SceneDescription::objects.
 struct FrozenObject {
     std::uint32_t material = 0;
-    std::uint32_t rank = 0; ///< of overlapping solids the one of higher rank owns the space
-    bool solid = false;     ///< closed: has an inside
-    Bounds bounds;          ///< world space; empty for planes and invisible objects
+    std::uint32_t rank = 0;     ///< of overlapping solids the one of higher rank owns the space
+    bool solid = false;         ///< closed: has an inside
+    bool lit_as_stored = false; ///< lights find its normals as its winding has them
+    Bounds bounds;              ///< world space; empty for planes and invisible objects
     std::int32_t attributes = no_attributes;
 };
 

@@ -43,23 +43,31 @@ GLINT_FN float spot_falloff(float cos_angle, float cos_outer, float cos_inner) {
 /// Diffuse reflection: E ⊙ c · k_d. (Report 2.2.)
 GLINT_FN vec3 diffuse_term(vec3 arriving, vec3 color, float k_d) { return arriving * color * k_d; }
 
-/// Blinn's lobe max(0, n·h)^m with h = (l + v)/|l + v|. (Report 2.5.) 0^0 = 1.
+/// A lobe's cosine to the power m, from 0 to 1: a cosine rounded to just above 1 would run away with a large
+/// m. 0^0 = 1.
+GLINT_FN float lobe_of(float cosine, float m) { return pow_of(min(1.0f, max(0.0f, cosine)), m); }
+
+/// Blinn's lobe max(0, n·h)^m with h = (l + v)/|l + v|. (Report 2.5.)
 GLINT_FN float blinn_lobe(vec3 n, vec3 l, vec3 v, float m) {
     vec3 sum = l + v;
     float squared = dot(sum, sum);
     float cosine = squared > 0.0f ? dot(n, sum) / sqrt(squared) : 0.0f;
-    return pow_of(max(0.0f, cosine), m);
+    return lobe_of(cosine, m);
 }
 
 /// Phong's lobe max(0, v·R)^m, R the mirror direction of l, for comparison. (Report 2.5 discusses both.)
 GLINT_FN float phong_lobe(vec3 n, vec3 l, vec3 v, float m) {
     vec3 mirrored = n * (2.0f * dot(n, l)) - l;
-    return pow_of(max(0.0f, dot(v, mirrored)), m);
+    return lobe_of(dot(v, mirrored), m);
 }
 
 /// Highlight: E · k · lobe. It has the light's colour, not the material's, and carries n·l and 1/r² as the
 /// report's figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
 GLINT_FN vec3 highlight_term(vec3 arriving, float k, float lobe) { return arriving * (k * lobe); }
+
+/// Each channel limited to 2^22: what is more than enough where a sum will be limited to 1, and little enough
+/// that taking the rest away again leaves 1 exactly.
+GLINT_FN vec3 limit_to_range(vec3 color) { return min(color, vec3(4194304.0f)); }
 
 /// Each channel limited to 1.
 GLINT_FN vec3 limit_to_one(vec3 color) { return min(color, vec3(1.0f)); }

@@ -18,7 +18,8 @@ enum class PrimKind : std::uint8_t { none, triangle, sphere, cylinder, plane };
 /// Where a ray meets the world. Of all hits the closest is the least (t, object, prim).
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
-    float u = 0; ///< triangle: weight of vertex 1 (the report's β)
+    float u =
+        0; ///< triangle: weight of vertex 1 (the report's β); sphere, cylinder: 0 the ray enters, 1 it leaves
     float v = 0; ///< triangle: weight of vertex 2 (the report's γ)
     std::uint32_t object = 0xffffffffu;
     std::uint32_t prim = 0; ///< within its object, in the order of the file
@@ -28,7 +29,8 @@ struct Hit {
     explicit operator bool() const { return kind != PrimKind::none; }
 };
 
-/// (t, object, prim) of a before those of b.
+/// (t, object, prim) of a before those of b; of one quadric's two hits at one t, the way in before the way
+/// out.
 bool precedes(const Hit& a, const Hit& b);
 
 /// The surface at a hit. `p` is on the surface up to `p_error`.

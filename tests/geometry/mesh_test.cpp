@@ -115,6 +115,7 @@ TEST(Degenerate, IsATriangleWithARepeatedCornerOrOnALine) {
     const float tiny = std::numeric_limits<float>::denorm_min();
     EXPECT_FALSE(is_degenerate({0, 0, 0}, {tiny, 0, 0}, {0, tiny, 0}));
     EXPECT_FALSE(is_degenerate({-1e12f, 0, 0}, {1e12f, 0, 0}, {0, 1e12f, 0}));
+    EXPECT_FALSE(is_degenerate({1e12f, 0, 0}, {0, 1e-12f, 0}, {0, 0, 1e-12f}));
 }
 
 TEST(Degenerate, FacesAreDroppedAndTheOthersKeepTheirOrder) {

@@ -47,7 +47,7 @@ const std::vector<Foreign>& foreign_headers() {
         {"png.h", {"formats"}, false},
         {"CLI/", {"apps"}, false},
         {"thread", {"parallel"}, false},
-        {"iostream", {"apps"}, false},
+        {"iostream", {"formats", "apps"}, false},
         {"unistd.h", {"formats", "apps"}, false},
         {"fcntl.h", {"formats", "apps"}, false},
         {"sys/", {"parallel", "render", "formats", "apps"}, false},

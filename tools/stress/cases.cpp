@@ -37,6 +37,7 @@ std::span<const Family> families() {
         Family{"through-icosphere", Claim::crosses, crosses_evenly<Closed::icosphere>},
         Family{"through-torus", Claim::crosses, crosses_evenly<Closed::torus>},
         Family{"through-polyhedron", Claim::crosses, crosses_evenly<Closed::polyhedron>},
+        Family{"through-knot", Claim::crosses, crosses_evenly<Closed::knot>},
     };
     return all;
 }

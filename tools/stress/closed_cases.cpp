@@ -1,8 +1,11 @@
 #include "closed_cases.h"
 
 #include "describe.h"
-#include "shapes.h"
+#include "geometry/polyhedron.h"
+#include "placement.h"
 #include "trace/world.h"
+
+#include "shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +29,28 @@ Polyhedron random_polyhedron(Random& random) {
     }
 }
 
+Polyhedron in_double(const Mesh& mesh, double scale) {
+    Polyhedron result;
+    for (const vec3& p : mesh.positions) result.positions.push_back(dvec3(p) * scale);
+    result.triangles = mesh.triangles;
+    return result;
+}
+
+/// Within the unit ball, or nearly.
 Polyhedron make_closed(Closed kind, Random& random) {
-    if (kind == Closed::icosphere) return make_icosphere(random.between(1, 3));
-    if (kind == Closed::polyhedron) return random_polyhedron(random);
     const int around = random.between(16, 32);
     const int across = random.between(8, 16);
-    return make_torus(around, across);
+    switch (kind) {
+    case Closed::icosphere:
+        return in_double(meshgen::make_icosphere(random.between(1, 3)), 1.0);
+    case Closed::torus:
+        return in_double(meshgen::make_torus(around, across, 1.0, 0.4), 1.0);
+    case Closed::knot:
+        return in_double(meshgen::make_knot(4 * around, across, {}), 0.3);
+    case Closed::polyhedron:
+        break;
+    }
+    return random_polyhedron(random);
 }
 
 /// A closed mesh in its place, in float, and rays that look for its seams.
@@ -66,21 +85,22 @@ class ClosedWorld {
         if (!random_.one_in(4)) return ray;
         // Straight up or down through a vertex: the origin shares two of its coordinates, to the bit.
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
-        const int axis = random_.between(0, 2);
+        const int axis = random_.axis();
         dvec3 origin = vertex;
         origin[axis] = 0.0;
         if (kind_ == Closed::torus || glm::dot(origin, origin) > 0.49) return ray;
         ray.origin = place_(origin);
         ray.direction = vec3(0.0f);
-        ray.direction[axis] = random_.one_in(2) ? 1.0f : -1.0f;
+        ray.direction[axis] = static_cast<float>(random_.sign());
         return ray;
     }
 
     Ray from_outside() {
         const double distance = std::ldexp(1.0, random_.between(2, 8));
-        if (!random_.one_in(4)) return toward(place_(random_.direction() * distance), target());
+        const vec3 outside = place_(random_.direction() * distance);
+        if (!random_.one_in(4)) return toward(outside, target());
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
-        const int axis = random_.between(0, 2);
+        const int axis = random_.axis();
         dvec3 origin = vertex;
         origin[axis] = -distance;
         Ray ray;
@@ -118,11 +138,8 @@ class ClosedWorld {
         ray.origin = origin;
         ray.direction = target - origin;
         if (random_.one_in(2)) ray.direction = vec3(glm::normalize(dvec3(ray.direction)));
-        if (random_.one_in(8)) {
-            // Along an axis from anywhere.
-            ray.direction = vec3(0.0f);
-            ray.direction[random_.between(0, 2)] = random_.one_in(2) ? 1.0f : -1.0f;
-        }
+        // Along an axis from anywhere.
+        if (random_.one_in(8)) ray.direction = vec3(random_.along_axis());
         if (ray.direction == vec3(0.0f)) ray.direction.x = 1.0f;
         return ray;
     }

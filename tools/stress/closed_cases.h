@@ -5,8 +5,9 @@
 
 namespace glint::stress {
 
-enum class Closed { icosphere, torus, polyhedron };
+enum class Closed { icosphere, torus, polyhedron, knot };
 
+/// Not for the knot, of which no points are known to be inside.
 Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays);
 Tally run_through(Closed kind, std::uint64_t seed, std::uint32_t rays);
 

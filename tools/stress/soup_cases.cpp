@@ -71,18 +71,20 @@ class TroubleRays {
             const std::uint32_t t = any_triangle();
             return corner(t, random_.below(3));
         }
-        case 2:
-            return place_(random_.direction() * std::ldexp(1.0, random_.between(2, 14)));
+        case 2: {
+            const double distance = std::ldexp(1.0, random_.between(2, 14));
+            return place_(random_.direction() * distance);
+        }
         default:
             return place_(random_.in_cube(2.0));
         }
     }
 
     vec3 axis() {
-        vec3 d(0.0f);
-        d[random_.between(0, 2)] = random_.one_in(2) ? 1.0f : -1.0f;
+        vec3 d(random_.along_axis());
         // Nearly along an axis: what 1/d must survive.
-        if (random_.one_in(2)) d[random_.between(0, 2)] += random_.one_in(2) ? 1e-30f : -1e-12f;
+        const int other = random_.axis();
+        if (random_.one_in(2)) d[other] += random_.one_in(2) ? 1e-30f : -1e-12f;
         return d;
     }
 
@@ -142,7 +144,8 @@ void compare(const World& world, Ray ray, Random& random, Tally& tally) {
         if (random.one_in(16) && !walk_agrees(world, ray))
             tally.fail(describe(ray) + ": next() differs from crossings()");
         // Bounds that fall exactly on a hit: both are exclusive.
-        (random.one_in(2) ? ray.tmin : ray.tmax) = truth ? truth.t : 1.0f;
+        float& bound = random.one_in(2) ? ray.tmin : ray.tmax;
+        bound = truth ? truth.t : 1.0f;
     }
 }
 

@@ -21,7 +21,7 @@ dvec3 on_grid(Random& random) {
 Corners needle(Random& random) {
     const dvec3 a = random.in_cube(1.0);
     const dvec3 b = random.in_cube(1.0);
-    const double width = std::pow(10.0, random.between(-9, -2));
+    const double width = random.power_of_ten(-9, -2);
     return {a, b, b + random.in_cube(width)};
 }
 
@@ -29,14 +29,15 @@ Corners needle(Random& random) {
 Corners sliver(Random& random) {
     const dvec3 a = random.in_cube(1.0);
     const dvec3 b = random.in_cube(1.0);
-    const double height = std::pow(10.0, random.between(-9, -2));
-    const dvec3 between = a + (b - a) * random.unit() + random.in_cube(height);
+    const double height = random.power_of_ten(-9, -2);
+    const double along = random.unit();
+    const dvec3 between = a + (b - a) * along + random.in_cube(height);
     return random.one_in(2) ? Corners{a, b, between} : Corners{a, between, b};
 }
 
 Corners square_to_axis(Random& random) {
     Corners t{on_grid(random), on_grid(random), on_grid(random)};
-    const int axis = random.between(0, 2);
+    const int axis = random.axis();
     t[1][axis] = t[2][axis] = t[0][axis];
     return t;
 }
@@ -120,9 +121,7 @@ void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
             world.spheres.push_back({20 + i / 4, i, p, radius, affine});
             continue;
         }
-        dvec3 axis(0.0);
-        axis[random.between(0, 2)] = random.one_in(2) ? 1.0 : -1.0;
-        if (random.one_in(2)) axis = random.direction();
+        const dvec3 axis = random.one_in(2) ? random.along_axis() : random.direction();
         world.cylinders.push_back({10 + i, p, axis, radius * random.between(1, 4), radius, affine});
     }
     for (std::uint32_t i = random.below(3); i > 0; --i) {

@@ -1,7 +1,7 @@
 #pragma once
 // Small worlds of ugly primitives.
 
-#include "shapes.h"
+#include "placement.h"
 #include "stress_random.h"
 #include "trace/world.h"
 

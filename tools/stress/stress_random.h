@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace glint::stress {
 
@@ -32,6 +33,22 @@ class Random {
     double uniform(double lo, double hi) {
         const double x = unit();
         return lo + (hi - lo) * x;
+    }
+    /// 10^k for a k in [lo, hi]. By products: the C library's pow differs between compilers.
+    double power_of_ten(int lo, int hi) {
+        const int k = between(lo, hi);
+        double power = 1.0;
+        for (int i = 0; i < std::abs(k); ++i) power *= 10.0;
+        return k < 0 ? 1.0 / power : power;
+    }
+    int axis() { return between(0, 2); }
+    double sign() { return one_in(2) ? 1.0 : -1.0; }
+    /// Along one of the axes, of unit length.
+    dvec3 along_axis() {
+        dvec3 d(0.0);
+        const int k = axis();
+        d[k] = sign();
+        return d;
     }
     /// In the cube [-size, size]^3.
     dvec3 in_cube(double size) {

@@ -1,0 +1,54 @@
+#include "glint/formats.h"
+
+namespace glint {
+
+namespace {
+
+std::string kind_name(int bits) {
+    return bits == 32 ? "a float picture" : bits == 16 ? "a 16-bit picture" : "an 8-bit picture";
+}
+
+Image scaled(Image image, float factor) {
+    for (float& value : image.pixels) value *= factor;
+    return image;
+}
+
+/// In units of 1/65535, so that whole steps stay whole: an 8-bit step is 257 of them.
+Comparison compare_16_bit(const LoadedPicture& a, const LoadedPicture& b, double tolerance) {
+    constexpr double steps = 257;
+    const auto widened = [](const LoadedPicture& p) { return scaled(p.image, p.bits == 8 ? 257.0f : 1.0f); };
+    Comparison comparison = compare(widened(a), widened(b), tolerance * steps, 65535);
+    comparison.max /= steps;
+    comparison.mae /= steps;
+    comparison.rmse /= steps;
+    return comparison;
+}
+
+} // namespace
+
+PictureDifference diff_pictures(const LoadedPicture& a, const LoadedPicture& b, double tolerance) {
+    if ((a.bits == 32) != (b.bits == 32))
+        throw Error(ErrorKind::usage, "cannot compare " + kind_name(a.bits) + " with " + kind_name(b.bits),
+                    "one holds codes on the sRGB curve, the other linear light: compare two PNG files, or "
+                    "two of EXR and PFM");
+    if (a.image.width != b.image.width || a.image.height != b.image.height) {
+        const auto size = [](const Image& i) {
+            return std::to_string(i.width) + " x " + std::to_string(i.height);
+        };
+        throw Error(ErrorKind::input,
+                    "the pictures have different sizes: " + size(a.image) + " and " + size(b.image),
+                    "compare pictures of one size");
+    }
+
+    PictureDifference difference;
+    difference.eight_bit = a.bits != 32;
+    if (a.bits == 32)
+        difference.comparison = compare(a.image, b.image, tolerance, 1);
+    else if (a.bits == 8 && b.bits == 8)
+        difference.comparison = compare(a.image, b.image, tolerance, 255);
+    else
+        difference.comparison = compare_16_bit(a, b, tolerance);
+    return difference;
+}
+
+} // namespace glint

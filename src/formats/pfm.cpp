@@ -1,0 +1,131 @@
+#include "formats/picture_codecs.h"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace glint {
+
+namespace {
+
+/// Where row y, counted from the top, stands in the file: rows run from the bottom.
+std::size_t file_row(int y, int height) { return static_cast<std::size_t>(height - 1 - y); }
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
+
+struct PfmHeader {
+    int channels = 3;
+    int width = 0;
+    int height = 0;
+    bool little_endian = true;
+    std::size_t size = 0; ///< bytes of the header
+};
+
+/// Takes the header apart: words between blanks, then exactly one blank before the pixels.
+class HeaderReader {
+  public:
+    HeaderReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+    PfmHeader read() {
+        PfmHeader header;
+        const std::string_view kind = word();
+        if (kind != "PF" && kind != "Pf") fail("the first line is not 'PF' or 'Pf'");
+        header.channels = kind == "PF" ? 3 : 1;
+        header.width = number<int>("the width");
+        header.height = number<int>("the height");
+        check_picture_size(name_, header.width, header.height);
+
+        const auto scale = number<double>("the scale");
+        if (scale == 0 || !std::isfinite(scale)) fail("the scale is neither positive nor negative");
+        header.little_endian = scale < 0;
+        header.size = at_ + 1;
+        return header;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& message) const {
+        refuse_picture(name_, message, "a PFM file begins with 'PF', width and height, and -1.0 or 1.0",
+                       start_);
+    }
+
+    std::string_view word() {
+        while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+        start_ = at_;
+        while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+        if (at_ == text_.size()) fail("the file ends within its header");
+        return text_.substr(start_, at_ - start_);
+    }
+
+    template <class Number>
+    Number number(const std::string& what) {
+        const std::string_view digits = word();
+        Number value{};
+        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (problem != std::errc() || end != digits.data() + digits.size())
+            fail(what + " is no valid number");
+        return value;
+    }
+
+    std::string_view text_;
+    const std::string& name_;
+    std::size_t at_ = 0;
+    std::size_t start_ = 0; ///< of the word that was read last
+};
+
+float float_from_bytes(const std::byte* bytes, bool little_endian) {
+    std::uint32_t bits = 0;
+    for (unsigned i = 0; i < 4; ++i)
+        bits |= std::to_integer<std::uint32_t>(bytes[i]) << (8 * (little_endian ? i : 3 - i));
+    return std::bit_cast<float>(bits);
+}
+
+} // namespace
+
+std::vector<std::byte> encode_pfm(const Image& image) {
+    const std::string header =
+        "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
+    const std::size_t row_values = 3 * static_cast<std::size_t>(image.width);
+    std::vector<std::byte> bytes(header.size() + 4 * image.pixels.size());
+    for (std::size_t i = 0; i < header.size(); ++i) bytes[i] = static_cast<std::byte>(header[i]);
+
+    for (int y = 0; y < image.height; ++y) {
+        const float* from = image.at(0, y);
+        std::byte* to = bytes.data() + header.size() + 4 * row_values * file_row(y, image.height);
+        for (std::size_t i = 0; i < row_values; ++i) {
+            const auto bits = std::bit_cast<std::uint32_t>(from[i]);
+            for (unsigned k = 0; k < 4; ++k) to[4 * i + k] = static_cast<std::byte>(bits >> (8 * k) & 255U);
+        }
+    }
+    return bytes;
+}
+
+LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& name) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const PfmHeader header = HeaderReader(text, name).read();
+
+    // The header says exactly how many bytes follow, so a lie shows before anything is allocated.
+    const auto row_bytes =
+        static_cast<std::size_t>(4 * header.channels) * static_cast<std::size_t>(header.width);
+    const std::size_t expected = row_bytes * static_cast<std::size_t>(header.height);
+    const std::size_t found = bytes.size() - header.size;
+    if (found != expected)
+        refuse_picture(
+            name,
+            std::to_string(found) + " bytes of pixels where the header promises " + std::to_string(expected),
+            found < expected ? cut_hint : "the header's width and height do not fit the file", header.size);
+
+    LoadedPicture picture;
+    picture.image = Image(header.width, header.height);
+    for (int y = 0; y < header.height; ++y) {
+        const std::byte* from = bytes.data() + header.size + row_bytes * file_row(y, header.height);
+        float* to = picture.image.at(0, y);
+        for (int i = 0; i < 3 * header.width; ++i) {
+            const int value = header.channels == 3 ? i : i / 3;
+            to[i] = float_from_bytes(from + 4 * value, header.little_endian);
+        }
+    }
+    return picture;
+}
+
+} // namespace glint

@@ -1,0 +1,67 @@
+#include "formats/read_bytes.h"
+
+#include "glint/error.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <new>
+#include <system_error>
+
+namespace glint {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, int code) {
+    std::string hint = "check the disk and the file system";
+    if (code == ENOENT || code == ENOTDIR)
+        hint = "check the name; relative names start at the working directory";
+    if (code == EISDIR) hint = "name a file inside the folder";
+    if (code == EACCES || code == EPERM) hint = "ask for permission to read it";
+    Location where;
+    where.file = path;
+    throw Error(ErrorKind::input, "cannot read the file: " + std::generic_category().message(code), hint,
+                where);
+}
+
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() { ::close(fd_); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int fd() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+} // namespace
+
+std::vector<std::byte> read_bytes(const std::string& path) {
+    const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (opened < 0) fail(path, errno);
+    const Descriptor file(opened);
+    struct stat info = {};
+    if (::fstat(file.fd(), &info) != 0) fail(path, errno);
+    if (S_ISDIR(info.st_mode)) fail(path, EISDIR);
+
+    // Pipes tell no size, and files may grow: the size only says where to begin. One byte more finds the end.
+    constexpr std::size_t least = 1U << 16U;
+    std::vector<std::byte> bytes(S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) + 1 : least);
+    std::size_t used = 0;
+    for (;;) {
+        if (used == bytes.size()) bytes.resize(2 * bytes.size());
+        const ssize_t count = ::read(file.fd(), bytes.data() + used, bytes.size() - used);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail(path, errno);
+        if (count == 0) break;
+        used += static_cast<std::size_t>(count);
+    }
+    bytes.resize(used);
+    return bytes;
+}
+
+} // namespace glint

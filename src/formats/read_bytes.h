@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// A whole file in memory. Throws Error(input), naming the file, the system's reason and a cure.
+std::vector<std::byte> read_bytes(const std::string& path);
+
+} // namespace glint

@@ -1,0 +1,244 @@
+#include "formats/scene_check.h"
+
+#include "formats/scene_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t enough_candidates = 2000;
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// A box around a shape before its transform; empty where the shape is endless or known elsewhere.
+struct Extent {
+    Vec3 low{std::numeric_limits<double>::infinity()};
+    Vec3 high{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const { return low.x > high.x; }
+    void add(const Vec3& p, double radius = 0) {
+        low = glm::min(low, p - Vec3(radius));
+        high = glm::max(high, p + Vec3(radius));
+    }
+};
+
+Extent extent(const PlaneShape& plane) {
+    // The plane's point nearest to the origin; the length is divided out twice lest it overflow.
+    const double length = glm::length(plane.normal);
+    Extent box;
+    box.add(plane.normal / length * (plane.offset / length));
+    return box;
+}
+
+Extent extent(const SphereShape& sphere) {
+    Extent box;
+    box.add(sphere.center, sphere.radius);
+    return box;
+}
+
+Extent upright(const Vec3& base, const Vec3& axis, double height, double radius) {
+    Extent box;
+    box.add(base, radius);
+    box.add(base + axis * (height / glm::length(axis)), radius);
+    return box;
+}
+
+Extent extent(const CylinderShape& cylinder) {
+    return upright(cylinder.base, cylinder.axis, cylinder.height, cylinder.radius);
+}
+
+Extent extent(const TriangleShape& triangle) {
+    Extent box;
+    for (const Vec3& vertex : triangle.vertices) box.add(vertex);
+    return box;
+}
+
+Extent extent(const PolyhedronShape& p) {
+    Extent box;
+    if (p.kind == PolyhedronKind::prism || p.kind == PolyhedronKind::pyramid)
+        return upright(p.center, p.axis, p.height, p.radius);
+    if (p.kind == PolyhedronKind::box) {
+        box.add(p.center - p.size * 0.5);
+        box.add(p.center + p.size * 0.5);
+    } else
+        box.add(p.center, p.radius);
+    return box;
+}
+
+Extent extent(const MeshShape& mesh) {
+    Extent box;
+    if (!mesh.data) return box;
+    for (const glm::vec3& position : mesh.data->positions)
+        if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z))
+            box.add(Vec3(position));
+    return box;
+}
+
+Extent extent(const InstanceShape&) { return {}; }
+
+bool within_limits(const Extent& box, const Mat4& transform) {
+    if (box.empty()) return true;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 p{corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                     corner & 4 ? box.high.z : box.low.z};
+        // Written so that NaN is out of range too.
+        if (!(largest(Vec3(transform * glm::dvec4(p, 1))) <= coordinate_limit)) return false;
+    }
+    return true;
+}
+
+Mat4 scaling(const Vec3& scale) {
+    Mat4 m{1};
+    for (int i = 0; i < 3; ++i) m[i][i] = scale[i];
+    return m;
+}
+
+// Degenerate: less high over its longest edge than the rounding of its coordinates.
+bool degenerate(const TriangleShape& triangle) {
+    const auto& v = triangle.vertices;
+    const Vec3 a = v[1] - v[0], b = v[2] - v[0], c = v[2] - v[1];
+    const double longest = std::max({glm::length(a), glm::length(b), glm::length(c)});
+    const double coordinate = std::max({largest(v[0]), largest(v[1]), largest(v[2])});
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * coordinate;
+    return !(glm::length(glm::cross(a, b)) > rounding * longest);
+}
+
+class SceneCheck {
+  public:
+    SceneCheck(const ReadScene& scene, Problems& problems)
+        : scene_(scene), description_(scene.description), problems_(problems) {}
+
+    void run() {
+        gather_names();
+        for (std::size_t i = 0; i < description_.objects.size(); ++i) {
+            check_references(description_.objects[i], scene_.objects[i]);
+            check_geometry(description_.objects[i], scene_.objects[i]);
+        }
+        check_energy();
+    }
+
+    void check_meshes() {
+        gather_names();
+        for (std::size_t i = 0; i < description_.objects.size(); ++i)
+            check_mesh_extent(description_.objects[i], scene_.objects[i]);
+    }
+
+  private:
+    void gather_names() {
+        for (const Material& material : description_.materials) {
+            materials_.insert(material.name);
+            if (material_names_.size() < enough_candidates) material_names_.push_back(material.name);
+        }
+        for (const Object& object : description_.objects)
+            if (std::holds_alternative<MeshShape>(object.shape) && !object.name.empty()) {
+                meshes_.emplace(object.name, &object);
+                if (mesh_names_.size() < enough_candidates) mesh_names_.push_back(object.name);
+            }
+    }
+
+    void check_references(const Object& object, const ObjectPlaces& places) {
+        if (!object.name.empty()) {
+            const auto [first, is_new] = names_.emplace(std::pair(places.table, object.name), places.name);
+            if (!is_new)
+                problems_.error(places.name,
+                                "another " + places.table + " is named " + in_quotes(object.name),
+                                first->second.line > 0
+                                    ? "the first is named on line " + std::to_string(first->second.line)
+                                    : "names are unique within a type of table");
+        }
+        if (!object.material.empty() && materials_.count(object.material) == 0) {
+            std::string hint = problems_.suggestion(object.material, material_names_);
+            if (hint.empty()) hint = "define it as [material." + object.material + "]";
+            problems_.error(places.material, "unknown material " + in_quotes(object.material),
+                            std::move(hint));
+        }
+        const auto* instance = std::get_if<InstanceShape>(&object.shape);
+        if (instance && !instance->mesh.empty() && meshes_.count(instance->mesh) == 0) {
+            std::string hint = problems_.suggestion(instance->mesh, mesh_names_);
+            if (hint.empty()) hint = "expected the name of a [[mesh]]";
+            problems_.error(places.shape, "unknown mesh " + in_quotes(instance->mesh), std::move(hint));
+        }
+    }
+
+    void check_geometry(const Object& object, const ObjectPlaces& places) {
+        if (!places.good) return;
+        if (const auto* triangle = std::get_if<TriangleShape>(&object.shape))
+            if (degenerate(*triangle))
+                return problems_.error(places.shape,
+                                       "the triangle is degenerate: its vertices lie on one line");
+        if (std::holds_alternative<MeshShape>(object.shape)) return;
+        const Extent box = std::visit([](const auto& shape) { return extent(shape); }, object.shape);
+        if (!within_limits(box, Mat4{1}))
+            report_limit(places.shape, object, "reaches");
+        else if (!within_limits(box, object.transform))
+            report_limit(places.transform, object, "is moved");
+    }
+
+    void check_mesh_extent(const Object& object, const ObjectPlaces& places) {
+        const Object* mesh_object = &object;
+        Mat4 whole{1};
+        if (const auto* instance = std::get_if<InstanceShape>(&object.shape)) {
+            const auto found = meshes_.find(instance->mesh);
+            if (found == meshes_.end()) return;
+            mesh_object = found->second;
+            whole = object.transform;
+        }
+        const auto* mesh = std::get_if<MeshShape>(&mesh_object->shape);
+        if (!mesh || !mesh->data) return;
+        whole = whole * mesh_object->transform * scaling(mesh->scale);
+        if (!within_limits(extent_of(*mesh->data, *mesh), whole))
+            report_limit(places.shape, object, "reaches");
+    }
+
+    /// Many instances of a mesh, and many meshes of a file, look at its vertices once.
+    const Extent& extent_of(const Mesh& data, const MeshShape& mesh) {
+        const auto [entry, is_new] = extents_.try_emplace(&data);
+        if (is_new) entry->second = extent(mesh);
+        return entry->second;
+    }
+
+    void report_limit(const Place& place, const Object& object, const char* verb) {
+        const std::string who = object.name.empty() ? "the object" : in_quotes(object.name);
+        problems_.error(place, who + " " + verb + " beyond 10^12 scene units",
+                        "coordinates are within ±10^12");
+    }
+
+    void check_energy() {
+        if (description_.whitted.energy != Energy::balanced) return;
+        for (std::size_t i = 0; i < description_.materials.size(); ++i) {
+            const Material& m = description_.materials[i];
+            if (m.reflectivity + m.transparency > 1)
+                problems_.error(scene_.materials[i],
+                                "material " + in_quotes(m.name) + " has reflectivity + transparency = " +
+                                    show(m.reflectivity + m.transparency),
+                                "energy = \"balanced\" needs at most 1");
+        }
+    }
+
+    const ReadScene& scene_;
+    const SceneDescription& description_;
+    Problems& problems_;
+    std::set<std::string> materials_;
+    std::map<std::string, const Object*> meshes_;
+    std::vector<std::string> material_names_;
+    std::vector<std::string> mesh_names_;
+    std::map<std::pair<std::string, std::string>, Place> names_;
+    std::map<const Mesh*, Extent> extents_;
+};
+
+} // namespace
+
+void check_scene(const ReadScene& scene, Problems& problems) { SceneCheck(scene, problems).run(); }
+
+void check_mesh_extents(const ReadScene& scene, Problems& problems) {
+    SceneCheck(scene, problems).check_meshes();
+}
+
+} // namespace glint

@@ -1,0 +1,22 @@
+#pragma once
+// The mesh files that a scene names.
+
+#include "formats/scene_read.h"
+#include "glint/formats.h"
+
+namespace glint {
+
+/// Where a scene's file names lead to.
+struct FilePolicy {
+    std::string scene_file; ///< names written in it are relative to its folder
+    bool allow_outside = false;
+    bool load = true; ///< false: names are checked, files are not read
+};
+
+/// Fills MeshShape::data of every mesh, each file read once. Reports names that leave the scene's folder,
+/// files that are missing, and what is wrong inside them; reads none while other problems are known. Warnings
+/// of the files are added to `warnings`.
+void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems,
+                 std::vector<Diagnostic>& warnings);
+
+} // namespace glint

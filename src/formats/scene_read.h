@@ -1,0 +1,40 @@
+#pragma once
+// From the tree of a scene file to a SceneDescription.
+
+#include "formats/scene_table.h"
+#include "formats/scene_tree.h"
+#include "glint/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// Where the parts of an object were written.
+struct ObjectPlaces {
+    std::string table; ///< "sphere"
+    Place header;
+    Place name;
+    Place material;
+    Place shape; ///< what gives its extent: vertices, a mesh's file or an instance's mesh, else the header
+    Place transform;  ///< the header where there is none
+    bool good = true; ///< nothing was wrong with its table
+};
+
+/// A description and the places in it; `objects` runs along description.objects.
+struct ReadScene {
+    SceneDescription description;
+    std::vector<ObjectPlaces> objects;
+    std::vector<Place> materials; ///< energies: where reflectivity stands, else the header
+};
+
+/// Reads a scene. Reports what is wrong with single tables; check_scene() does the rest.
+ReadScene read_scene(const TreeValue& root, Problems& problems);
+
+/// Changes settings, camera and materials of a description that exists already, as the tree says.
+void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
+
+/// The matrix of a list of transform entries, the first applied first.
+Mat4 read_transform(const TreeValue& list, const ReadContext& context);
+
+} // namespace glint

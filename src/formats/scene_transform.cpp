@@ -1,0 +1,93 @@
+#include "formats/scene_read.h"
+
+#include "formats/scene_words.h"
+#include "math/trig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace glint {
+namespace {
+
+// Rodrigues' formula; quarter turns about the axes come out exact.
+Mat4 rotation(const Vec3& axis, double degrees) {
+    const Vec3 a = axis / std::sqrt(glm::dot(axis, axis));
+    const double s = sin_degrees(degrees);
+    const double c = cos_degrees(degrees);
+    const double t = 1 - c;
+    Mat4 m{1};
+    m[0] = {t * a.x * a.x + c, t * a.x * a.y + s * a.z, t * a.x * a.z - s * a.y, 0};
+    m[1] = {t * a.x * a.y - s * a.z, t * a.y * a.y + c, t * a.y * a.z + s * a.x, 0};
+    m[2] = {t * a.x * a.z + s * a.y, t * a.y * a.z - s * a.x, t * a.z * a.z + c, 0};
+    return m;
+}
+
+// Reports an entry that does not hold exactly one transformation.
+void check_one(TableReader& entry) {
+    if (!entry.good()) return;
+    int count = 0;
+    for (const char* key : {"translate", "rotate", "scale", "matrix"}) count += entry.has(key) ? 1 : 0;
+    if (entry.has("angle") && !entry.has("rotate"))
+        entry.error(entry.place("angle"), "\"angle\" needs \"rotate\", the axis to turn about",
+                    "expected { rotate = [x, y, z], angle = degrees }");
+    else if (entry.has("rotate") && !entry.has("angle"))
+        entry.error(entry.place("rotate"), "\"rotate\" needs \"angle\"",
+                    "expected { rotate = [x, y, z], angle = degrees }");
+    else if (count > 1)
+        entry.error(entry.header(),
+                    "an entry of \"transform\" holds one of translate, rotate, scale and matrix",
+                    "write one entry each, in the order in which they apply");
+    else if (count == 0)
+        entry.error(entry.header(), "an empty entry of \"transform\"",
+                    "expected translate, rotate, scale or matrix");
+}
+
+Mat4 read_entry(const TreeValue& table, const ReadContext& context) {
+    const TableSpec& spec = *find_table("transform");
+    TableReader entry(table, spec, spec.header(), {}, context);
+    check_one(entry);
+
+    Mat4 matrix{1};
+    Vec3 translate{0}, scale{1}, axis{0, 0, 1};
+    double angle = 0;
+    entry.read("translate", translate);
+    entry.read("rotate", axis);
+    entry.read("angle", angle);
+    entry.read("scale", scale);
+    entry.read("matrix", matrix);
+    if (!entry.good()) return Mat4{1};
+
+    if (entry.has("rotate")) return rotation(axis, angle);
+    for (int i = 0; i < 3; ++i) matrix[i] *= scale[i];
+    matrix[3] += glm::dvec4(translate, 0);
+    return matrix;
+}
+
+// Finite, and its determinant too: many entries, each good, may still shrink or grow without end.
+bool in_range(const Mat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(m[column][row])) return false;
+    return std::isnormal(glm::determinant(glm::dmat3(m)));
+}
+
+} // namespace
+
+Mat4 read_transform(const TreeValue& list, const ReadContext& context) {
+    Mat4 whole{1};
+    for (const TreeValue& item : list.items) {
+        if (item.kind == TreeValue::Kind::table)
+            whole = read_entry(item, context) * whole;
+        else
+            context.problems.error(
+                item.where, "expected a table in \"transform\", found " + std::string(item.kind_words()),
+                "for example { translate = [1, 0, 0] }");
+    }
+    if (in_range(whole)) return whole;
+    context.problems.error(list.where,
+                           "\"transform\" as a whole is not regular: it scales beyond all measure");
+    return Mat4{1};
+}
+
+} // namespace glint

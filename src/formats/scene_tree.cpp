@@ -1,0 +1,159 @@
+#include "formats/scene_tree.h"
+
+#include "formats/scene_words.h"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t longest_list = 1000;
+constexpr std::size_t longest_excerpt = 240;
+
+// Bytes of the character that starts with this one, as far as UTF-8 is well formed.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) ++end;
+    return end - at;
+}
+
+// True where the bytes are one character of UTF-8, by the pattern of their leading bits.
+bool well_formed(std::string_view character) {
+    const auto first = static_cast<unsigned char>(character[0]);
+    if (first < 0x80u) return character.size() == 1;
+    if ((first & 0xe0u) == 0xc0u) return character.size() == 2;
+    if ((first & 0xf0u) == 0xe0u) return character.size() == 3;
+    return (first & 0xf8u) == 0xf0u && character.size() == 4;
+}
+
+} // namespace
+
+const TreeEntry* TreeValue::find(std::string_view key) const {
+    for (const TreeEntry& entry : entries)
+        if (entry.key == key) return &entry;
+    return nullptr;
+}
+
+TreeEntry* TreeValue::find(std::string_view key) {
+    return const_cast<TreeEntry*>(static_cast<const TreeValue*>(this)->find(key));
+}
+
+std::string_view TreeValue::kind_words() const {
+    switch (kind) {
+    case Kind::boolean:
+        return "a boolean";
+    case Kind::integer:
+        return "an integer";
+    case Kind::number:
+        return "a number";
+    case Kind::text:
+        return "a string";
+    case Kind::date:
+        return "a date or time";
+    case Kind::list:
+        return "a list";
+    case Kind::table:
+        break;
+    }
+    return "a table";
+}
+
+SceneSource::SceneSource(std::string_view text, std::string name, std::vector<std::string> overrides)
+    : text_(text), name_(std::move(name)), overrides_(std::move(overrides)) {
+    if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+    line_starts_.push_back(0);
+    for (std::size_t i = 0; i < text_.size(); ++i)
+        if (text_[i] == '\n') line_starts_.push_back(i + 1);
+}
+
+std::string_view SceneSource::line(int number) const {
+    if (number < 1 || static_cast<std::size_t>(number) > line_starts_.size()) return {};
+    const std::size_t begin = line_starts_[static_cast<std::size_t>(number) - 1];
+    std::string_view rest = text_.substr(begin);
+    rest = rest.substr(0, rest.find('\n'));
+    if (rest.ends_with('\r')) rest.remove_suffix(1);
+    return rest;
+}
+
+Location SceneSource::locate(const Place& place) const {
+    if (place.origin > 0) return {"-D " + overrides_[static_cast<std::size_t>(place.origin) - 1], 0, 0, {}};
+    if (place.line <= 0) return {name_, 0, 0, {}};
+    // Characters become bytes; a place beyond the line's end is brought to it.
+    const std::string_view text = line(place.line);
+    std::size_t byte = 0;
+    for (int column = 1; column < place.column && byte < text.size(); ++column)
+        byte += utf8_length(text, byte);
+    return {name_, place.line, static_cast<int>(byte) + 1, {}};
+}
+
+std::string SceneSource::excerpt(const Place& place) const {
+    if (place.origin > 0) return {};
+    std::string_view text = line(place.line);
+    if (text.size() > longest_excerpt) {
+        // Without the start of the line the caret would stand wrong: a place far out has no excerpt.
+        if (locate(place).column > static_cast<int>(longest_excerpt) / 2) return {};
+        text = text.substr(0, longest_excerpt);
+    }
+    std::string shown(text);
+    for (std::size_t i = 0; i < shown.size();) {
+        const std::size_t length = utf8_length(shown, i);
+        const auto first = static_cast<unsigned char>(shown[i]);
+        const bool control = (first < 0x20 && first != '\t') || first == 0x7f;
+        if (control || !well_formed(std::string_view(shown).substr(i, length)))
+            std::fill_n(shown.begin() + static_cast<std::ptrdiff_t>(i), length, '?');
+        i += length;
+    }
+    return shown;
+}
+
+void Problems::add(std::vector<Problem>& list, Severity severity, const Place& place, std::string message,
+                   std::string hint) const {
+    list.push_back(
+        {place,
+         {severity, source_.locate(place), std::move(message), std::move(hint), source_.excerpt(place)}});
+}
+
+void Problems::error(const Place& place, std::string message, std::string hint) {
+    if (errors_.size() < longest_list)
+        add(errors_, Severity::error, place, std::move(message), std::move(hint));
+    else
+        ++unlisted_;
+}
+
+void Problems::error_elsewhere(const Place& named_at, Diagnostic diagnostic) {
+    errors_.push_back({named_at, std::move(diagnostic)});
+}
+
+void Problems::warning(const Place& place, std::string message, std::string hint) {
+    if (warnings_.size() < longest_list)
+        add(warnings_, Severity::warning, place, std::move(message), std::move(hint));
+}
+
+std::string Problems::suggestion(std::string_view word, const std::vector<std::string>& candidates) const {
+    constexpr std::size_t enough = 100;
+    return errors_.size() < enough ? did_you_mean(word, candidates) : "";
+}
+
+std::vector<Diagnostic> Problems::in_order(std::vector<Problem> list) {
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Problem& a, const Problem& b) { return a.place < b.place; });
+    std::vector<Diagnostic> diagnostics;
+    for (Problem& problem : list) diagnostics.push_back(std::move(problem.diagnostic));
+    return diagnostics;
+}
+
+void Problems::throw_if_any() const {
+    if (errors_.empty()) return;
+    std::vector<Diagnostic> diagnostics = in_order(errors_);
+    if (unlisted_ > 0)
+        diagnostics.push_back({Severity::error,
+                               source_.locate({}),
+                               std::to_string(unlisted_) + " further errors are not listed",
+                               {},
+                               {}});
+    throw Error(ErrorKind::input, std::move(diagnostics));
+}
+
+std::vector<Diagnostic> Problems::warnings() const { return in_order(warnings_); }
+
+} // namespace glint

@@ -1,0 +1,45 @@
+#include "formats/scene_words.h"
+
+#include "glint/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace glint {
+
+std::string show(double x) {
+    if (std::isnan(x)) return "nan";
+    if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+    char buffer[32];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, x);
+    return {buffer, end.ptr};
+}
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t longest = 80;
+    std::string shown(text.substr(0, longest));
+    // A cut must not leave half a UTF-8 character behind.
+    if (text.size() > longest) {
+        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0u) == 0x80u)
+            shown.pop_back();
+        if (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80u) != 0) shown.pop_back();
+        shown += "…";
+    }
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    return '"' + shown + '"';
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
+    const auto nearest = nearest_name(std::string(word), candidates);
+    return nearest ? "did you mean " + in_quotes(*nearest) + "?" : "";
+}
+
+} // namespace glint

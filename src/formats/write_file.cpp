@@ -1,0 +1,196 @@
+#include "formats/write_file.h"
+
+#include "glint/formats.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace glint {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string cure(const fs::path& path, int code) {
+    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    switch (code) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+        return "free some space, or write to another disk";
+    case ENOENT:
+    case ENOTDIR:
+        return "create the folder '" + folder + "' first, or correct the name";
+    case EISDIR:
+        return "name a file inside the folder, such as '" + (path / "picture.png").string() + "'";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return "write to a place where you have permission to";
+    case ENAMETOOLONG:
+        return "choose a shorter name";
+    case EPIPE:
+        return "the program that reads the output has ended; look for its message";
+    default:
+        return "check the disk, or write to another place";
+    }
+}
+
+[[noreturn]] void fail(const fs::path& path, int code) {
+    Location where;
+    where.file = path.string();
+    throw Error(ErrorKind::output, "cannot write the file: " + std::generic_category().message(code),
+                cure(path, code), where);
+}
+
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int fd() const { return fd_; }
+    /// Closes now; some file systems report a full disk only here.
+    int close() { return ::close(std::exchange(fd_, -1)); }
+
+  private:
+    int fd_;
+};
+
+/// Removes the file when left before keep().
+class Temporary {
+  public:
+    explicit Temporary(fs::path path) : path_(std::move(path)) {}
+    ~Temporary() {
+        if (!kept_) ::unlink(path_.c_str());
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    const fs::path& path() const { return path_; }
+    void keep() { kept_ = true; }
+
+  private:
+    fs::path path_;
+    bool kept_ = false;
+};
+
+/// 0, or the system's reason.
+int write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
+/// Where a file of this name really lies: renaming over a link would replace the link.
+fs::path follow_links(const fs::path& path) {
+    constexpr int most_links = 40;
+    fs::path place = path;
+    for (int i = 0; i < most_links; ++i) {
+        std::error_code none;
+        if (!fs::is_symlink(place, none)) return place;
+        const fs::path next = fs::read_symlink(place, none);
+        place = next.is_absolute() ? next : place.parent_path() / next;
+    }
+    fail(path, ELOOP);
+}
+
+struct Target {
+    fs::path place;
+    bool exists = false;
+    bool regular = true; ///< false: a device or a pipe, which no file may replace
+    mode_t mode = 0;
+};
+
+Target find_target(const fs::path& path) {
+    Target target;
+    target.place = follow_links(path);
+    struct stat info = {};
+    if (::stat(target.place.c_str(), &info) == 0) {
+        if (S_ISDIR(info.st_mode)) fail(path, EISDIR);
+        if (::access(target.place.c_str(), W_OK) != 0) fail(path, errno);
+        target.exists = true;
+        target.regular = S_ISREG(info.st_mode);
+        target.mode = info.st_mode & 07777U;
+    } else if (errno != ENOENT) {
+        fail(path, errno);
+    } else if (!target.place.has_filename()) {
+        fail(path, path.empty() ? ENOENT : EISDIR);
+    }
+    return target;
+}
+
+fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : "."; }
+
+/// Opens a new file beside the target under a name that no other writer uses.
+int open_temporary(const fs::path& folder, fs::path& name) {
+    static std::atomic<unsigned> counter{0};
+    for (;;) {
+        name = folder / (".glint-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST) return fd;
+    }
+}
+
+void write_in_place(const fs::path& path, const Target& target, std::span<const std::byte> bytes) {
+    Descriptor file(::open(target.place.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.fd() < 0) fail(path, errno);
+    if (const int code = write_all(file.fd(), bytes); code != 0) fail(path, code);
+    if (file.close() != 0) fail(path, errno);
+}
+
+/// After a crash of the machine the new name should still be there; folders that cannot be synced are let be.
+void sync_folder(const fs::path& folder) {
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (opened.fd() >= 0) ::fsync(opened.fd());
+}
+
+} // namespace
+
+void check_writable(const std::string& path) {
+    const Target target = find_target(path);
+    if (!target.regular) return;
+    const fs::path folder = folder_of(target.place);
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+    std::error_code none;
+    if (!fs::is_directory(folder, none)) fail(path, ENOTDIR);
+}
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+    const Target target = find_target(path);
+    if (!target.regular) return write_in_place(path, target, bytes);
+
+    const fs::path folder = folder_of(target.place);
+    fs::path name;
+    Descriptor file(open_temporary(folder, name));
+    if (file.fd() < 0) fail(path, errno);
+    Temporary temporary(name);
+
+    // The new file takes the permissions of the one it replaces.
+    if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail(path, errno);
+    if (const int code = write_all(file.fd(), bytes); code != 0) fail(path, code);
+    if (::fsync(file.fd()) != 0 && errno != EINVAL) fail(path, errno);
+    if (file.close() != 0) fail(path, errno);
+    if (std::rename(temporary.path().c_str(), target.place.c_str()) != 0) fail(path, errno);
+    temporary.keep();
+    sync_folder(folder);
+}
+
+void write_stdout(std::span<const std::byte> bytes) {
+    if (const int code = write_all(STDOUT_FILENO, bytes); code != 0) fail("<stdout>", code);
+}
+
+} // namespace glint

@@ -1,0 +1,167 @@
+// check, info, diff and new.
+
+#include "workplace.h"
+
+#include <nlohmann/json.hpp>
+
+namespace glint::test {
+namespace {
+
+class Check : public Workplace {};
+
+TEST_F(Check, TellsOfEveryFile) {
+    const Outcome outcome = glint("check good.toml bad.toml dark.toml mesh.ply");
+    EXPECT_EQ(outcome.exit, 3);
+    EXPECT_NE(outcome.out.find("good.toml: ok (1 object, 1 light, 1 material)\n"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("dark.toml: ok (1 object, 0 lights, 1 material; "), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("mesh.ply: ok ("), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("bad.toml"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.err.find("bad.toml:5:"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("bad.toml:6:"), std::string::npos) << "all errors, not only the first\n"
+                                                                  << outcome.err;
+    EXPECT_NE(outcome.err.find("1 of 4 files have errors"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Check, PassesWarnings) {
+    const Outcome outcome = glint("check dark.toml");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_NE(outcome.err.find("warning: "), std::string::npos) << outcome.err;
+}
+
+TEST_F(Check, KeepsQuiet) {
+    const Outcome good = glint("check -q good.toml dark.toml");
+    EXPECT_EQ(good.exit, 0);
+    EXPECT_EQ(good.out + good.err, "");
+    const Outcome bad = glint("check -q bad.toml");
+    EXPECT_EQ(bad.exit, 3);
+    EXPECT_NE(bad.err.find("error: "), std::string::npos) << bad.err;
+}
+
+class Info : public Workplace {};
+
+TEST_F(Info, PrintsToStdout) {
+    const Outcome outcome = glint("info good.toml");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_EQ(outcome.err, "");
+    for (const char* text : {"1 sphere", "1 point", "(-1, -1, -1) to (1, 1, 1)", "white", "16x12", "whitted"})
+        EXPECT_NE(outcome.out.find(text), std::string::npos) << text << "\n" << outcome.out;
+}
+
+TEST_F(Info, SpeaksJson) {
+    const auto info = nlohmann::json::parse(glint("info mesh.ply --json").out);
+    EXPECT_EQ(info["scene"]["triangles"], 4);
+    EXPECT_EQ(info["camera"]["eye"].size(), 3u);
+    EXPECT_FALSE(info["materials"].empty());
+}
+
+TEST_F(Info, FailsWhenStdoutIsFull) {
+    Setting setting;
+    setting.out_file = "/dev/full";
+    const Outcome outcome = glint("info good.toml", setting);
+    EXPECT_EQ(outcome.exit, 4);
+    EXPECT_NE(outcome.err.find("cannot write to stdout: No space left"), std::string::npos) << outcome.err;
+}
+
+class Diff : public Workplace {
+  public:
+    Diff() {
+        write_pfm("a.pfm", 4, 3, 0.5f);
+        write_pfm("b.pfm", 4, 3, 0.625f);
+        write_pfm("wide.pfm", 5, 3, 0.5f);
+    }
+};
+
+TEST_F(Diff, PassesEqualPictures) {
+    const Outcome outcome = glint("diff a.pfm a.pfm");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("max      0\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(glint("diff a.pfm a.pfm --metric psnr").exit, 0);
+}
+
+TEST_F(Diff, PrintsEveryMeasure) {
+    const Outcome outcome = glint("diff a.pfm b.pfm");
+    EXPECT_EQ(outcome.exit, 1);
+    EXPECT_EQ(outcome.out, "max      0.125\n"
+                           "mae      0.125\n"
+                           "rmse     0.125\n"
+                           "psnr     18.06 dB\n"
+                           "unequal  1 of the pixels\n"
+                           "share    1 of the pixels by more than 1/255\n");
+}
+
+TEST_F(Diff, JudgesByMetricAndTolerance) {
+    const std::string diff = "diff -q a.pfm b.pfm ";
+    for (const char* metric : {"max", "mae", "rmse"}) {
+        EXPECT_EQ(glint(diff + "--tolerance 0.125 --metric " + metric).exit, 0) << metric;
+        EXPECT_EQ(glint(diff + "--tolerance 0.124 --metric " + metric).exit, 1) << metric;
+    }
+    EXPECT_EQ(glint(diff + "--metric psnr --tolerance 18").exit, 0);
+    EXPECT_EQ(glint(diff + "--metric psnr --tolerance 19").exit, 1);
+    EXPECT_EQ(glint(diff + "--metric share --tolerance 1").exit, 0);
+    EXPECT_EQ(glint(diff + "--metric share --tolerance 0.99").exit, 1);
+}
+
+TEST_F(Diff, ComparesEightBitPicturesInTheirUnits) {
+    for (const char* value : {"128", "131"}) {
+        const std::string level = std::string(value) + ".5/255";
+        const double v = (std::stod(value) + 0.5) / 255;
+        const std::string gray = std::to_string(v) + "," + std::to_string(v) + "," + std::to_string(v);
+        ASSERT_EQ(glint("dark.toml -q --view raw -D render.background=[" + gray +
+                        "] -D sphere.0.visible=false -o " + value + ".png")
+                      .exit,
+                  0);
+    }
+    const Outcome outcome = glint("diff 128.png 131.png --tolerance 3");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("max      3 of 255\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Diff, DrawsTheDifferences) {
+    EXPECT_EQ(glint("diff a.pfm b.pfm -o heat.png").exit, 1);
+    EXPECT_EQ(content("heat.png").substr(1, 3), "PNG");
+    const Outcome piped = glint("diff a.pfm b.pfm -o -");
+    EXPECT_EQ(piped.exit, 1);
+    EXPECT_EQ(piped.out, content("heat.png")) << "the table makes way for the picture";
+}
+
+TEST_F(Diff, RefusesPicturesOfDifferentSizes) {
+    const Outcome outcome = glint("diff a.pfm wide.pfm");
+    EXPECT_EQ(outcome.exit, 3);
+    EXPECT_NE(outcome.err.find("different sizes: 4×3 and 5×3"), std::string::npos) << outcome.err;
+}
+
+class New : public Workplace {
+  public:
+    std::vector<std::string> templates() const { return words_of(glint("new --list").out); }
+};
+
+TEST_F(New, WritesStartersThatPassTheCheck) {
+    ASSERT_FALSE(templates().empty());
+    write("model.ply", content("mesh.ply")); // the reader's own mesh, which one of them names
+    for (const std::string& name : templates()) {
+        ASSERT_EQ(glint("new " + name + " -o " + name + ".toml").exit, 0);
+        const Outcome check = glint("check " + name + ".toml");
+        EXPECT_EQ(check.exit, 0) << check.err;
+        EXPECT_EQ(check.err, "") << "a starter does not warn";
+    }
+}
+
+TEST_F(New, WritesTheFirstTemplateToStdout) {
+    const Outcome outcome = glint("new");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_EQ(outcome.out, glint("new " + templates().front()).out);
+    EXPECT_NE(outcome.out.find("[camera]"), std::string::npos) << outcome.out;
+}
+
+TEST_F(New, OverwritesOnlyByForce) {
+    const Outcome refused = glint("new -o good.toml");
+    EXPECT_EQ(refused.exit, 4);
+    EXPECT_NE(refused.err.find("--force overwrites it"), std::string::npos) << refused.err;
+    EXPECT_EQ(glint("new -o good.toml --force").exit, 0);
+    EXPECT_EQ(content("good.toml"), glint("new").out);
+}
+
+} // namespace
+} // namespace glint::test

@@ -1,0 +1,193 @@
+// What render writes, and where it says what.
+
+#include "workplace.h"
+
+#include <nlohmann/json.hpp>
+
+#include <regex>
+#include <unistd.h>
+
+namespace glint::test {
+namespace {
+
+const std::string png_signature = "\x89PNG\r\n\x1a\n";
+
+/// The pixels' hash in the closing line.
+std::string hash_of(const Outcome& outcome) {
+    std::smatch match;
+    return std::regex_search(outcome.err, match, std::regex("hash ([0-9a-f]{32})\n")) ? match[1].str()
+                                                                                      : "none";
+}
+
+class Render : public Workplace {};
+
+TEST_F(Render, WithoutACommandIsRender) {
+    EXPECT_EQ(glint("good.toml -o a.png").exit, 0);
+    EXPECT_EQ(glint("render good.toml -o b.png").exit, 0);
+    EXPECT_EQ(content("a.png").substr(0, 8), png_signature);
+    EXPECT_EQ(content("a.png"), content("b.png"));
+}
+
+TEST_F(Render, ClosesWithOneLineThatSaysWhatWasDone) {
+    const Outcome outcome = glint("good.toml --spp 4 -o a.png");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(std::regex_match(outcome.err,
+                                 std::regex("a\\.png: 16×12, 4 spp, 1 object, [0-9.]+ s, [0-9.]+ Mrays/s, "
+                                            "hash [0-9a-f]{32}\n")))
+        << outcome.err;
+}
+
+TEST_F(Render, CountsTheTrianglesOfAMesh) {
+    const Outcome outcome = glint("mesh.ply --size 8x8 --spp 1");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("mesh.png: 8×8, 1 spp, 4 triangles, "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("note: "), std::string::npos) << "the guess of the up axis is said\n"
+                                                             << outcome.err;
+}
+
+TEST_F(Render, NamesThePictureAfterTheSceneInTheWorkingFolder) {
+    write("empty/nested.toml", content("good.toml"));
+    const Outcome outcome = glint("empty/nested.toml");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_TRUE(exists("nested.png"));
+    EXPECT_EQ(outcome.err.rfind("nested.png: ", 0), 0u) << outcome.err;
+}
+
+TEST_F(Render, ReadsASceneFromStdin) {
+    Setting setting;
+    setting.input = content("good.toml");
+    EXPECT_EQ(glint("-", setting).exit, 0);
+    EXPECT_EQ(content("stdin.png").substr(0, 8), png_signature);
+}
+
+TEST_F(Render, WritesNothingButThePictureToStdout) {
+    EXPECT_EQ(glint("good.toml -o a.png").exit, 0);
+    const Outcome outcome = glint("good.toml -v -o -");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_EQ(outcome.out, content("a.png"));
+    EXPECT_NE(outcome.err.find("stdout: 16×12"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Render, TakesAFileNamedLikeACommand) {
+    write("check", content("good.toml"));
+    const Outcome outcome = glint("./check -o a.png");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_TRUE(exists("a.png"));
+}
+
+TEST_F(Render, OverwritesAnOlderPictureAndLeavesNoOtherFile) {
+    const std::string before = listing();
+    write("good.png", "older");
+    EXPECT_EQ(glint("good.toml").exit, 0);
+    EXPECT_EQ(content("good.png").substr(0, 8), png_signature);
+    std::filesystem::remove(path("good.png"));
+    EXPECT_EQ(listing(), before);
+}
+
+TEST_F(Render, IsSilentWhenQuiet) {
+    const Outcome outcome = glint("dark.toml -q");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_TRUE(exists("dark.png"));
+}
+
+TEST_F(Render, WarnsOfDarkness) {
+    const Outcome outcome = glint("dark.toml");
+    EXPECT_EQ(outcome.exit, 0);
+    EXPECT_NE(outcome.err.find("warning: "), std::string::npos) << outcome.err;
+}
+
+TEST_F(Render, SaysMoreWhenVerbose) {
+    const Outcome outcome = glint("good.toml -v");
+    EXPECT_NE(outcome.err.find("rays: 192 primary, "), std::string::npos) << outcome.err;
+}
+
+TEST_F(Render, MakesTheSamePictureOnAnyNumberOfThreadsAndTiles) {
+    const std::string hash = hash_of(glint("good.toml --size 64x48 --spp 4 -t 1"));
+    EXPECT_NE(hash, "none");
+    EXPECT_EQ(hash_of(glint("good.toml --size 64x48 --spp 4 --threads 64 --tile-size 3")), hash);
+    EXPECT_NE(hash_of(glint("good.toml --size 64x48 --spp 4 --seed 1")), hash);
+}
+
+TEST_F(Render, RunsAsManyThreadsAsAsked) {
+    ASSERT_EQ(glint("good.toml --size 64x64 --tile-size 4 --threads 64 --stats s.json").exit, 0);
+    EXPECT_EQ(nlohmann::json::parse(content("s.json"))["threads"], 64);
+}
+
+TEST_F(Render, CropsAPartOfTheWhole) {
+    EXPECT_EQ(glint("good.toml -o a.pfm --crop 4,3,8,6").exit, 0);
+    EXPECT_EQ(content("a.pfm").rfind("PF\n8 6\n", 0), 0u);
+}
+
+TEST_F(Render, TellsItsStatisticsAsJson) {
+    ASSERT_EQ(glint("good.toml --spp 4 --max-depth 3 --stats s.json").exit, 0);
+    const auto stats = nlohmann::json::parse(content("s.json"));
+    EXPECT_EQ(stats["file"], "good.toml");
+    EXPECT_EQ(stats["output"], "good.png");
+    EXPECT_EQ(stats["width"], 16);
+    EXPECT_EQ(stats["height"], 12);
+    EXPECT_EQ(stats["complete"], true);
+    EXPECT_EQ(stats["scene"]["spheres"], 1);
+    EXPECT_EQ(stats["rays"]["primary"], 16 * 12 * 4);
+    EXPECT_EQ(stats["settings"]["max_depth"], "3");
+    EXPECT_EQ(stats["hash"].get<std::string>().size(), 32u);
+    EXPECT_GE(stats["seconds"]["total"].get<double>(), stats["seconds"]["render"].get<double>());
+}
+
+TEST_F(Render, PrintsStatisticsToStdout) {
+    const Outcome outcome = glint("good.toml --stats -");
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["hash"], hash_of(outcome));
+}
+
+TEST_F(Render, PutsTheTermsIntoLayers) {
+    if (!GLINT_EXR) GTEST_SKIP() << "built without OpenEXR";
+    EXPECT_EQ(glint("good.toml -o a.exr --layers --alpha").exit, 0);
+    const std::string file = content("a.exr");
+    for (const char* layer :
+         {"ambient.R", "diffuse.R", "highlight.R", "clamp.R", "reflection.R", "transmission.R", "emission.R"})
+        EXPECT_NE(file.find(layer), std::string::npos) << layer;
+}
+
+TEST_F(Render, PutsTheCoverageIntoAlpha) {
+    EXPECT_EQ(glint("good.toml -o a.png --alpha --bits 16").exit, 0);
+    // IHDR: 16 bits, colour type 6 is RGB with alpha.
+    EXPECT_EQ(content("a.png").substr(24, 2), "\x10\x06");
+}
+
+TEST_F(Render, ReportsProgressAsJson) {
+    const Outcome outcome = glint("good.toml --progress json");
+    const std::string first = outcome.err.substr(0, outcome.err.find('\n'));
+    EXPECT_EQ(nlohmann::json::parse(first)["event"], "progress") << outcome.err;
+}
+
+TEST_F(Render, SetsValuesOfTheScene) {
+    const std::string hash = hash_of(glint("good.toml"));
+    EXPECT_NE(hash_of(glint("good.toml -D light.0.intensity=10")), hash);
+    EXPECT_EQ(hash_of(glint("good.toml -D light.0.intensity=10 -D light.0.intensity=30")), hash);
+}
+
+TEST_F(Render, PaintsMessagesOnlyWhenWanted) {
+    const std::string escape = "\x1b[";
+    EXPECT_EQ(glint("bad.toml").err.find(escape), std::string::npos) << "not on a pipe";
+    EXPECT_NE(glint("bad.toml --color always").err.find(escape), std::string::npos);
+}
+
+TEST_F(Render, RefusesAKindOfPictureThatWasNotBuilt) {
+    if (GLINT_EXR) GTEST_SKIP() << "built with OpenEXR";
+    const Outcome outcome = glint("long.toml -o a.exr");
+    EXPECT_EQ(outcome.exit, 4);
+    EXPECT_NE(outcome.err.find("built without OpenEXR"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Render, RefusesAPictureBeyondTheMemory) {
+    const double pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
+    const double memory = pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (!GLINT_EXR || memory > 96.0 * (1 << 30)) GTEST_SKIP() << "no picture is too large for this machine";
+    const Outcome outcome = glint("good.toml --size 65536x16384 --layers -o a.exr");
+    EXPECT_EQ(outcome.exit, 5) << outcome.err;
+    EXPECT_NE(outcome.err.find("render it in parts with --crop"), std::string::npos) << outcome.err;
+}
+
+} // namespace
+} // namespace glint::test

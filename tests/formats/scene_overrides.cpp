@@ -1,0 +1,170 @@
+// -D path=value.
+
+#include "scene_support.h"
+
+namespace glint::test {
+namespace {
+
+constexpr const char* scene_text = R"([material.glass]
+index = 1.5
+[material."v1.2"]
+[[sphere]]
+name = "ball"
+center = [0, 0, 0]
+radius = 1
+material = "glass"
+[[mesh]]
+name = "cat"
+file = "cat.ply"
+material = "glass"
+[[sphere]]
+name = "1"
+center = [5, 0, 0]
+radius = 2
+material = "glass"
+[[light]]
+type = "point"
+position = [0, 0, 9]
+intensity = 1
+[[light]]
+type = "ambient"
+)";
+
+SceneDescription with(std::vector<Override> overrides) {
+    return parse(scene_text, std::move(overrides)).description;
+}
+
+Diagnostic only_error(std::vector<Override> overrides, std::string_view text = scene_text) {
+    const auto errors = errors_of(text, std::move(overrides));
+    EXPECT_EQ(errors.size(), 1u);
+    return errors.empty() ? Diagnostic{} : errors.front();
+}
+
+TEST(SceneOverrides, SetKeysOfTables) {
+    EXPECT_EQ(with({"whitted.max_depth=3"}).whitted.max_depth, 3);
+    EXPECT_EQ(with({"render.size=[10, 20]"}).render.height, 20);
+    EXPECT_EQ(with({"render.filter=\"box\""}).render.filter, PixelFilter::box);
+    EXPECT_EQ(with({"whitted.clamp = true"}).whitted.clamp, true);
+}
+
+TEST(SceneOverrides, MakeTablesThatTheFileLacks) {
+    const auto camera = with({"camera.eye=[1,2,3]", "camera.look_at=[0,0,0]"}).camera;
+    ASSERT_TRUE(camera);
+    EXPECT_EQ(camera->eye, Vec3(1, 2, 3));
+    EXPECT_EQ(camera->direction, Vec3(-1, -2, -3));
+}
+
+TEST(SceneOverrides, SetKeysOfTheTop) {
+    const auto scene = parse("[material.m]\ncolor = \"#808080\"\n", {"color_values=linear", "version=1"});
+    EXPECT_EQ(scene.description.materials[0].color, Vec3(128 / 255.0));
+}
+
+TEST(SceneOverrides, FindTablesByName) {
+    EXPECT_EQ(with({"material.glass.index=1.33"}).materials[0].index, 1.33);
+    EXPECT_EQ(with({"material.v1.2.index=1.25"}).materials[1].index, 1.25);
+    EXPECT_EQ(with({"material.\"v1.2\".index=1.25"}).materials[1].index, 1.25);
+    EXPECT_EQ(std::get<SphereShape>(with({"sphere.ball.radius=7"}).objects[0].shape).radius, 7);
+    EXPECT_EQ(std::get<MeshShape>(with({"mesh.cat.file=other.ply"}).objects[1].shape).file, "other.ply");
+}
+
+TEST(SceneOverrides, FindTablesByNumberWithinTheirTypeUnlessThatIsAName) {
+    EXPECT_EQ(std::get<PointLight>(with({"light.0.intensity=500"}).lights[0].kind).intensity, 500);
+    EXPECT_EQ(std::get<AmbientLight>(with({"light.1.color=[1,2,3]"}).lights[1].kind).color, Vec3(1, 2, 3));
+    EXPECT_EQ(std::get<SphereShape>(with({"sphere.0.radius=7"}).objects[0].shape).radius, 7);
+    EXPECT_EQ(std::get<SphereShape>(with({"sphere.1.radius=7"}).objects[2].shape).radius, 7);
+}
+
+TEST(SceneOverrides, AddKeysThatTheTableLacks) {
+    EXPECT_EQ(with({"sphere.ball.priority=2"}).objects[0].priority, 2);
+    EXPECT_EQ(with({"sphere.ball.transform=[{ translate = [1, 0, 0] }]"}).objects[0].transform[3].x, 1);
+    EXPECT_TRUE(with({"material.glass.fresnel=true"}).materials[0].fresnel);
+}
+
+TEST(SceneOverrides, TheLaterWins) {
+    EXPECT_EQ(with({"whitted.max_depth=3", "whitted.max_depth=5"}).whitted.max_depth, 5);
+}
+
+TEST(SceneOverrides, ObjectsKeepTheirOrder) {
+    const auto d = with({"sphere.1.radius=7", "mesh.cat.scale=2"});
+    EXPECT_TRUE(std::holds_alternative<MeshShape>(d.objects[1].shape));
+    EXPECT_EQ(d.objects[2].name, "1");
+}
+
+TEST(SceneOverrides, WhatIsNotTomlIsText) {
+    EXPECT_EQ(with({"render.integrator=whitted"}).render.integrator, "whitted");
+    EXPECT_EQ(with({"material.glass.color=white"}).materials[0].color, Vec3(1));
+    EXPECT_EQ(with({"material.glass.color=#fff"}).materials[0].color, Vec3(1));
+    EXPECT_EQ(with({"mesh.cat.file=a=b c.ply"}).objects.size(), 3u);
+    EXPECT_EQ(std::get<MeshShape>(with({"mesh.cat.file=../a=b c.ply"}).objects[1].shape).file,
+              "../a=b c.ply");
+}
+
+TEST(SceneOverrides, MendAFileThatIsWrong) {
+    EXPECT_TRUE(errors_of("[whitted]\nmax_depth = -1\n", {"whitted.max_depth=3"}).empty());
+    EXPECT_TRUE(errors_of("[camera]\nlook_at = [0,0,0]\n", {"camera.eye=[0,1,0]"}).empty());
+}
+
+TEST(SceneOverrides, ErrorsNameTheOverride) {
+    const auto error = only_error({"whitted.clamp=true", "sphere.ball.radius=-1"});
+    EXPECT_EQ(error.location, (Location{"-D sphere.ball.radius=-1", 0, 0, {}}));
+    EXPECT_EQ(error.message, "\"radius\" must be above 0 and at most 1e+12, found -1");
+    EXPECT_EQ(error.excerpt, "");
+    EXPECT_EQ(to_string(error),
+              "-D sphere.ball.radius=-1: error: \"radius\" must be above 0 and at most 1e+12, found -1");
+}
+
+TEST(SceneOverrides, PathsThatLeadNowhereAreErrors) {
+    const struct {
+        const char* text;
+        const char* message;
+        const char* hint;
+    } cases[] = {
+        {"whited.max_depth=3", "unknown table \"whited\"", "did you mean \"whitted\"?"},
+        {"whitted.depth=3", "unknown key \"depth\" in [whitted]", "max_depth"},
+        {"colour_values=linear", "unknown key \"colour_values\"", "did you mean \"color_values\"?"},
+        {"camera=3", "\"camera\" is a table, not a value", "camera.eye=…"},
+        {"whitted.a.b=3", "[whitted] has no parts named \"a\"", "whitted.max_depth=…"},
+        {"material.glas.index=1", "no material \"glas\"", "did you mean \"glass\"?"},
+        {"sphere.bal.radius=1", "no sphere \"bal\"", "did you mean \"ball\"?"},
+        {"sphere.radius=1", "which \"sphere\"?", "sphere.NAME."},
+        {"light.2.intensity=1", "no light \"2\"", "the scene has 2, numbered from 0"},
+        {"light.-1.intensity=1", "no light \"-1\"", "numbered from 0"},
+        {"plane.0.offset=1", "no plane \"0\"", "the scene has no plane"},
+        {"transform.0.angle=1", "unknown table \"transform\"", ""},
+        {"sphere.ball.blend=1", "unknown key \"blend\" in [[sphere]]", ""},
+        {"light.1.intensity=1", "key \"intensity\" does not belong to [[light]] with type = \"ambient\"", ""},
+        {"light.0.radiant_intensity=1", "\"radiant_intensity\" cannot go together with \"intensity\"", ""},
+        {"whitted.max_depth=abc", "expected an integer for \"max_depth\", found a string", ""},
+        {"whitted.max_depth=3\nclamp = true", "expected an integer for \"max_depth\", found a string", ""},
+        {"sphere.ball.material=glas", "unknown material \"glas\"", "did you mean \"glass\"?"},
+        {"=3", "unknown key \"\"", ""},
+        {"sphere.ball.=3", "unknown key \"\" in [[sphere]]", ""},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.text);
+        const auto error = only_error({c.text});
+        EXPECT_EQ(error.location.file, "-D " + std::string(c.text));
+        EXPECT_NE(error.message.find(c.message), std::string::npos) << error.message;
+        EXPECT_NE(error.hint.find(c.hint), std::string::npos) << error.hint;
+    }
+}
+
+TEST(SceneOverrides, AMissingKeyOfATableMadeByAnOverrideNamesTheOverride) {
+    const auto error = only_error({"camera.eye=[1,2,3]"}, "");
+    EXPECT_EQ(error.location.file, "-D camera.eye=[1,2,3]");
+    EXPECT_EQ(error.message, "missing required key \"look_at\" (or \"direction\") in [camera]");
+}
+
+TEST(SceneOverrides, WithoutAnEqualsSignTheUsageIsWrong) {
+    try {
+        parse("", {"whitted.max_depth"});
+        FAIL() << "accepted an override without a value";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::usage);
+        EXPECT_NE(error.diagnostics()[0].message.find("-D whitted.max_depth has no value"),
+                  std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace glint::test

@@ -1,0 +1,216 @@
+// Sphere, cylinder, plane against closed forms.
+
+#include "geometry/quadric.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+namespace glint {
+namespace {
+
+const Sphere unit_sphere{};
+/// Radius 2, from z = 1 to z = 4.
+const Cylinder drum{{0, 0, 1}, {0, 0, 1}, 3.0, 2.0};
+
+TEST(Sphere, IsEnteredAndLeft) {
+    Interval t{};
+    ASSERT_TRUE(intersect({{0, 0, -5}, {0, 0, 1}}, unit_sphere, t));
+    EXPECT_EQ(t.enter, 4.0);
+    EXPECT_EQ(t.leave, 6.0);
+    ASSERT_TRUE(intersect({{0, 0, -5}, {0, 0, 2}}, unit_sphere, t)) << "t counts in the direction's length";
+    EXPECT_EQ(t.enter, 2.0);
+    EXPECT_EQ(t.leave, 3.0);
+}
+
+TEST(Sphere, SurroundsTheOrigin) {
+    Interval t{};
+    ASSERT_TRUE(intersect({{0.5, 0, 0}, {1, 0, 0}}, unit_sphere, t));
+    EXPECT_EQ(t.enter, -1.5);
+    EXPECT_EQ(t.leave, 0.5);
+    ASSERT_TRUE(intersect({{0, 0, 0}, {0, -1, 0}}, unit_sphere, t)) << "from the centre";
+    EXPECT_EQ(t.enter, -1.0);
+    EXPECT_EQ(t.leave, 1.0);
+}
+
+TEST(Sphere, IsTouchedByATangent) {
+    Interval t{};
+    ASSERT_TRUE(intersect({{1, 0, -5}, {0, 0, 1}}, unit_sphere, t));
+    EXPECT_EQ(t.enter, 5.0);
+    EXPECT_EQ(t.leave, 5.0);
+    ASSERT_TRUE(intersect({{1, 0, 0}, {0, 0, 1}}, unit_sphere, t)) << "from the point of contact";
+    EXPECT_EQ(t.enter, 0.0);
+    EXPECT_EQ(t.leave, 0.0);
+    EXPECT_FALSE(intersect({{std::nextafter(1.0, 2.0), 0, -5}, {0, 0, 1}}, unit_sphere, t));
+}
+
+TEST(Sphere, IsExactFromFarAway) {
+    // The square of the distance swallows the radius; the roots must not mind.
+    Interval t{};
+    ASSERT_TRUE(intersect({{0.6, 0, -1e7}, {0, 0, 1}}, unit_sphere, t));
+    EXPECT_NEAR(t.enter, 1e7 - 0.8, 4e-9);
+    EXPECT_NEAR(t.leave, 1e7 + 0.8, 4e-9);
+}
+
+TEST(Sphere, MissesByNaN) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Interval t{};
+    EXPECT_FALSE(intersect({{nan, 0, -5}, {0, 0, 1}}, unit_sphere, t));
+    EXPECT_FALSE(intersect({{0, 0, -5}, {0, nan, 1}}, unit_sphere, t));
+}
+
+TEST(Sphere, SurfaceIsNearest) {
+    const ExactPoint point = surface(Sphere{{1, 2, 3}, 2.0}, {1, 2, 9});
+    EXPECT_EQ(point.p, dvec3(1, 2, 5));
+    EXPECT_EQ(point.n, dvec3(0, 0, 1));
+}
+
+TEST(Cylinder, IsEnteredThroughItsSide) {
+    CylinderInterval t{};
+    ASSERT_TRUE(intersect({{-5, 0, 2}, {1, 0, 0}}, drum, t));
+    EXPECT_EQ(t.t.enter, 3.0);
+    EXPECT_EQ(t.t.leave, 7.0);
+    EXPECT_EQ(t.enter_part, CylinderPart::side);
+    EXPECT_EQ(t.leave_part, CylinderPart::side);
+    EXPECT_FALSE(intersect({{-5, 0, 4.5}, {1, 0, 0}}, drum, t)) << "over the top";
+    EXPECT_FALSE(intersect({{-5, 2.5, 2}, {1, 0, 0}}, drum, t)) << "past the side";
+}
+
+TEST(Cylinder, IsEnteredThroughItsCaps) {
+    CylinderInterval t{};
+    ASSERT_TRUE(intersect({{1, 1, -1}, {0, 0, 1}}, drum, t));
+    EXPECT_EQ(t.t.enter, 2.0);
+    EXPECT_EQ(t.t.leave, 5.0);
+    EXPECT_EQ(t.enter_part, CylinderPart::base_cap);
+    EXPECT_EQ(t.leave_part, CylinderPart::top_cap);
+    ASSERT_TRUE(intersect({{1, 1, 6}, {0, 0, -1}}, drum, t));
+    EXPECT_EQ(t.t.enter, 2.0);
+    EXPECT_EQ(t.enter_part, CylinderPart::top_cap);
+    EXPECT_EQ(t.leave_part, CylinderPart::base_cap);
+    EXPECT_FALSE(intersect({{1.5, 1.5, -1}, {0, 0, 1}}, drum, t)) << "beside the cap";
+}
+
+TEST(Cylinder, IsCrossedFromCapToSide) {
+    CylinderInterval t{};
+    ASSERT_TRUE(intersect({{0, 0, 0}, {1, 0, 1}}, drum, t));
+    EXPECT_EQ(t.t.enter, 1.0);
+    EXPECT_EQ(t.t.leave, 2.0);
+    EXPECT_EQ(t.enter_part, CylinderPart::base_cap);
+    EXPECT_EQ(t.leave_part, CylinderPart::side);
+}
+
+TEST(Cylinder, SurroundsTheOrigin) {
+    CylinderInterval t{};
+    ASSERT_TRUE(intersect({{0, 0, 2}, {0, 0, 1}}, drum, t)) << "on the axis";
+    EXPECT_EQ(t.t.enter, -1.0);
+    EXPECT_EQ(t.t.leave, 2.0);
+    ASSERT_TRUE(intersect({{1, 0, 2}, {0, 1, 0}}, drum, t));
+    EXPECT_NEAR(t.t.enter, -std::sqrt(3.0), 1e-15);
+    EXPECT_NEAR(t.t.leave, std::sqrt(3.0), 1e-15);
+}
+
+TEST(Cylinder, HasOneWayInAndOneOutAtItsRim) {
+    CylinderInterval t{};
+    // Exactly through both rims.
+    ASSERT_TRUE(intersect({{-3.0, 0, 0.25}, {4, 0, 3}}, Cylinder{{0, 0, 1}, {0, 0, 1}, 3.0, 2.0}, t));
+    EXPECT_EQ(t.t.enter, 0.25);
+    EXPECT_EQ(t.t.leave, 1.25);
+    // Touching the rim from outside.
+    ASSERT_TRUE(intersect({{1, 0, 5}, {1, 0, -1}}, drum, t));
+    EXPECT_EQ(t.t.enter, 1.0);
+    EXPECT_EQ(t.t.leave, 1.0);
+    // Down the side and along the cap, both on the surface.
+    EXPECT_TRUE(intersect({{2, 0, 9}, {0, 0, -1}}, drum, t));
+    EXPECT_TRUE(intersect({{-9, 0, 4}, {1, 0, 0}}, drum, t));
+}
+
+TEST(Cylinder, TurnsWithItsAxis) {
+    // The drum along any axis, and mirrored, to the bit.
+    CylinderInterval reference{};
+    const Line line{{-3.1, 0.4, 0.3}, {1.1, 0.2, 0.7}};
+    ASSERT_TRUE(intersect(line, drum, reference));
+    const auto swapped = [](const dvec3& v) { return dvec3(v.y, v.x, v.z); };
+    const auto mirrored = [](const dvec3& v) { return dvec3(-v.x, v.y, v.z); };
+    const dvec3 axis = glm::normalize(dvec3(0.3, -0.5, 0.8));
+    const Cylinder slanted{{0.1, 0.2, 0.3}, axis, 3.0, 2.0};
+    CylinderInterval slanted_t{};
+    ASSERT_TRUE(intersect(line, slanted, slanted_t));
+    for (const auto& turn :
+         {std::function<dvec3(const dvec3&)>(swapped), std::function<dvec3(const dvec3&)>(mirrored)}) {
+        CylinderInterval t{};
+        ASSERT_TRUE(intersect({turn(line.origin), turn(line.direction)},
+                              Cylinder{turn(slanted.base), turn(axis), 3.0, 2.0}, t));
+        EXPECT_EQ(t.t.enter, slanted_t.t.enter);
+        EXPECT_EQ(t.t.leave, slanted_t.t.leave);
+    }
+}
+
+TEST(Cylinder, AgreesWithPointsInside) {
+    // A point of the line is inside the solid exactly between the two roots.
+    std::mt19937_64 engine(5);
+    const auto number = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0; };
+    int hits = 0;
+    for (int round = 0; round < 100'000; ++round) {
+        const dvec3 axis = glm::normalize(dvec3{number(), number(), number() + 1e-3});
+        const Cylinder c{{number(), number(), number()}, axis, 1.0 + number() * 0.9, 1.0 + number() * 0.9};
+        const Line line{{number() * 4, number() * 4, number() * 4}, {number(), number(), number()}};
+        const auto inside = [&](double t) {
+            const dvec3 v = line.origin + line.direction * t - c.base;
+            const double h = glm::dot(axis, v);
+            return h >= 0 && h <= c.height && glm::length(v - axis * h) <= c.radius;
+        };
+        CylinderInterval t{};
+        const bool hit = intersect(line, c, t);
+        hits += hit ? 1 : 0;
+        if (hit) {
+            const double length = t.t.leave - t.t.enter;
+            if (length < 1e-9) continue;
+            ASSERT_TRUE(inside(t.t.enter + length * 1e-4) && inside(t.t.leave - length * 1e-4)) << round;
+            ASSERT_FALSE(inside(t.t.enter - length * 1e-4) || inside(t.t.leave + length * 1e-4)) << round;
+        } else {
+            for (int i = -50; i <= 50; ++i) ASSERT_FALSE(inside(0.1 * i)) << round;
+        }
+    }
+    EXPECT_GT(hits, 5000);
+}
+
+TEST(Cylinder, SurfaceIsNearestOnThePartHit) {
+    EXPECT_EQ(surface(drum, CylinderPart::side, {4, 0, 2}).p, dvec3(2, 0, 2));
+    EXPECT_EQ(surface(drum, CylinderPart::side, {4, 0, 2}).n, dvec3(1, 0, 0));
+    EXPECT_EQ(surface(drum, CylinderPart::base_cap, {1, 0, 1.1}).p, dvec3(1, 0, 1));
+    EXPECT_EQ(surface(drum, CylinderPart::base_cap, {1, 0, 1.1}).n, dvec3(0, 0, -1));
+    EXPECT_EQ(surface(drum, CylinderPart::top_cap, {1, 0, 4.1}).p, dvec3(1, 0, 4));
+    EXPECT_EQ(surface(drum, CylinderPart::top_cap, {1, 0, 4.1}).n, dvec3(0, 0, 1));
+}
+
+TEST(Plane, IsMetWhereItsEquationHolds) {
+    const Plane plane{{0, 0, 2}, 6}; // z = 3
+    double t = 0;
+    ASSERT_TRUE(intersect({{7, 8, 1}, {0, 1, 4}}, plane, t));
+    EXPECT_EQ(t, 0.5);
+    EXPECT_FALSE(intersect({{0, 0, 3}, {1, 1, 0}}, plane, t)) << "parallel";
+    EXPECT_EQ(surface(plane, {7, 8, 5}).p, dvec3(7, 8, 3));
+    EXPECT_EQ(surface(plane, {7, 8, 5}).n, dvec3(0, 0, 1)) << "of unit length";
+}
+
+TEST(Extent, IsTight) {
+    const Interval sphere = extent(Sphere{{1, 2, 3}, 2}, {0, 1, 0});
+    EXPECT_EQ(sphere.enter, 0.0);
+    EXPECT_EQ(sphere.leave, 4.0);
+    const Interval along = extent(drum, {0, 0, -1});
+    EXPECT_EQ(along.enter, -4.0);
+    EXPECT_EQ(along.leave, -1.0);
+    const Interval across = extent(drum, {1, 0, 0});
+    EXPECT_EQ(across.enter, -2.0);
+    EXPECT_EQ(across.leave, 2.0);
+    const double r = std::sqrt(0.5);
+    const Interval slanted = extent(Cylinder{{0, 0, 0}, {r, 0, r}, 2.0, 1.0}, {1, 0, 0});
+    EXPECT_NEAR(slanted.enter, -r, 1e-15);
+    EXPECT_NEAR(slanted.leave, 3 * r, 1e-15);
+}
+
+} // namespace
+} // namespace glint

@@ -1,0 +1,143 @@
+#include "request.h"
+
+#include <charconv>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace glint::meshgen {
+namespace {
+
+const std::vector<std::pair<std::string, Kind>>& kinds() {
+    static const std::vector<std::pair<std::string, Kind>> all{
+        {"gyroid", Kind::gyroid},       {"knot", Kind::knot},
+        {"torus", Kind::torus},         {"shell", Kind::shell},
+        {"icosphere", Kind::icosphere}, {"terrain", Kind::terrain},
+        {"flake", Kind::flake},         {"city", Kind::city}};
+    return all;
+}
+
+[[noreturn]] void refuse(const std::string& message, const std::string& hint) {
+    throw Error(ErrorKind::usage, message, hint);
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+    const std::optional<std::string> nearest = nearest_name(word, names);
+    return nearest ? "did you mean " + *nearest + "?" : "see glint-meshgen --help";
+}
+
+Kind parse_kind(const std::string& word) {
+    std::vector<std::string> names;
+    for (const auto& [name, kind] : kinds()) {
+        if (name == word) return kind;
+        names.push_back(name);
+    }
+    refuse("there is no shape called '" + word + "'", suggestion(word, names));
+}
+
+int parse_count(const std::string& option, const std::string& text, int least, int most) {
+    int value = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault != std::errc() || end != text.data() + text.size() || value < least || value > most) {
+        refuse("'" + text + "' is no value for " + option,
+               "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    }
+    return value;
+}
+
+PlyFormat parse_format(const std::string& text) {
+    if (text == "ascii") return PlyFormat::ascii;
+    if (text == "binary") return PlyFormat::binary_little_endian;
+    if (text == "big-endian") return PlyFormat::binary_big_endian;
+    refuse("'" + text + "' is no value for --format", "expected ascii, binary or big-endian");
+}
+
+// An option that takes a value, and what to do with it.
+struct Option {
+    std::string name;
+    std::function<void(Request&, const std::string&)> set;
+};
+
+Option counted(const std::string& name, int least, int most, std::function<void(Request&, int)> set) {
+    return {name, [=](Request& r, const std::string& text) { set(r, parse_count(name, text, least, most)); }};
+}
+
+const std::vector<Option>& options() {
+    static const std::vector<Option> all{
+        {"-o", [](Request& r, const std::string& text) { r.output = text; }},
+        {"--format", [](Request& r, const std::string& text) { r.format = parse_format(text); }},
+        counted("--triangles", 20, 20'000'000, [](Request& r, int n) { r.triangles = n; }),
+        counted("-p", 1, 50, [](Request& r, int n) { r.p = n; }),
+        counted("-q", 1, 50, [](Request& r, int n) { r.q = n; }),
+        counted("--seed", 0, 1'000'000'000, [](Request& r, int n) { r.seed = static_cast<unsigned>(n); }),
+        counted("--levels", 0, 7, [](Request& r, int n) { r.levels = n; }),
+        counted("--rings", 1, 100, [](Request& r, int n) { r.rings = n; })};
+    return all;
+}
+
+// Reads the option at `i` and its value, and returns where the next one is.
+std::size_t read_option(Request& request, const std::vector<std::string>& arguments, std::size_t i) {
+    const std::string& word = arguments[i];
+    if (word == "--colors" || word == "--flat") {
+        (word == "--flat" ? request.flat : request.colors) = true;
+        return i + 1;
+    }
+    std::vector<std::string> names{"--colors", "--flat"};
+    for (const Option& option : options()) {
+        names.push_back(option.name);
+        if (option.name != word) continue;
+        if (i + 1 == arguments.size()) refuse(word + " needs a value", "see glint-meshgen --help");
+        option.set(request, arguments[i + 1]);
+        return i + 2;
+    }
+    refuse("unknown option " + word, suggestion(word, names));
+}
+
+} // namespace
+
+bool is_scene(Kind kind) { return kind == Kind::flake || kind == Kind::city; }
+
+std::optional<Request> parse_request(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) refuse("no shape given", "expected glint-meshgen SHAPE -o FILE; see --help");
+    for (const std::string& word : arguments) {
+        if (word == "--help" || word == "-h") return std::nullopt;
+    }
+    Request request;
+    request.kind = parse_kind(arguments[0]);
+    for (std::size_t i = 1; i < arguments.size();) i = read_option(request, arguments, i);
+    if (!is_scene(request.kind) && request.output.empty()) refuse("no output given", "add -o FILE.ply");
+    if (std::gcd(request.p, request.q) != 1)
+        refuse("-p and -q have a common divisor: that is a link of several knots",
+               "take coprime numbers, such as 2 and 3");
+    return request;
+}
+
+std::string help_text() {
+    return R"(glint-meshgen SHAPE -o FILE.ply [options]   writes a mesh, z up, the same bytes on every machine
+glint-meshgen flake|city [-o FILE.toml]     prints a scene file with many objects
+
+Shapes
+  gyroid       a ball cut from a gyroid's sheet; closed
+  knot         a tube along a torus knot, the trefoil unless -p and -q say otherwise; closed
+  torus        closed
+  shell        a ribbed spiral shell; closed
+  icosphere    a sphere of equal triangles; closed, the nearest size that four-way cuts give
+  terrain      an island in the sea; open
+  flake        scene: spheres on spheres
+  city         scene: a city of cylinders
+
+Options
+  -o FILE            where to write
+  --triangles N      about as many triangles (100000)
+  --colors           colours for the vertices
+  --flat             no normals: flat faces
+  --format F         ascii, binary or big-endian (binary)
+  -p N, -q N         knot: turns about the axis (2) and through the hole (3)
+  --seed N           terrain: another island (1)
+  --levels N         flake: how often balls grow on balls (3)
+  --rings N          city: rings of towers (9)
+  -h, --help         this text
+)";
+}
+
+} // namespace glint::meshgen
