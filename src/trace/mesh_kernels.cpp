@@ -9,6 +9,7 @@
 // by operation.
 
 #include "geometry/triangle.h"
+#include "math/offset.shared.h"
 #include "trace/mesh_tree.h"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ void set_up(Group& group, std::uint8_t ray_class, const Bounds& bounds, const fl
         hn::Store(hn::Zero(df), df, group.v + i);
     }
     for (std::size_t i = 0; i < group_rays; ++i) {
-        group.limit[i] = std::nextafter(group.limit[i], -infinity);
+        group.limit[i] = next_float(group.limit[i], -1.0f);
         group.triangle[i] = no_triangle;
     }
 }
@@ -757,7 +758,7 @@ LoneEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entr
 
 Probe probe_of(const Ray& ray) {
     const ShearedRay sheared(ray);
-    const float limit = std::nextafter(ray.tmax, -infinity);
+    const float limit = next_float(ray.tmax, -1.0f);
     return {sheared.kx, sheared.ky, sheared.kz, sheared.ox, sheared.oy, sheared.oz, sheared.sx,
             sheared.sy, sheared.sz, ray.tmin,   limit,      0.0f,       0.0f,       no_triangle};
 }

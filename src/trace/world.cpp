@@ -85,6 +85,24 @@ struct Repeated {
     bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
 };
 
+/// The ray up to `limit`, inclusive.
+Ray limited(const Ray& ray, float limit) {
+    Ray part = ray;
+    part.tmax = next_float(limit, 1.0f);
+    return part;
+}
+
+/// The kernels do not tell hits on an edge apart; only those with a weight of (nearly) 0 can be.
+Hit with_edge(const WorldData& world, const Ray& ray, Hit hit) {
+    if (hit.u != 0.0f && hit.v != 0.0f && hit.u + hit.v < 0.99999f) return hit;
+    const auto mesh = std::lower_bound(world.meshes.begin(), world.meshes.end(), hit.object,
+                                       [](const auto& m, std::uint32_t object) { return m.object < object; });
+    TriangleHit again;
+    intersect_triangle(ShearedRay(ray), vertices_of(*mesh, hit.prim), ray.tmin, hit.t, again);
+    hit.on_edge = again.on_edge;
+    return hit;
+}
+
 } // namespace
 
 bool precedes(const Hit& a, const Hit& b) {
@@ -96,8 +114,15 @@ bool precedes(const Hit& a, const Hit& b) {
 }
 
 Hit World::closest(const Ray& ray) const {
+    if (!is_traceable(ray)) return {};
     Closest sink{limit_below(ray.tmax)};
-    trace(*data_, ray, ray.tmin, sink);
+    PrimitiveTester<Closest> test(*data_, ray, sink);
+    trace_quadrics(*data_, ray, ray.tmin, test, sink);
+    const TriangleRecord record = glint::closest(data_->mesh_tree, limited(ray, sink.limit));
+    if (record.triangle != no_triangle) {
+        const Hit hit = numbered_hit(*data_, record.triangle, record.t, record.u, record.v, false);
+        if (precedes(hit, sink.best)) sink.best = with_edge(*data_, ray, hit);
+    }
     return sink.best;
 }
 
@@ -108,9 +133,10 @@ Hit World::closest_brute_force(const Ray& ray) const {
 }
 
 bool World::occluded(const Ray& ray) const {
+    if (!is_traceable(ray)) return false;
     Any sink{limit_below(ray.tmax)};
-    trace(*data_, ray, ray.tmin, sink);
-    return sink.found;
+    PrimitiveTester<Any> test(*data_, ray, sink);
+    return trace_quadrics(*data_, ray, ray.tmin, test, sink) || glint::occluded(data_->mesh_tree, ray);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {
@@ -151,7 +177,7 @@ void World::crossings(const Ray& ray, std::vector<Hit>& out) const {
 }
 
 Bounds World::bounds() const {
-    Bounds box = data_->triangle_tree.bounds;
+    Bounds box = data_->mesh_tree.bounds;
     box.grow(data_->quadric_tree.bounds);
     return box;
 }

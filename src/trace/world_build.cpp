@@ -13,7 +13,6 @@ namespace glint {
 
 namespace {
 
-constexpr std::uint32_t triangles_a_leaf = 4;
 constexpr std::uint32_t quadrics_a_leaf = 2;
 
 template <class T>
@@ -32,67 +31,37 @@ dmat3 inverted(const dmat3& m) {
     return glm::transpose(dmat3(r0 / determinant, r1 / determinant, r2 / determinant));
 }
 
-/// Triangles of all meshes under one running number.
-class TriangleNumbers {
-  public:
-    explicit TriangleNumbers(const std::vector<WorldInput::Triangles>& meshes) : meshes_(meshes) {
-        for (const auto& mesh : meshes) {
-            firsts_.push_back(total_);
-            total_ += mesh.triangles.size();
-        }
-        if (total_ > std::numeric_limits<std::uint32_t>::max()) throw std::length_error("too many triangles");
-    }
-    std::uint32_t first(std::size_t mesh) const { return static_cast<std::uint32_t>(firsts_[mesh]); }
-    std::size_t total() const { return total_; }
-
-    PackedTriangle packed(std::uint32_t number) const {
-        const auto above = std::upper_bound(firsts_.begin(), firsts_.end(), std::size_t(number));
-        const std::size_t at = static_cast<std::size_t>(above - firsts_.begin()) - 1;
-        const WorldInput::Triangles& mesh = meshes_[at];
-        const std::uint32_t prim = number - first(at);
-        PackedTriangle result{{}, mesh.object, prim};
-        for (int i = 0; i < 3; ++i) {
-            const vec3& p = mesh.positions[mesh.triangles[prim][i]];
-            result.vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
-        }
-        return result;
-    }
-
-  private:
-    const std::vector<WorldInput::Triangles>& meshes_;
-    std::vector<std::size_t> firsts_;
-    std::size_t total_ = 0;
-};
-
-void add_boxes(const WorldInput::Triangles& mesh, std::uint32_t first, std::vector<BoxRef>& boxes) {
-    for (std::size_t prim = 0; prim < mesh.triangles.size(); ++prim) {
-        const uvec3 corners = mesh.triangles[prim];
+void check_corners(const WorldInput::Triangles& mesh) {
+    for (const uvec3& corners : mesh.triangles)
         if (std::max({corners.x, corners.y, corners.z}) >= mesh.positions.size())
             throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
-        const vec3& a = mesh.positions[corners.x];
-        const vec3& b = mesh.positions[corners.y];
-        const vec3& c = mesh.positions[corners.z];
-        // No ray hits a triangle with an infinite or NaN corner.
-        if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
-        boxes.push_back({glm::min(glm::min(a, b), c), first + static_cast<std::uint32_t>(prim),
-                         glm::max(glm::max(a, b), c)});
+}
+
+/// All meshes as one, for the time of the build.
+WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
+    WorldInput::Triangles all;
+    for (const auto& mesh : meshes) {
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const uvec3& corners : mesh.triangles) all.triangles.push_back(corners + first);
     }
+    return all;
 }
 
 void build_triangles(WorldData& world, TaskPool& pool) {
-    const TriangleNumbers numbers(world.meshes);
-    std::vector<BoxRef> boxes;
-    boxes.reserve(numbers.total());
-    for (std::size_t i = 0; i < world.meshes.size(); ++i) add_boxes(world.meshes[i], numbers.first(i), boxes);
-    world.triangle_tree = build_tree(std::move(boxes), triangles_a_leaf, pool);
-
-    std::vector<std::uint32_t> order = std::move(world.triangle_tree.order);
-    world.triangles.resize(order.size());
-    constexpr std::size_t chunk = 65536;
-    pool.run((order.size() + chunk - 1) / chunk, [&](std::size_t task, int) {
-        const std::size_t end = std::min(order.size(), (task + 1) * chunk);
-        for (std::size_t i = task * chunk; i < end; ++i) world.triangles[i] = numbers.packed(order[i]);
-    });
+    std::size_t triangles = 0;
+    std::size_t positions = 0;
+    for (const auto& mesh : world.meshes) {
+        check_corners(mesh);
+        world.first_numbers.push_back(static_cast<std::uint32_t>(triangles));
+        triangles += mesh.triangles.size();
+        positions += mesh.positions.size();
+    }
+    if (std::max(triangles, positions) >= no_triangle) throw std::length_error("too many triangles");
+    const WorldInput::Triangles all =
+        world.meshes.size() == 1 ? WorldInput::Triangles{} : joined(world.meshes);
+    const WorldInput::Triangles& source = world.meshes.size() == 1 ? world.meshes.front() : all;
+    world.mesh_tree = build_mesh_tree(source.positions, source.triangles, pool);
 }
 
 /// The float box around a quadric: each side the exact one, one float further out.
@@ -156,11 +125,10 @@ void count(WorldData& world, const WorldInput& input) {
     stats.spheres = input.spheres.size();
     stats.cylinders = input.cylinders.size();
     stats.planes = input.planes.size();
-    stats.nodes = world.triangle_tree.nodes.size() + world.quadric_tree.nodes.size();
-    stats.depth = std::max(world.triangle_tree.depth, world.quadric_tree.depth);
-    stats.bytes += bytes_of(world.triangle_tree.nodes) + bytes_of(world.quadric_tree.nodes) +
-                   bytes_of(world.triangles) + bytes_of(world.quadrics) + bytes_of(world.planes) +
-                   bytes_of(world.affines) + bytes_of(world.quadrics_by_number);
+    stats.nodes = world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
+    stats.depth = std::max(world.mesh_tree.depth, world.quadric_tree.depth);
+    stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
+                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.quadrics_by_number);
 }
 
 } // namespace

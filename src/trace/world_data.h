@@ -5,19 +5,15 @@
 #include "bvh/tree.h"
 #include "geometry/quadric.h"
 #include "geometry/triangle.h"
+#include "math/offset.shared.h"
+#include "trace/mesh_walk.h"
 #include "trace/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace glint {
-
-/// A triangle where its leaf finds it.
-struct PackedTriangle {
-    TriangleVertices vertices;
-    std::uint32_t object;
-    std::uint32_t prim;
-};
 
 /// A sphere or a cylinder, in its local space where it has one.
 struct Quadric {
@@ -47,14 +43,14 @@ struct Affine {
 };
 
 struct WorldData {
-    Tree triangle_tree;
-    std::vector<PackedTriangle> triangles; ///< in the order of the leaves
+    MeshTree mesh_tree; ///< of all meshes: triangles under one running number
     Tree quadric_tree;
     std::vector<Quadric> quadrics; ///< in the order of the leaves
     std::vector<NumberedPlane> planes;
     std::vector<Affine> affines;
 
     std::vector<WorldInput::Triangles> meshes;     ///< by object
+    std::vector<std::uint32_t> first_numbers;      ///< the number of each mesh's first triangle
     std::vector<std::uint32_t> quadrics_by_number; ///< into `quadrics`, by (object, prim)
     WorldStats stats;
 };
@@ -70,6 +66,24 @@ inline bool intersect(const WorldData& world, const Line& line, const Quadric& q
     return intersect(local, quadric.sphere(), inside.t);
 }
 
+/// The triangle with a running number, as a hit.
+inline Hit numbered_hit(const WorldData& world, std::uint32_t number, float t, float u, float v,
+                        bool on_edge) {
+    const auto above = std::upper_bound(world.first_numbers.begin(), world.first_numbers.end(), number);
+    const auto mesh = static_cast<std::size_t>(above - world.first_numbers.begin()) - 1;
+    return {t,      u, v, world.meshes[mesh].object, number - world.first_numbers[mesh], PrimKind::triangle,
+            on_edge};
+}
+
+inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
+    TriangleVertices vertices;
+    for (int i = 0; i < 3; ++i) {
+        const vec3& p = mesh.positions[mesh.triangles[prim][i]];
+        vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
+    }
+    return vertices;
+}
+
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
 
 /// Can the ray hit anything? NaN, infinite rays and those without a direction cannot.
@@ -81,7 +95,7 @@ inline bool is_traceable(const Ray& ray) {
 }
 
 /// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
-inline float limit_below(float tmax) { return std::nextafter(tmax, -std::numeric_limits<float>::infinity()); }
+inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
 /// Tests single primitives for one ray and hands each hit to the sink. A sink has `limit`, the greatest t it
 /// still wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of
@@ -92,16 +106,19 @@ class PrimitiveTester {
     PrimitiveTester(const WorldData& world, const Ray& ray, Sink& sink)
         : world_(world), sheared_(ray), line_(exact_line(ray)), tmin_(ray.tmin), sink_(sink) {}
 
-    bool triangles(std::uint32_t first, std::uint32_t count) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const PackedTriangle& triangle = world_.triangles[i];
-            TriangleHit hit;
-            if (!intersect_triangle(sheared_, triangle.vertices, tmin_, sink_.limit, hit)) continue;
-            const Hit found{hit.t,      hit.u, hit.v, triangle.object, triangle.prim, PrimKind::triangle,
-                            hit.on_edge};
-            if (sink_.add(found, hit.positive)) return true;
+    bool triangles(LeafCode leaf) {
+        for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
+            std::uint32_t number;
+            const TriangleVertices vertices = leaf_triangle(world_.mesh_tree, leaf, i, number);
+            if (triangle(vertices, number)) return true;
         }
         return false;
+    }
+
+    bool triangle(const TriangleVertices& vertices, std::uint32_t number) {
+        TriangleHit hit;
+        if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
+        return sink_.add(numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge), hit.positive);
     }
 
     bool quadrics(std::uint32_t first, std::uint32_t count) {
@@ -139,21 +156,27 @@ class PrimitiveTester {
     Sink& sink_;
 };
 
-/// Hands every hit with max(tmin, from) <= t <= sink.limit to the sink, roughly nearest first; others may
-/// come too.
+/// Planes, spheres and cylinders: hands every hit with max(tmin, from) <= t <= sink.limit to the sink; others
+/// may come too. Returns whether the sink ended the search.
 template <class Sink>
-void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
-    if (!is_traceable(ray)) return;
-    PrimitiveTester<Sink> test(world, ray, sink);
-    if (test.planes()) return;
+bool trace_quadrics(const WorldData& world, const Ray& ray, float from, PrimitiveTester<Sink>& test,
+                    Sink& sink) {
+    if (test.planes()) return true;
     bool done = false;
     if (!world.quadric_tree.empty())
         traverse(
             world.quadric_tree, BoxRay(ray, world.quadric_tree.bounds), from, sink.limit,
             [&](std::uint32_t first, std::uint32_t count) { return done = test.quadrics(first, count); });
-    if (done || world.triangle_tree.empty()) return;
-    traverse(world.triangle_tree, BoxRay(ray, world.triangle_tree.bounds), from, sink.limit,
-             [&](std::uint32_t first, std::uint32_t count) { return test.triangles(first, count); });
+    return done;
+}
+
+/// The same with triangles, roughly nearest first.
+template <class Sink>
+void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
+    if (!is_traceable(ray)) return;
+    PrimitiveTester<Sink> test(world, ray, sink);
+    if (trace_quadrics(world, ray, from, test, sink)) return;
+    walk(world.mesh_tree, ray, from, sink.limit, [&](LeafCode leaf) { return test.triangles(leaf); });
 }
 
 /// The same without trees.
@@ -163,7 +186,9 @@ void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     PrimitiveTester<Sink> test(world, ray, sink);
     if (test.planes()) return;
     if (test.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()))) return;
-    test.triangles(0, static_cast<std::uint32_t>(world.triangles.size()));
+    for (std::size_t m = 0; m < world.meshes.size(); ++m)
+        for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
+            if (test.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
 }
 
 } // namespace glint

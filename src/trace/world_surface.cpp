@@ -26,12 +26,7 @@ SurfacePoint rounded(const ExactPoint& point, double slack) {
 SurfacePoint triangle_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
     const auto mesh = std::lower_bound(world.meshes.begin(), world.meshes.end(), hit.object,
                                        [](const auto& m, std::uint32_t object) { return m.object < object; });
-    const uvec3 corners = mesh->triangles[hit.prim];
-    TriangleVertices vertices;
-    for (int i = 0; i < 3; ++i) {
-        const vec3 p = mesh->positions[corners[i]];
-        vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
-    }
+    const TriangleVertices vertices = vertices_of(*mesh, hit.prim);
     const ExactPoint point = triangle_point(vertices, double(hit.u), double(hit.v), dvec3(ray.direction));
     SurfacePoint result;
     result.p = vec3(point.p);
