@@ -62,6 +62,7 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
         throw Error(ErrorKind::usage, what,
                     fmt::format("usage: glint {} {}", command.name, command.synopsis));
     };
+    if (std::find(operands.begin(), operands.end(), "") != operands.end()) wrong("a name is empty");
     const std::size_t count = operands.size();
     switch (command.operands) {
     case Operands::scene:

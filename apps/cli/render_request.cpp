@@ -35,6 +35,8 @@ void require_apart(const RenderRequest& request) {
     if (request.stats == request.output)
         throw Error(ErrorKind::usage,
                     fmt::format("picture and --stats both go to {}", shown_name(request.output)));
+    if (request.stats == request.scene && request.scene != "-")
+        throw Error(ErrorKind::usage, fmt::format("--stats would overwrite {}", request.scene));
     if (request.output == "-" && isatty(STDOUT_FILENO) == 1)
         throw Error(ErrorKind::usage, "a picture is not written to a terminal",
                     "name a file with -o, or redirect stdout");

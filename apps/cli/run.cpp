@@ -17,7 +17,8 @@ namespace {
 
 /// A word that names no file and looks like none was meant for a command.
 void refuse_unknown_command(const std::string& word) {
-    const bool like_a_file = word.find_first_of("./") != std::string::npos || word.front() == '-';
+    const bool like_a_file =
+        word.empty() || word.find_first_of("./") != std::string::npos || word.front() == '-';
     if (like_a_file || std::filesystem::exists(word)) return;
     const auto near = nearest_name(word, command_names());
     throw Error(ErrorKind::usage, fmt::format("\"{}\" is neither a command nor a file", word),

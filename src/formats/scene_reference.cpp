@@ -7,7 +7,7 @@ namespace glint {
 namespace {
 
 constexpr std::string_view introduction =
-    R"(<!-- Generated from the table of keys (src/formats/key_table.cpp). Do not edit. -->
+    R"(<!-- Generated from the table of keys (src/formats/key_table_rows.cpp). Do not edit. -->
 # Scene files
 
 A scene is a [TOML](https://toml.io/en/v1.0.0) file, named `*.toml`. The smallest one that shows something:
@@ -54,7 +54,7 @@ by the number of its table among those of its type, from 0 (`-D light.0.intensit
 TOML is taken as text, so quotes may be left out. Files named here are relative to the working directory, and may lie
 anywhere. A bare mesh takes overrides of `render`, `whitted`, `camera`, `material.clay` and `material.floor`.
 
-In the tables below, keys in **bold** are required; the last column but one says what happens without the others.
+Keys in **bold** are required.
 )";
 
 std::string code(std::string_view text) { return "`" + std::string(text) + "`"; }

@@ -28,43 +28,54 @@ Place place_of(const toml::source_position& position) {
     throw Error(ErrorKind::internal, "a syntax error got lost");
 }
 
-// Walks over TOML text just well enough to tell keys from strings and comments.
-class KeyDepth {
-  public:
-    explicit KeyDepth(std::string_view text) : text_(text) {}
+/// What the library must not be given, and where.
+struct Offence {
+    std::size_t byte;
+    std::string message;
+    std::string hint;
+};
 
-    /// The byte at which a dotted key has more parts than allowed; npos: nowhere. The library recurses over
-    /// dotted keys without a limit and would exhaust the stack.
-    std::size_t first_too_deep() {
-        int dots = 0;
-        while (at_ < text_.size()) {
+// Walks over TOML text just well enough to tell strings and comments from the rest, and finds what the
+// library (3.3) cannot bear: it recurses over dotted keys without a limit, and its test for white space is
+// undefined for some characters beyond ASCII, which TOML allows in strings and comments alone.
+class TextCheck {
+  public:
+    explicit TextCheck(std::string_view text) : text_(text) {}
+
+    std::optional<Offence> run() {
+        while (at_ < text_.size() && !found_) {
             const char c = text_[at_];
             if (c == '#')
-                skip_comment();
+                at_ = std::min(text_.find('\n', at_), text_.size());
             else if (c == '"' || c == '\'')
                 skip_string(c);
-            else {
-                if (c == '.' && ++dots >= deepest_key) return at_;
-                if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots = 0;
-                ++at_;
-            }
+            else
+                check_plain(c);
         }
-        return std::string_view::npos;
+        return std::move(found_);
     }
 
   private:
-    void skip_comment() { at_ = std::min(text_.find('\n', at_), text_.size()); }
+    static bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80u; }
+
+    void check_plain(char c) {
+        if (!is_ascii(c))
+            found_ = {at_, "a character beyond ASCII outside of strings and comments",
+                      "names with such letters stand between quotes, like \"this\""};
+        if (c == '.' && ++dots_ >= deepest_key)
+            found_ = {at_, "a dotted key of more than " + std::to_string(deepest_key) + " parts", {}};
+        if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots_ = 0;
+        ++at_;
+    }
 
     void skip_string(char quote) {
-        const std::string_view rest = text_.substr(at_);
-        const bool multiline = rest.size() >= 3 && rest[1] == quote && rest[2] == quote;
+        const std::string fence(3, quote);
+        const bool multiline = text_.substr(at_, 3) == fence;
         at_ += multiline ? 3 : 1;
-        while (at_ < text_.size()) {
+        while (at_ < text_.size() && !found_) {
             if (quote == '"' && text_[at_] == '\\')
-                at_ += 2;
-            else if (!multiline && (text_[at_] == quote || text_[at_] == '\n'))
-                break;
-            else if (multiline && text_.substr(at_, 3) == std::string(3, quote))
+                skip_escape(multiline);
+            else if (multiline ? text_.substr(at_, 3) == fence : text_[at_] == quote || text_[at_] == '\n')
                 break;
             else
                 ++at_;
@@ -72,8 +83,19 @@ class KeyDepth {
         at_ = std::min(at_ + (multiline ? 3 : 1), text_.size());
     }
 
+    void skip_escape(bool multiline) {
+        const std::size_t backslash = at_++;
+        // In long strings a backslash swallows the white space after it, by the test in question.
+        const std::size_t next = multiline ? text_.find_first_not_of(" \t\r\n", at_) : at_;
+        if (multiline && next < text_.size() && !is_ascii(text_[next]))
+            found_ = {backslash, "a backslash before a character beyond ASCII", "write the text in one line"};
+        at_ = next == at_ ? at_ + 1 : std::min(next, text_.size());
+    }
+
     std::string_view text_;
     std::size_t at_ = 0;
+    int dots_ = 0;
+    std::optional<Offence> found_;
 };
 
 Place place_of_byte(std::string_view text, std::size_t byte) {
@@ -94,10 +116,9 @@ void refuse_what_is_no_text(const SceneSource& source) {
     if (zero != std::string_view::npos)
         throw_at(source, place_of_byte(text, zero), "a zero byte: this is not a text file",
                  "expected a scene file (TOML) or a PLY mesh");
-    const std::size_t deep = KeyDepth(text).first_too_deep();
-    if (deep != std::string_view::npos)
-        throw_at(source, place_of_byte(text, deep),
-                 "a dotted key of more than " + std::to_string(deepest_key) + " parts");
+    if (auto offence = TextCheck(text).run())
+        throw_at(source, place_of_byte(text, offence->byte), std::move(offence->message),
+                 std::move(offence->hint));
 }
 
 TreeValue tree_of(const toml::node& node);
@@ -174,7 +195,7 @@ std::optional<TreeValue> parse_tree_value(std::string_view text, const Place& wh
     // A line break would let a value bring further keys along.
     if (text.find_first_of(std::string_view("\n\r\0", 3)) != std::string_view::npos) return std::nullopt;
     const std::string document = "value = " + std::string(text);
-    if (KeyDepth(document).first_too_deep() != std::string_view::npos) return std::nullopt;
+    if (TextCheck(document).run()) return std::nullopt;
     const toml::parse_result result = toml::parse(std::string_view(document), std::string_view{});
     if (!result || result.table().size() != 1) return std::nullopt;
     TreeValue tree = tree_of(*result.table().get("value"));

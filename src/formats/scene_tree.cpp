@@ -10,10 +10,12 @@ namespace {
 constexpr std::size_t longest_list = 1000;
 constexpr std::size_t longest_excerpt = 240;
 
+bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; }
+
 // Bytes of the character that starts with this one, as far as UTF-8 is well formed.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
     std::size_t end = at + 1;
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) ++end;
+    while (end < text.size() && continues_character(text[end])) ++end;
     return end - at;
 }
 
@@ -62,28 +64,45 @@ SceneSource::SceneSource(std::string_view text, std::string name, std::vector<st
     : text_(text), name_(std::move(name)), overrides_(std::move(overrides)) {
     if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
     line_starts_.push_back(0);
-    for (std::size_t i = 0; i < text_.size(); ++i)
+    for (std::size_t i = 0; i < text_.size(); ++i) {
         if (text_[i] == '\n') line_starts_.push_back(i + 1);
+        if (continues_character(text_[i])) continuations_.push_back(static_cast<std::uint32_t>(i));
+    }
 }
 
 std::string_view SceneSource::line(int number) const {
     if (number < 1 || static_cast<std::size_t>(number) > line_starts_.size()) return {};
-    const std::size_t begin = line_starts_[static_cast<std::size_t>(number) - 1];
-    std::string_view rest = text_.substr(begin);
-    rest = rest.substr(0, rest.find('\n'));
-    if (rest.ends_with('\r')) rest.remove_suffix(1);
-    return rest;
+    const auto next = static_cast<std::size_t>(number);
+    const std::size_t begin = line_starts_[next - 1];
+    const std::size_t end = next < line_starts_.size() ? line_starts_[next] - 1 : text_.size();
+    std::string_view text = text_.substr(begin, end - begin);
+    if (text.ends_with('\r')) text.remove_suffix(1);
+    return text;
+}
+
+// Searches rather than walks: a hostile file may hold a million places on one line.
+std::size_t SceneSource::byte_of(const Place& place) const {
+    const std::string_view text = line(place.line);
+    if (text.empty()) return 0;
+    const auto start = static_cast<std::size_t>(text.data() - text_.data());
+    const auto before = static_cast<std::size_t>(std::max(place.column, 1) - 1); // characters
+    const auto first = std::lower_bound(continuations_.begin(), continuations_.end(), start);
+
+    // The k-th continuing byte of the line has its offset − k other bytes before it: this grows with k.
+    std::size_t low = 0, high = static_cast<std::size_t>(continuations_.end() - first);
+    while (low < high) {
+        const std::size_t k = low + (high - low) / 2;
+        const bool within = first[static_cast<std::ptrdiff_t>(k)] - start - k <= before;
+        (within ? low : high) = within ? k + 1 : k;
+    }
+    // A place beyond the line's end, as the library gives for the end of the file, is brought to it.
+    return std::min(before + low, text.size());
 }
 
 Location SceneSource::locate(const Place& place) const {
     if (place.origin > 0) return {"-D " + overrides_[static_cast<std::size_t>(place.origin) - 1], 0, 0, {}};
     if (place.line <= 0) return {name_, 0, 0, {}};
-    // Characters become bytes; a place beyond the line's end is brought to it.
-    const std::string_view text = line(place.line);
-    std::size_t byte = 0;
-    for (int column = 1; column < place.column && byte < text.size(); ++column)
-        byte += utf8_length(text, byte);
-    return {name_, place.line, static_cast<int>(byte) + 1, {}};
+    return {name_, place.line, static_cast<int>(byte_of(place)) + 1, {}};
 }
 
 std::string SceneSource::excerpt(const Place& place) const {

@@ -53,7 +53,8 @@ struct TreeEntry {
 /// A scene's text and overrides: turns places into locations and excerpts.
 class SceneSource {
   public:
-    /// A byte order mark at the start of the text is passed over.
+    /// A byte order mark at the start of the text is passed over. The text must outlive this, and be below 4
+    /// GiB.
     SceneSource(std::string_view text, std::string name, std::vector<std::string> overrides);
 
     const std::string& name() const { return name_; }
@@ -67,11 +68,13 @@ class SceneSource {
 
   private:
     std::string_view line(int number) const;
+    std::size_t byte_of(const Place& place) const;
 
     std::string_view text_;
     std::string name_;
     std::vector<std::string> overrides_;
     std::vector<std::size_t> line_starts_;
+    std::vector<std::uint32_t> continuations_; ///< offsets of the bytes that do not start a character
 };
 
 /// What is wrong with a scene, gathered so that everything is reported at once.

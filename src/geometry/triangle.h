@@ -7,10 +7,9 @@
 // displaced, and each vertex is displaced alike in all triangles that share it. How far, with u = 2^-24, S
 // the largest |coordinate| of v - o, s = d[kx]/d[kz], |s| <= 1, to first order in u:
 //
-//   depth    Az = Sz·(v-o)[kz]: rounding of v-o, of 1/d[kz], of the product                         <= 3 u S
-//   lateral  Ax = (v-o)[kx] - Sx·(v-o)[kz]: rounding of v-o (1), of the difference (2), and Sx and its
-//   product
-//            against 1/d[kz] and its product, which stretch the same rounded depth (4)              <= 7 u S
+// - depth, Az = Sz·(v-o)[kz]: rounding of v-o, of 1/d[kz] and of the product, u S each. In all 3 u S.
+// - lateral, Ax = (v-o)[kx] - Sx·(v-o)[kz]: rounding of (v-o)[kx], u S, and of the difference, 2 u S. Sx, its
+//   product, Sz and its product in Az stretch one and the same depth, 4 u S. In all 7 u S.
 //
 // Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (triangle_point_error) against that.
 
@@ -25,8 +24,8 @@ namespace glint {
 
 /// A ray as the triangle test wants it, made once a ray. Direction finite and not zero.
 struct ShearedRay {
-    std::size_t kx, ky,
-        kz;           ///< kz: the first of the axes with the largest |direction|; kx, ky follow cyclically
+    /// kz is the first of the axes with the largest |direction|; kx and ky follow cyclically.
+    std::size_t kx, ky, kz;
     float ox, oy, oz; ///< origin[kx], origin[ky], origin[kz]
     float sx, sy, sz; ///< d[kx]/d[kz], d[ky]/d[kz], 1/d[kz]
 

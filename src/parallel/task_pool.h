@@ -21,9 +21,10 @@ class TaskPool {
 
     int threads() const;
 
-    /// Calls body(task, worker) once for each task in [0, count), worker in [0, threads()), and returns when all are
-    /// done. Worker w begins with task w, so that every thread takes part whenever count ≥ threads(); the rest is
-    /// handed out in order. The first exception ends the hand-out and is thrown again here. Not reentrant.
+    /// Calls body(task, worker) once for each task in [0, count), worker in [0, threads()), and returns when
+    /// all are done. Worker w begins with task w, so that every thread takes part whenever count ≥ threads();
+    /// the rest is handed out in order. The first exception ends the hand-out and is thrown again here. Not
+    /// reentrant.
     void run(std::size_t count, const std::function<void(std::size_t task, int worker)>& body);
 
   private:

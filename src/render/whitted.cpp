@@ -6,6 +6,18 @@
 #include <limits>
 
 namespace glint {
+namespace {
+
+/// A hit exactly on an edge, moved into its own face by 2^-12 of the way to the middle: that is more than the
+/// errors of origins, so that rays from there start on the right side of the face across the edge as well.
+Hit off_edge(Hit hit) {
+    constexpr float share = 0x1p-12f;
+    hit.u += (1.0f / 3.0f - hit.u) * share;
+    hit.v += (1.0f / 3.0f - hit.v) * share;
+    return hit;
+}
+
+} // namespace
 
 WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel)
     : scene_(scene), settings_(scene.description.whitted), cancel_(cancel) {}
@@ -91,7 +103,7 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit)
     Surface s;
     s.object = hit.object;
     s.material = &scene_.materials[scene_.objects[hit.object].material];
-    s.point = scene_.world.surface(ray, hit);
+    s.point = scene_.world.surface(ray, hit.on_edge ? off_edge(hit) : hit);
     s.v = -ray.direction;
     s.entering = dot(s.point.n, ray.direction) < 0.0f;
     s.n_g = s.entering ? s.point.n : -s.point.n;

@@ -266,7 +266,9 @@ class Baker {
     // volume.
     void add_triangles(WorldInput::Triangles triangles, std::uint32_t id, bool closed) {
         triangles.object = id;
-        for (const vec3& p : triangles.positions) baked_.objects[id].bounds.grow(p);
+        // Vertices that no face uses need not even be finite.
+        for (const uvec3& t : triangles.triangles)
+            for (int i = 0; i < 3; ++i) baked_.objects[id].bounds.grow(triangles.positions[t[i]]);
         triangles.flip = closed && signed_volume(triangles.positions, triangles.triangles) < 0;
         baked_.objects[id].solid = closed;
         baked_.input.meshes.push_back(std::move(triangles));

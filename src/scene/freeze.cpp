@@ -94,7 +94,7 @@ bool count_crossings(const FrozenScene& scene, const Ray& ray, std::vector<int>&
 
 } // namespace
 
-std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& point) {
+std::vector<std::uint32_t> surfaces_around(const FrozenScene& scene, const vec3& point) {
     // Directions without meaning to any scene; the first that meets no edge decides.
     constexpr int tries = 8;
     std::vector<int> counts;
@@ -107,10 +107,14 @@ std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& 
         if (count_crossings(scene, ray, counts)) break;
     }
     std::vector<std::uint32_t> around;
-    for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
-        const auto* plane = std::get_if<PlaneShape>(&scene.description.objects[id].shape);
-        if (plane == nullptr && scene.objects[id].solid && counts[id] % 2 != 0) around.push_back(id);
-    }
+    for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
+        if (counts[id] % 2 != 0) around.push_back(id);
+    return around;
+}
+
+std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& point) {
+    std::vector<std::uint32_t> around = surfaces_around(scene, point);
+    std::erase_if(around, [&](std::uint32_t id) { return !scene.objects[id].solid; });
     for (const HalfSpace& half : scene.half_spaces)
         if (glm::dot(half.plane.normal, dvec3(point)) < half.plane.offset) around.push_back(half.object);
     return around;

@@ -77,6 +77,10 @@ struct FrozenScene {
     std::vector<std::uint32_t> camera_media; ///< transparent solids around the eye, lowest rank first
 };
 
+/// The objects whose surfaces a ray from the point crosses an odd number of times: what is around it, if
+/// closed. Planes do not count.
+std::vector<std::uint32_t> surfaces_around(const FrozenScene& scene, const vec3& point);
+
 /// The objects with an inside that contain a point, judged by the parity of crossings. Solid planes included.
 std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& point);
 

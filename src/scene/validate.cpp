@@ -1,12 +1,15 @@
 #include "scene/validate.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace glint {
 namespace {
 
 constexpr double coordinate_limit = 1e12;
+constexpr double number_limit = std::numeric_limits<float>::max();
 constexpr int side_limit = 65536;
 constexpr std::int64_t pixel_limit = std::int64_t{1} << 30;
 
@@ -46,9 +49,21 @@ class Checker {
         if (!good) fail(where, std::string(what) + " must be above 0", "expected a finite number up to 1e12");
     }
     void require_not_negative(double x, const Location& where, const char* what) {
-        const bool good = std::isfinite(x) && x >= 0;
-        if (!good)
+        if (!(x >= 0))
             fail(where, std::string(what) + " must not be negative", "expected a finite number from 0");
+        if (x > number_limit) fail(where, std::string(what) + " is too large", "numbers go up to 3.4e38");
+    }
+    void require_index(double x, const Location& where) {
+        require_positive(x, where, "index");
+        require(!(x > 0) || x >= std::numeric_limits<float>::min(), where, "index is too small",
+                "indices of refraction lie near 1");
+    }
+    // What lights are frozen to must be finite as well.
+    void require_strength(const Vec3& color, double intensity, const Location& where) {
+        for (int i = 0; i < 3; ++i)
+            if (color[i] <= number_limit && intensity <= number_limit)
+                require(color[i] * intensity <= number_limit, where, "the light is too strong",
+                        "color times intensity goes up to 3.4e38");
     }
     void require_color(const Vec3& c, const Location& where, const char* what) {
         for (int i = 0; i < 3; ++i) require_not_negative(c[i], where, what);
@@ -67,7 +82,7 @@ class Checker {
         const WhittedSettings& w = scene_.whitted;
         require(w.max_depth >= 0 && w.max_depth <= 1000, {}, "max_depth is out of range",
                 "expected 0 to 1000");
-        require_positive(w.index, {}, "index");
+        require_index(w.index, {});
     }
 
     void check_camera(const CameraDescription& camera) {
@@ -93,7 +108,7 @@ class Checker {
         require_not_negative(m.reflectivity, m.where, "reflectivity");
         require(m.transparency >= 0 && m.transparency <= 1, m.where, "transparency is out of range",
                 "expected 0 to 1");
-        require_positive(m.index, m.where, "index");
+        require_index(m.index, m.where);
         if (scene_.whitted.energy == Energy::balanced && m.reflectivity + m.transparency > 1)
             fail(m.where, "material \"" + m.name + "\" reflects and transmits more than it gets",
                  "energy = \"balanced\" needs reflectivity + transparency <= 1");
@@ -141,7 +156,7 @@ class Checker {
     void check_shape(const TriangleShape& s, const Object& o) {
         for (const Vec3& p : s.vertices) require_place(p, o.where, "a vertex");
         const Vec3 n = glm::cross(s.vertices[1] - s.vertices[0], s.vertices[2] - s.vertices[0]);
-        require(glm::dot(n, n) > 0, o.where, "the triangle is degenerate", "its vertices lie on one line");
+        require(glm::dot(n, n) != 0, o.where, "the triangle is degenerate", "its vertices lie on one line");
     }
     void check_shape(const PolyhedronShape& s, const Object& o) {
         require_place(s.center, o.where, "center");
@@ -168,8 +183,27 @@ class Checker {
         glm::uint highest = 0;
         for (const glm::uvec3& t : mesh.triangles)
             highest = glm::max(highest, glm::max(t.x, glm::max(t.y, t.z)));
-        require(mesh.triangles.empty() || highest < mesh.positions.size(), o.where,
-                "a vertex index of the mesh is out of range", "indices count from 0");
+        const bool inside = mesh.triangles.empty() || highest < mesh.positions.size();
+        require(inside, o.where, "a vertex index of the mesh is out of range", "indices count from 0");
+        const std::size_t vertices = mesh.positions.size();
+        require((mesh.normals.empty() || mesh.normals.size() == vertices) &&
+                    (mesh.colors.empty() || mesh.colors.size() == vertices),
+                o.where, "the mesh has not one normal and one colour a vertex",
+                "as many as positions, or none");
+        require(!inside || has_places(mesh), o.where, "a vertex of the mesh is not a place",
+                "coordinates of what is shown must be finite");
+    }
+    // Vertices that no face uses do not matter.
+    static bool has_places(const Mesh& mesh) {
+        const auto is_place = [](const glm::vec3& p) {
+            return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+        };
+        if (mesh.triangles.empty())
+            return std::all_of(mesh.positions.begin(), mesh.positions.end(), is_place);
+        return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
+            return is_place(mesh.positions[t.x]) && is_place(mesh.positions[t.y]) &&
+                   is_place(mesh.positions[t.z]);
+        });
     }
 
     void check_light(const Light& light) {
@@ -180,17 +214,20 @@ class Checker {
         require_place(l.position, where, "position");
         require_color(l.color, where, "color");
         require_not_negative(l.intensity, where, "intensity");
+        require_strength(l.color, l.intensity, where);
     }
     void check_kind(const DirectionalLight& l, const Location& where) {
         require_direction(l.direction, where, "direction");
         require_color(l.color, where, "color");
         require_not_negative(l.irradiance, where, "irradiance");
+        require_strength(l.color, l.irradiance, where);
     }
     void check_kind(const SpotLight& l, const Location& where) {
         require_place(l.position, where, "position");
         require_direction(l.direction, where, "direction");
         require_color(l.color, where, "color");
         require_not_negative(l.intensity, where, "intensity");
+        require_strength(l.color, l.intensity, where);
         require(l.angle > 0 && l.angle <= 90, where, "angle is out of range", "expected degrees up to 90");
         require(l.blend >= 0 && l.blend <= 1, where, "blend is out of range", "expected 0 to 1");
     }

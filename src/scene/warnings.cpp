@@ -58,15 +58,33 @@ class Watcher {
         }
     }
 
+    // Without glass nobody needed to know which meshes are closed: here it is asked of the few that may
+    // matter.
+    std::vector<std::uint32_t> everything_around(const Vec3& position) const {
+        std::vector<std::uint32_t> around = objects_around(scene_, vec3(position));
+        if (scene_.any_transparent) return around;
+        for (const std::uint32_t id : surfaces_around(scene_, vec3(position)))
+            if (const Mesh* mesh = mesh_of(id);
+                mesh != nullptr && is_closed(mesh->positions, mesh->triangles))
+                around.push_back(id);
+        return around;
+    }
+    const Mesh* mesh_of(std::uint32_t id) const {
+        if (const auto* mesh = std::get_if<MeshShape>(&object(id).shape)) return mesh->data.get();
+        const auto* instance = std::get_if<InstanceShape>(&object(id).shape);
+        if (instance == nullptr) return nullptr;
+        return std::get<MeshShape>(find_mesh(description_, instance->mesh)->shape).data.get();
+    }
+
     void watch_inside(const Vec3& position, const Location& where) {
-        for (const std::uint32_t id : objects_around(scene_, vec3(position)))
+        for (const std::uint32_t id : everything_around(position))
             warn(where, "the light is inside " + title(object(id)),
                  "what is outside will be in its shadow; move the light out if that is not meant");
     }
 
     void watch_camera() {
         const CameraDescription& camera = *description_.camera;
-        for (const std::uint32_t id : objects_around(scene_, vec3(camera.eye)))
+        for (const std::uint32_t id : everything_around(camera.eye))
             warn(camera.where, "the camera is inside " + title(object(id)),
                  "move it out if that is not meant");
     }

@@ -18,8 +18,9 @@ enum class PrimKind : std::uint8_t { none, triangle, sphere, cylinder, plane };
 /// Where a ray meets the world. Of all hits the closest is the least (t, object, prim).
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
-    float u =
-        0; ///< triangle: weight of vertex 1 (the report's β); sphere, cylinder: 0 the ray enters, 1 it leaves
+    /// Triangle: weight of vertex 1 (the report's β). Sphere, cylinder: 0 on the ray's way in, 1 on its way
+    /// out.
+    float u = 0;
     float v = 0; ///< triangle: weight of vertex 2 (the report's γ)
     std::uint32_t object = 0xffffffffu;
     std::uint32_t prim = 0; ///< within its object, in the order of the file
@@ -41,7 +42,8 @@ struct SurfacePoint {
                   ///< triangles, as given for planes
 };
 
-/// Plain input of World. Quadrics in double: their equations are solved in double and rounded once.
+/// Plain input of World. Quadrics in double: their equations are solved in double and rounded once. An object
+/// has one shape: one entry here, or several spheres told apart by `prim`.
 struct WorldInput {
     struct Triangles {
         std::uint32_t object = 0;
@@ -90,7 +92,9 @@ struct WorldStats {
 class World {
   public:
     World();
-    /// Builds the trees with the pool's threads; the result does not depend on their number.
+    /// Builds the trees with the pool's threads; the result does not depend on their number. Throws
+    /// std::invalid_argument for an index out of range and for a quadric without finite bounds. Triangles
+    /// with a corner that is not finite are never hit.
     World(WorldInput input, TaskPool& pool);
     ~World();
     World(World&&) noexcept;

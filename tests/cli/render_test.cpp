@@ -69,6 +69,20 @@ TEST_F(Render, WritesNothingButThePictureToStdout) {
     EXPECT_NE(outcome.err.find("stdout: 16×12"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Render, FailsWhenStdoutIsFull) {
+    Setting setting;
+    setting.out_file = "/dev/full";
+    const Outcome outcome = glint("good.toml -o -", setting);
+    EXPECT_EQ(outcome.exit, 4);
+    EXPECT_NE(outcome.err.find("error: "), std::string::npos) << outcome.err;
+}
+
+TEST_F(Render, RefusesAnEmptyName) {
+    const Outcome outcome = run_glint({""}, {});
+    EXPECT_EQ(outcome.exit, 2);
+    EXPECT_NE(outcome.err.find("a name is empty"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Render, TakesAFileNamedLikeACommand) {
     write("check", content("good.toml"));
     const Outcome outcome = glint("./check -o a.png");

@@ -93,6 +93,7 @@ const Case cases[] = {
     {"RefusesBitsInPfm", "long.toml -o x.pfm --bits 16", 2, "--bits is for .png"},
     {"RefusesTwoResultsInOneFile", "long.toml -o x.png --stats x.png", 2, "both go to x.png"},
     {"RefusesTwoResultsOnStdout", "long.toml -o - --stats -", 2, "both go to stdout"},
+    {"RefusesToOverwriteTheScene", "long.toml --stats long.toml", 2, "would overwrite long.toml"},
     {"RefusesAMissingFolder", "long.toml -o no/x.png", 4, "mkdir -p no"},
     {"RefusesAFolderForAFile", "long.toml -o good.toml/x.png", 4, "is not a folder"},
     {"RefusesAFolderThatTakesNothing", "long.toml -o /proc/x.png", 4, "cannot write \"/proc/x.png\""},

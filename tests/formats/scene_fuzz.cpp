@@ -118,7 +118,7 @@ TEST(SceneFuzz, DamagedOverridesAreTakenOrRefused) {
                                             "camera.eye=[1,2,3]",
                                             "polyhedron.block.transform=[{ scale = 2 }]"};
     std::mt19937 random(7);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         const std::string override_text = damaged(seeds[static_cast<std::size_t>(i) % seeds.size()], random);
         try {
             parse(text, {override_text});

@@ -57,4 +57,21 @@ class TemporaryFolder {
 /// A scene with one material "m" before the given text.
 inline std::string with_material(const std::string& text) { return "[material.m]\n" + text; }
 
+/// The only object of a scene, its shape, its only light: of the kind asked for.
+inline const Object& only_object(const LoadedScene& scene) {
+    EXPECT_EQ(scene.description.objects.size(), 1u);
+    return scene.description.objects.front();
+}
+
+template <class Shape>
+const Shape& only_shape(const LoadedScene& scene) {
+    return std::get<Shape>(only_object(scene).shape);
+}
+
+template <class Kind>
+const Kind& only_light(const LoadedScene& scene) {
+    EXPECT_EQ(scene.description.lights.size(), 1u);
+    return std::get<Kind>(scene.description.lights.front().kind);
+}
+
 } // namespace glint::test

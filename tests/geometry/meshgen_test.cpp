@@ -32,15 +32,15 @@ TEST(Meshgen, SolidsAreClosedAndFaceOutward) {
 
 TEST(Meshgen, MakesAboutAsManyTrianglesAsAskedFor) {
     for (Kind kind : {Kind::gyroid, Kind::knot, Kind::torus, Kind::shell, Kind::terrain}) {
-        const auto made = static_cast<double>(make_mesh(request(kind, 20000)).triangles.size());
-        EXPECT_NEAR(made, 20000, 2000) << static_cast<int>(kind);
+        const auto made = static_cast<double>(make_mesh(request(kind, 100000)).triangles.size());
+        EXPECT_NEAR(made, 100000, 8000) << static_cast<int>(kind);
     }
     EXPECT_EQ(make_mesh(request(Kind::icosphere, 20000)).triangles.size(), 20480u);
 }
 
 TEST(Meshgen, HasNoDegenerateTriangles) {
     for (Kind kind : {Kind::gyroid, Kind::knot, Kind::torus, Kind::shell, Kind::icosphere, Kind::terrain}) {
-        Mesh mesh = make_mesh(request(kind, 20000));
+        Mesh mesh = make_mesh(request(kind, 120000));
         EXPECT_EQ(drop_degenerate(mesh.positions, mesh.triangles), 0u) << static_cast<int>(kind);
     }
 }

@@ -189,6 +189,29 @@ TEST(Fresnel, SumsToOneInAUniformSky) {
         EXPECT_NEAR(look(scene, Vec3(-3, b, 0), Vec3(1, 0, 0)).light.x, 1, 1e-5);
 }
 
+/// The share of a picture's pixels that are black.
+double black_share(const SceneDescription& scene) {
+    const Image image = rendered(scene).image;
+    double black = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) black += image.pixels[i] == 0 ? 1 : 0;
+    return black / static_cast<double>(image.pixels.size() / 3);
+}
+
+TEST(Transmission, RaysExactlyThroughEdgesAndCornersFindTheirWayOut) {
+    // Seen straight on, the corners' diagonals of a cube and the tip of an octahedron are hit exactly.
+    PolyhedronShape cube{PolyhedronKind::box, Vec3(0), Vec3(2)};
+    PolyhedronShape gem{PolyhedronKind::octahedron};
+    gem.radius = 1.5;
+    for (const PolyhedronShape& shape : {cube, gem})
+        for (const double index : {1.0, 1.5}) {
+            SceneDescription scene = empty_scene(Vec3(5, 0, 0), Vec3(-1, 0, 0), 401, 30);
+            scene.render.background = Vec3(1);
+            scene.whitted.max_depth = 40;
+            add(scene, shape, glass(index));
+            EXPECT_EQ(black_share(scene), 0) << index;
+        }
+}
+
 TEST(Absorption, ActsOnMirrorRaysInsideAsWell) {
     Material m = glass(1.5);
     m.absorption = Vec3(0.5, 0.25, 0);

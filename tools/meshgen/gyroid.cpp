@@ -121,12 +121,13 @@ Mesh march_tetrahedra(const std::function<double(const dvec3&)>& value, double s
 Mesh make_gyroid(int cells, double periods, double thickness) {
     const double frequency = 180 * periods; // degrees for each unit of length
     const auto value = [&](const dvec3& p) {
-        const dvec3 a = p * frequency;
+        // An eighth of a turn aside, so that the middle of the ball is free.
+        const dvec3 a = p * frequency + 45.0;
         const double wave = sin_degrees(a.x) * cos_degrees(a.y) + sin_degrees(a.y) * cos_degrees(a.z) +
                             sin_degrees(a.z) * cos_degrees(a.x);
         // Where |wave| is small it grows by about 1.2 · frequency (in radians) for each unit of length.
         const double sheet = std::abs(wave) / (1.2 * frequency * 3.14159265358979 / 180) - thickness / 2;
-        return smooth_max(sheet, glm::length(p) - 1, 0.02);
+        return smooth_max(sheet, glm::length(p) - 1, thickness);
     };
     return march_tetrahedra(value, 1.05, cells);
 }

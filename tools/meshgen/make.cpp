@@ -72,10 +72,10 @@ Mesh terrain(const Request& r) {
 }
 
 Mesh gyroid(const Request& r) {
-    constexpr double periods = 1.5;
-    constexpr double thickness = 0.09;
+    constexpr double periods = 2;
+    constexpr double thickness = 0.07;
     // The surface grows with the square of the cells: a coarse one tells how many the fine one needs.
-    constexpr int trial = 40;
+    constexpr int trial = 80;
     const auto count = static_cast<double>(make_gyroid(trial, periods, thickness).triangles.size());
     const int cells = std::max(4, static_cast<int>(std::round(trial * std::sqrt(r.triangles / count))));
     Mesh mesh = make_gyroid(cells, periods, thickness);

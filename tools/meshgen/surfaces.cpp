@@ -97,9 +97,10 @@ Mesh make_shell(int around, int across) {
     Mesh mesh;
     dvec3 mouth(0);
     for (int i = 1; i <= around; ++i) {
-        // Growth by the fourth power comes near to a shell's logarithmic spiral and starts at a point.
+        // Growth by the fourth power comes near to a shell's logarithmic spiral.
         const double t = static_cast<double>(i) / around;
-        const double size = t * t * t * t;
+        const double grown = 0.06 + 0.94 * t;
+        const double size = grown * grown * grown * grown;
         const double angle = 360 * turns * t;
         const dvec3 out(cos_degrees(angle), sin_degrees(angle), 0);
         const double rib = 1 + 0.05 * cos_degrees(angle * ribs);

@@ -1,0 +1,152 @@
+// What is suspicious though valid: each kind said where it is so, and not where it is not.
+
+#include "scene_kit.h"
+
+#include <gtest/gtest.h>
+
+namespace glint {
+namespace {
+
+using namespace kit;
+
+/// Nothing to complain of: a lit ball, seen from outside.
+SceneDescription plain() {
+    SceneDescription scene = empty_scene(Vec3(0, -9, 0));
+    Material m = matte(0.8);
+    m.name = "clay";
+    add(scene, SphereShape{}, m);
+    add_light(scene, Vec3(5, -5, 5));
+    return scene;
+}
+
+std::vector<std::string> warned(const SceneDescription& scene) {
+    std::vector<std::string> messages;
+    for (const Diagnostic& d : warnings(freeze(scene))) {
+        EXPECT_EQ(d.severity, Severity::warning);
+        EXPECT_FALSE(d.hint.empty());
+        messages.push_back(d.message);
+    }
+    return messages;
+}
+
+using Messages = std::vector<std::string>;
+
+TEST(Warnings, AreNoneForAPlainScene) { EXPECT_EQ(warned(plain()), Messages{}); }
+
+TEST(Warnings, TellOfMissingLight) {
+    SceneDescription scene = plain();
+    scene.lights.clear();
+    EXPECT_EQ(warned(scene), Messages{"the scene has no light: everything will be black"});
+    scene.materials[0].emission = Vec3(1);
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.materials[0].emission = Vec3(0);
+    add_ambient(scene, Vec3(0.1));
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfALightInsideSomething) {
+    SceneDescription scene = plain();
+    scene.objects[0].name = "lampshade";
+    std::get<PointLight>(scene.lights[0].kind).position = Vec3(0.5, 0, 0);
+    scene.lights[0].where.line = 4;
+    EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
+    EXPECT_EQ(warnings(freeze(scene)).at(0).location.line, 4);
+    SpotLight spot;
+    spot.position = Vec3(0, 0.5, 0);
+    scene.lights[0].kind = spot;
+    EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
+    scene.objects[0].visible = false;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfACameraInsideSomething) {
+    SceneDescription scene = plain();
+    scene.camera->eye = Vec3(0, 0.5, 0);
+    EXPECT_EQ(warned(scene), Messages{"the camera is inside sphere"});
+    scene.camera->eye = Vec3(0, 1.5, 0);
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {
+    SceneDescription scene = plain();
+    Mesh box = box_mesh(Vec3(9, 0, 0), Vec3(4));
+    add(scene, mesh_of(box), "clay").name = "box";
+    scene.camera->eye = Vec3(9, 0.1, 0.2);
+    EXPECT_EQ(warned(scene), Messages{"the camera is inside mesh \"box\""});
+    add(scene, SphereShape{Vec3(-9, 0, 0), 1}, glass(1.5));
+    EXPECT_EQ(warned(scene), Messages{"the camera is inside mesh \"box\""});
+    scene.objects.pop_back();
+    std::get<PointLight>(scene.lights[0].kind).position = scene.camera->eye;
+    EXPECT_EQ(warned(scene).size(), 2u);
+    // An open box is a room with a window, not something to be inside of.
+    box.triangles.pop_back();
+    std::get<MeshShape>(scene.objects[1].shape) = mesh_of(box);
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfMaterialsThatGiveMoreThanTheyGet) {
+    SceneDescription scene = plain();
+    Material& m = scene.materials[0];
+    m.where.line = 3;
+    m.reflectivity = 0.3;
+    EXPECT_EQ(warned(scene), Messages{"material \"clay\" gives 1.10 times the light that it gets"});
+    EXPECT_EQ(warnings(freeze(scene)).at(0).location.line, 3);
+    scene.whitted.energy = Energy::balanced;
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.whitted.energy = Energy::report;
+    m.reflectivity = 0.2;
+    EXPECT_EQ(warned(scene), Messages{});
+    m.diffuse = 0;
+    m.reflectivity = 1.5;
+    EXPECT_EQ(warned(scene), Messages{"material \"clay\" gives 1.50 times the light that it gets"});
+    // What goes through is not kept: (1 − τ) · 0.8 + τ is below 1.
+    m.diffuse = 0.8;
+    m.reflectivity = 0;
+    m.transparency = 0.5;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfOpenMeshesMadeOfGlass) {
+    SceneDescription scene = plain();
+    Mesh box = box_mesh(Vec3(5, 0, 0), Vec3(1));
+    add(scene, mesh_of(box), glass(1.5)).name = "vase";
+    EXPECT_EQ(warned(scene), Messages{});
+    box.triangles.pop_back();
+    std::get<MeshShape>(scene.objects[1].shape) = mesh_of(box);
+    EXPECT_EQ(warned(scene), Messages{"mesh \"vase\" is made of glass but is not closed"});
+    scene.objects[1].material = "clay";
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfCoincidentGlassFaces) {
+    SceneDescription scene = plain();
+    const auto box_at = [](double x) { return PolyhedronShape{PolyhedronKind::box, Vec3(x, 0, 0), Vec3(1)}; };
+    add(scene, box_at(5), glass(1.5)).name = "left";
+    add(scene, box_at(6), glass(1.3)).name = "right";
+    const Messages found = warned(scene);
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0], "polyhedron \"left\" and polyhedron \"right\" have coincident glass faces");
+    for (const double x : {6.001, 5.999}) {
+        std::get<PolyhedronShape>(scene.objects[2].shape).center.x = x;
+        EXPECT_EQ(warned(scene), Messages{}) << x;
+    }
+    std::get<PolyhedronShape>(scene.objects[2].shape).center.x = 6;
+    scene.objects[2].material = "clay";
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfThingsHiddenInsideGlassThatOwnsTheirSpace) {
+    SceneDescription scene = plain();
+    scene.objects[0].name = "pearl";
+    add(scene, SphereShape{Vec3(0), 2}, glass(1.5)).name = "shell";
+    EXPECT_EQ(warned(scene),
+              Messages{"sphere \"pearl\" is hidden inside sphere \"shell\", which owns the space"});
+    scene.objects[0].priority = 1;
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.objects[0].priority = 0;
+    std::get<SphereShape>(scene.objects[0].shape).center.x = 1.5;
+    EXPECT_EQ(warned(scene), Messages{}) << "half of it shows";
+}
+
+} // namespace
+} // namespace glint
