@@ -26,14 +26,13 @@ struct BoxRay {
 
     BoxRay(const Ray& ray, const Bounds& bounds) {
         const vec3 d = glm::abs(ray.direction);
-        const double least = 1e-18 * std::max({d.x, d.y, d.z});
+        const float least = 1e-18f * std::max({d.x, d.y, d.z});
         float reach = 0;
         float corner = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const double clamped = std::max(std::abs(double(ray.direction[axis])), least);
-            const double inverted = std::min(1.0 / clamped, double(std::numeric_limits<float>::max()));
+            const float size = std::min(1.0f / std::max(d[axis], least), std::numeric_limits<float>::max());
             origin[axis] = ray.origin[axis];
-            inverse[axis] = static_cast<float>(std::signbit(ray.direction[axis]) ? -inverted : inverted);
+            inverse[axis] = std::copysign(size, ray.direction[axis]);
             reach = std::max(reach, std::abs(ray.origin[axis]));
             corner = std::max({corner, std::abs(bounds.lo[axis]), std::abs(bounds.hi[axis])});
         }

@@ -77,13 +77,6 @@ bool intersect(const Line& line, const Cylinder& cylinder, CylinderInterval& t) 
     return true;
 }
 
-bool intersect(const Line& line, const Plane& plane, double& t) {
-    const double fall = dot(plane.normal, line.direction);
-    if (fall == 0.0) return false;
-    t = (plane.offset - dot(plane.normal, line.origin)) / fall;
-    return true;
-}
-
 ExactPoint surface(const Sphere& sphere, const dvec3& p) {
     const dvec3 v = p - sphere.center;
     const dvec3 n = v / std::sqrt(dot(v, v));

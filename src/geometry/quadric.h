@@ -57,7 +57,12 @@ struct ExactPoint {
 bool intersect(const Line& line, const Sphere& sphere, Interval& t);
 bool intersect(const Line& line, const Cylinder& cylinder, CylinderInterval& t);
 /// False if the line is parallel to the plane.
-bool intersect(const Line& line, const Plane& plane, double& t);
+inline bool intersect(const Line& line, const Plane& plane, double& t) {
+    const double fall = glm::dot(plane.normal, line.direction);
+    if (fall == 0.0) return false;
+    t = (plane.offset - glm::dot(plane.normal, line.origin)) / fall;
+    return true;
+}
 
 /// The point of the surface nearest to p, outward normal.
 ExactPoint surface(const Sphere& sphere, const dvec3& p);

@@ -133,25 +133,31 @@ class Job {
         report(worker);
     }
 
-    /// x and y count within the area; samples depend on the place in the whole picture.
+    /// x and y count within the area; samples depend on the place in the whole picture. One sample is the
+    /// pixel's centre.
     void render_pixel(int x, int y, Worker& worker) {
         const int px = area_.x + x;
         const int py = area_.y + y;
         const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
                                    static_cast<uint>(px), static_cast<uint>(py));
+        if (settings_.spp == 1) {
+            const Terms terms = trace_sample(px, py, FilterSample{}, worker);
+            return store(x, y, terms, worker.tracer.covered() ? 1.0f : 0.0f);
+        }
         PixelSum<Terms> sum;
         int covered = 0;
         for (int i = 0; i < settings_.spp; ++i) {
-            FilterSample place;
-            if (settings_.spp > 1) {
-                const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
-                place = filter_.sample(u.x, u.y);
-            }
-            const vec3 direction = pinhole_direction(camera_, px, py, place.dx, place.dy);
-            sum.add(worker.tracer.trace(camera_.eye, direction), place.weight);
+            const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
+            const FilterSample place = filter_.sample(u.x, u.y);
+            sum.add(trace_sample(px, py, place, worker), place.weight);
             if (worker.tracer.covered()) ++covered;
         }
         store(x, y, sum.value(), static_cast<float>(covered) / static_cast<float>(settings_.spp));
+    }
+
+    Terms trace_sample(int px, int py, const FilterSample& place, Worker& worker) const {
+        const vec3 direction = pinhole_direction(camera_, px, py, place.dx, place.dy);
+        return worker.tracer.trace(camera_.eye, direction);
     }
 
     void store(int x, int y, const Terms& terms, float coverage) {

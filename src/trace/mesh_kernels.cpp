@@ -765,21 +765,31 @@ Probe probe_of(const Ray& ray) {
 
 /// Follows one ray; returns whether it hit. The nearest child goes on at once, others wait on the stack.
 template <bool any>
-bool follow(const MeshTree& tree, const LoneRay& ray, Probe& probe) {
+bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
+    const LoneRay lone(ray, tree.bounds);
+    alignas(32) float entries[8];
+    std::uint32_t met = lone.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
+    if (met == 0) return false;
+    Probe probe = probe_of(ray);
     LoneEntry stack[stack_size];
     std::size_t size = 0;
-    LoneEntry at{0, probe.tmin};
-    alignas(32) float entries[8];
+    LoneEntry at = push_sorted(tree.nodes[0], met, entries, stack, size);
     for (;;) {
         if ((at.code & leaf_bit) != 0) {
             if (test_ray<any>(Leaf(tree, LeafCode{at.code}), probe) && any) return true;
-        } else if (const WideNode& node = tree.nodes[at.code];
-                   const std::uint32_t met = ray.meets(node, probe.limit, entries)) {
-            at = push_sorted(node, met, entries, stack, size);
-            continue;
+        } else {
+            const WideNode& node = tree.nodes[at.code];
+            met = lone.meets(node, probe.limit, entries);
+            if (met != 0) {
+                at = push_sorted(node, met, entries, stack, size);
+                continue;
+            }
         }
         do {
-            if (size == 0) return probe.triangle != no_triangle;
+            if (size == 0) {
+                record = {probe.limit, probe.u, probe.v, probe.triangle};
+                return probe.triangle != no_triangle;
+            }
             at = stack[--size];
         } while (at.t > probe.limit);
     }
@@ -851,16 +861,12 @@ void occluded_rays(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked,
 // What the dispatcher calls: anonymous functions cannot be exported.
 TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) {
     TriangleRecord record;
-    if (class_of(ray) == no_class || tree.nodes.empty()) return record;
-    Probe probe = probe_of(ray);
-    if (follow<false>(tree, LoneRay(ray, tree.bounds), probe))
-        record = {probe.limit, probe.u, probe.v, probe.triangle};
-    return record;
+    const bool hit = !tree.nodes.empty() && class_of(ray) != no_class && follow<false>(tree, ray, record);
+    return hit ? record : TriangleRecord{};
 }
 bool occluded_lone(const MeshTree& tree, const Ray& ray) {
-    if (class_of(ray) == no_class || tree.nodes.empty()) return false;
-    Probe probe = probe_of(ray);
-    return follow<true>(tree, LoneRay(ray, tree.bounds), probe);
+    TriangleRecord record;
+    return !tree.nodes.empty() && class_of(ray) != no_class && follow<true>(tree, ray, record);
 }
 void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
                    RayHint hint) {

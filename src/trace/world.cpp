@@ -116,8 +116,7 @@ bool precedes(const Hit& a, const Hit& b) {
 Hit World::closest(const Ray& ray) const {
     if (!is_traceable(ray)) return {};
     Closest sink{limit_below(ray.tmax)};
-    PrimitiveTester<Closest> test(*data_, ray, sink);
-    trace_quadrics(*data_, ray, ray.tmin, test, sink);
+    trace_quadrics(*data_, ray, ray.tmin, sink);
     const TriangleRecord record = glint::closest(data_->mesh_tree, limited(ray, sink.limit));
     if (record.triangle != no_triangle) {
         const Hit hit = numbered_hit(*data_, record.triangle, record.t, record.u, record.v, false);
@@ -135,8 +134,7 @@ Hit World::closest_brute_force(const Ray& ray) const {
 bool World::occluded(const Ray& ray) const {
     if (!is_traceable(ray)) return false;
     Any sink{limit_below(ray.tmax)};
-    PrimitiveTester<Any> test(*data_, ray, sink);
-    return trace_quadrics(*data_, ray, ray.tmin, test, sink) || glint::occluded(data_->mesh_tree, ray);
+    return trace_quadrics(*data_, ray, ray.tmin, sink) || glint::occluded(data_->mesh_tree, ray);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {

@@ -97,16 +97,16 @@ inline bool is_traceable(const Ray& ray) {
 /// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
-/// Tests single primitives for one ray and hands each hit to the sink. A sink has `limit`, the greatest t it
-/// still wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of
+/// Tests triangles for one ray and hands each hit to the sink. A sink has `limit`, the greatest t it still
+/// wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of
 /// triangles apart.
 template <class Sink>
-class PrimitiveTester {
+class TriangleTester {
   public:
-    PrimitiveTester(const WorldData& world, const Ray& ray, Sink& sink)
-        : world_(world), sheared_(ray), line_(exact_line(ray)), tmin_(ray.tmin), sink_(sink) {}
+    TriangleTester(const WorldData& world, const Ray& ray, Sink& sink)
+        : world_(world), sheared_(ray), tmin_(ray.tmin), sink_(sink) {}
 
-    bool triangles(LeafCode leaf) {
+    bool leaf(LeafCode leaf) {
         for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
             std::uint32_t number;
             const TriangleVertices vertices = leaf_triangle(world_.mesh_tree, leaf, i, number);
@@ -120,6 +120,20 @@ class PrimitiveTester {
         if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
         return sink_.add(numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge), hit.positive);
     }
+
+  private:
+    const WorldData& world_;
+    ShearedRay sheared_;
+    float tmin_;
+    Sink& sink_;
+};
+
+/// The same for planes, spheres and cylinders.
+template <class Sink>
+class QuadricTester {
+  public:
+    QuadricTester(const WorldData& world, const Ray& ray, Sink& sink)
+        : world_(world), line_(exact_line(ray)), tmin_(ray.tmin), sink_(sink) {}
 
     bool quadrics(std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t i = first; i < first + count; ++i) {
@@ -150,7 +164,6 @@ class PrimitiveTester {
     }
 
     const WorldData& world_;
-    ShearedRay sheared_;
     Line line_;
     float tmin_;
     Sink& sink_;
@@ -159,36 +172,38 @@ class PrimitiveTester {
 /// Planes, spheres and cylinders: hands every hit with max(tmin, from) <= t <= sink.limit to the sink; others
 /// may come too. Returns whether the sink ended the search.
 template <class Sink>
-bool trace_quadrics(const WorldData& world, const Ray& ray, float from, PrimitiveTester<Sink>& test,
-                    Sink& sink) {
+bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& sink) {
+    if (world.planes.empty() && world.quadrics.empty()) return false;
+    QuadricTester<Sink> test(world, ray, sink);
     if (test.planes()) return true;
+    // So few need no tree.
+    if (world.quadric_tree.nodes.empty())
+        return test.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()));
     bool done = false;
-    if (!world.quadric_tree.empty())
-        traverse(
-            world.quadric_tree, BoxRay(ray, world.quadric_tree.bounds), from, sink.limit,
-            [&](std::uint32_t first, std::uint32_t count) { return done = test.quadrics(first, count); });
+    traverse(world.quadric_tree, BoxRay(ray, world.quadric_tree.bounds), from, sink.limit,
+             [&](std::uint32_t first, std::uint32_t count) { return done = test.quadrics(first, count); });
     return done;
 }
 
 /// The same with triangles, roughly nearest first.
 template <class Sink>
 void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
-    if (!is_traceable(ray)) return;
-    PrimitiveTester<Sink> test(world, ray, sink);
-    if (trace_quadrics(world, ray, from, test, sink)) return;
-    walk(world.mesh_tree, ray, from, sink.limit, [&](LeafCode leaf) { return test.triangles(leaf); });
+    if (!is_traceable(ray) || trace_quadrics(world, ray, from, sink)) return;
+    TriangleTester<Sink> test(world, ray, sink);
+    walk(world.mesh_tree, ray, from, sink.limit, [&](LeafCode leaf) { return test.leaf(leaf); });
 }
 
 /// The same without trees.
 template <class Sink>
 void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     if (!is_traceable(ray)) return;
-    PrimitiveTester<Sink> test(world, ray, sink);
-    if (test.planes()) return;
-    if (test.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()))) return;
+    QuadricTester<Sink> quadrics(world, ray, sink);
+    if (quadrics.planes()) return;
+    if (quadrics.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()))) return;
+    TriangleTester<Sink> triangles(world, ray, sink);
     for (std::size_t m = 0; m < world.meshes.size(); ++m)
         for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
-            if (test.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
+            if (triangles.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
 }
 
 } // namespace glint
