@@ -57,7 +57,7 @@ where set and not empty, messages have no colours
 where unset or "dumb", there are neither colours nor a progress bar
 .SH EXAMPLES
 .nf
-glint new \-o scene.toml
+glint new glass \-o scene.toml
 glint scene.toml
 glint dragon.ply \-\-size 1280x720 \-o dragon.png
 glint scene.toml \-D material.glass.index=1.33 \-o water.exr \-\-layers
