@@ -7,43 +7,40 @@
 namespace glint::cli {
 namespace {
 
-constexpr int help_column = 38;
+constexpr int help_column = 39;
 
-/// One line, with options that share it: "-q, --quiet" or "-q, -v, -h".
-struct Row {
-    std::vector<const Option*> options;
-};
+/// The options that share one line.
+using Row = std::vector<const Option*>;
 
 std::vector<Row> rows(const Command& command) {
     std::vector<Row> all;
     for (const Option& option : command.options) {
         if (!option.joined || all.empty()) all.emplace_back();
-        all.back().options.push_back(&option);
+        all.back().push_back(&option);
     }
     return all;
 }
 
+/// "-o, --output FILE" with its help; of options that share the line the shortest spelling.
 std::string line(const Row& row) {
     std::string left;
     std::string right;
-    for (const Option* option : row.options) {
-        const std::string name = row.options.size() > 1 || !option->letter ? spelling(*option)
-                                 : *option->name ? fmt::format("-{}, --{}", option->letter, option->name)
-                                                 : spelling(*option);
-        const std::string shown =
-            row.options.size() > 1 && option->letter ? std::string("-") + option->letter : name;
-        left += (left.empty() ? "" : ", ") + shown + (*option->value ? std::string(" ") + option->value : "");
+    for (const Option* option : row) {
+        const std::vector<std::string> names = spellings(*option);
+        left += left.empty() ? "" : ", ";
+        left += row.size() > 1 ? names.front() : fmt::format("{}", fmt::join(names, ", "));
+        if (*option->value) left += std::string(" ") + option->value;
         right += (right.empty() ? "" : "; ") + std::string(option->help);
     }
     // Names line up, whether a letter stands before them or not.
-    const char* indent = row.options.front()->letter ? "  " : "      ";
+    const char* indent = row.front()->letter ? "  " : "      ";
     return fmt::format("{:<{}}{}\n", indent + left, help_column, right);
 }
 
 } // namespace
 
 std::string top_help() {
-    std::string text = fmt::format("glint {}, a ray tracer that explains its pictures\n\n", version());
+    std::string text = fmt::format("glint {}, a ray tracer\n\n", version());
     text += "usage: glint FILE [-o OUT] [options]     render a scene (.toml) or a mesh\n"
             "       glint COMMAND ...\n\ncommands:\n";
     for (const Command& command : commands())
@@ -51,7 +48,7 @@ std::string top_help() {
                             help_column - 2, command.summary);
     text += "\noptions of render used most:\n";
     for (const Option& option : commands().front().options)
-        if (option.common) text += line({{&option}});
+        if (option.common) text += line({&option});
     text += fmt::format("\n  {:<{}}{}\n", "-h, --help; --version", help_column - 2,
                         "glint COMMAND --help lists all options of a command");
     return text;

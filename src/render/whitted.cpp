@@ -6,18 +6,6 @@
 #include <limits>
 
 namespace glint {
-namespace {
-
-/// A hit exactly on an edge, moved into its own face by 2^-12 of the way to the middle: that is more than the
-/// errors of origins, so that rays from there start on the right side of the face across the edge as well.
-Hit off_edge(Hit hit) {
-    constexpr float share = 0x1p-12f;
-    hit.u += (1.0f / 3.0f - hit.u) * share;
-    hit.v += (1.0f / 3.0f - hit.v) * share;
-    return hit;
-}
-
-} // namespace
 
 WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel)
     : scene_(scene), settings_(scene.description.whitted), cancel_(cancel) {}
@@ -103,7 +91,8 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit)
     Surface s;
     s.object = hit.object;
     s.material = &scene_.materials[scene_.objects[hit.object].material];
-    s.point = scene_.world.surface(ray, hit.on_edge ? off_edge(hit) : hit);
+    s.point = scene_.world.surface(ray, hit);
+    if (hit.on_edge) step_off_edge(ray, hit, s.point);
     s.v = -ray.direction;
     s.entering = dot(s.point.n, ray.direction) < 0.0f;
     s.n_g = s.entering ? s.point.n : -s.point.n;
@@ -112,6 +101,20 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit)
     if (scene_.objects[hit.object].lit_as_stored && !s.entering) s.lit_side = -1.0f;
     if (scene_.objects[hit.object].attributes != no_attributes) interpolate(hit, s);
     return s;
+}
+
+// A point exactly on an edge lies in two faces, and rays that start there must be on the right side of both:
+// it moves into its own face, toward the middle, by a few times its error.
+void WhittedTracer::step_off_edge(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
+    Hit middle = hit;
+    middle.u = 1.0f / 3.0f;
+    middle.v = 1.0f / 3.0f;
+    const vec3 inward = scene_.world.surface(ray, middle).p - point.p;
+    const float length = sqrt(dot(inward, inward));
+    const float step = 8.0f * max(max(point.p_error.x, point.p_error.y), point.p_error.z);
+    if (!(length > step)) return;
+    point.p = point.p + inward * (step / length);
+    point.p_error = point.p_error + abs(point.p) * 0x1p-24f;
 }
 
 void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {

@@ -65,6 +65,7 @@ class WhittedTracer {
     Hit visible_hit(const Ray& ray, const Media*& media);
     Terms missed(const Path& path, int node);
     Surface surface_at(const Ray& ray, const Hit& hit) const;
+    void step_off_edge(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
     void interpolate(const Hit& hit, Surface& surface) const;
     bool enters(const Ray& ray, const Hit& hit) const;
     bool holds_media(std::uint32_t object) const;

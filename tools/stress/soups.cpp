@@ -122,7 +122,7 @@ void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
             continue;
         }
         const dvec3 axis = random.one_in(2) ? random.along_axis() : random.direction();
-        world.cylinders.push_back({10 + i, p, axis, radius * random.between(1, 4), radius, affine});
+        world.cylinders.push_back({40 + i, p, axis, radius * random.between(1, 4), radius, affine});
     }
     for (std::uint32_t i = random.below(3); i > 0; --i) {
         const dvec3 normal = random.one_in(2) ? dvec3(0, 0, 1) : random.in_cube(3.0);

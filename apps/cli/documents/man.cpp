@@ -57,7 +57,7 @@ where set and not empty, messages have no colours
 where unset or "dumb", there are neither colours nor a progress bar
 .SH EXAMPLES
 .nf
-glint new \-o scene.toml
+glint new glass \-o scene.toml
 glint scene.toml
 glint dragon.ply \-\-size 1280x720 \-o dragon.png
 glint scene.toml \-D material.glass.index=1.33 \-o water.exr \-\-layers
@@ -102,7 +102,7 @@ std::string section(const Command& command) {
 
 std::string man_page(const std::string& version) {
     std::string text = fmt::format(".TH GLINT 1 \"\" \"glint {}\" \"User commands\"\n", version);
-    text += ".SH NAME\nglint \\- a ray tracer that explains its pictures\n.SH SYNOPSIS\n";
+    text += ".SH NAME\nglint \\- a ray tracer: from a scene or a mesh to a picture\n.SH SYNOPSIS\n";
     text += ".B glint\n.I FILE\n[\\fB\\-o\\fR \\fIOUT\\fR] [options]\n";
     for (const Command& command : commands())
         text += fmt::format(".br\n.B glint {}\n{}\n", command.name, literal(command.synopsis));
