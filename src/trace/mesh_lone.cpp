@@ -1,0 +1,183 @@
+// One ray at a time through a MeshTree, eight boxes, vertices or triangles at once, for every SIMD target.
+// Box tests only have to be conservative and may fuse multiply-adds; the triangle test is that of
+// geometry/triangle.h, operation by operation.
+
+#include "trace/mesh_tree.h"
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/mesh_lone.cpp"
+#include <hwy/foreach_target.h> // IWYU pragma: keep
+
+#include "trace/mesh_leaf-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+
+TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) { return closest_scalar(tree, ray); }
+bool occluded_lone(const MeshTree& tree, const Ray& ray) { return occluded_scalar(tree, ray); }
+
+#else
+
+namespace {
+
+constexpr std::size_t stack_size = wide_children * (max_tree_depth + 1);
+
+/// Can the ray hit anything? NaN, infinite rays and those without a direction cannot.
+inline bool is_traceable(const Ray& ray) {
+    const float zero = (ray.origin.x + ray.origin.y + ray.origin.z) * 0.0f +
+                       (ray.direction.x + ray.direction.y + ray.direction.z) * 0.0f;
+    return zero == 0.0f && ray.direction != vec3(0.0f);
+}
+
+/// A ray against boxes: eight children at once.
+class LoneRay {
+  public:
+    LoneRay(const Ray& ray, const Bounds& bounds) {
+        const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
+        const vec3 reach = glm::abs(ray.origin);
+        const vec3 d = glm::abs(ray.direction);
+        const float most = std::max(d.x, std::max(d.y, d.z));
+        const float scale =
+            std::max(reach.x, std::max(reach.y, reach.z)) + std::max(far.x, std::max(far.y, far.z));
+        const float pad = 0x1p-20f * scale;
+        const float least = std::max(most * least_direction, scale * least_of_scale);
+        for (int axis = 0; axis < 3; ++axis) {
+            const float clamped = std::max(d[axis], least);
+            const float size = std::min(1.0f / clamped, std::numeric_limits<float>::max());
+            const float inverse = std::copysign(size, ray.direction[axis]);
+            const float shift = ray.origin[axis] * inverse;
+            inverse_[axis] = inverse;
+            near_offset_[axis] = -(shift + pad * size);
+            far_offset_[axis] = pad * size - shift;
+            negative_[axis] = std::signbit(ray.direction[axis]);
+        }
+        tmin_ = ray.tmin;
+    }
+
+    /// The children whose boxes the ray meets up to `limit`, as bits, and where.
+    std::uint32_t meets(const WideNode& node, float limit, float* entries) const {
+        std::uint32_t met = 0;
+        for (std::size_t i = 0; i < 8; i += lanes) {
+            Floats near = hn::Set(df, tmin_);
+            Floats far = hn::Set(df, limit);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const float* first = negative_[axis] ? node.hi[axis] : node.lo[axis];
+                const float* last = negative_[axis] ? node.lo[axis] : node.hi[axis];
+                const Floats inverse = hn::Set(df, inverse_[axis]);
+                near = hn::Max(near,
+                               hn::MulAdd(hn::Load(df, first + i), inverse, hn::Set(df, near_offset_[axis])));
+                far =
+                    hn::Min(far, hn::MulAdd(hn::Load(df, last + i), inverse, hn::Set(df, far_offset_[axis])));
+            }
+            met |= bits_of(hn::Le(near, far)) << i;
+            hn::Store(near, df, entries + i);
+        }
+        return met;
+    }
+
+  private:
+    float inverse_[3];
+    float near_offset_[3];
+    float far_offset_[3];
+    float tmin_;
+    bool negative_[3];
+};
+
+struct LoneEntry {
+    std::uint32_t code;
+    float t;
+};
+
+/// Children in the order of their entries: the farthest first on the stack, the nearest returned.
+LoneEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entries, LoneEntry* stack,
+                      std::size_t& size) {
+    const auto first = static_cast<std::size_t>(std::countr_zero(met));
+    LoneEntry nearest{node.child[first], entries[first]};
+    const std::size_t base = size;
+    for (met &= met - 1; met != 0; met &= met - 1) {
+        const auto child = static_cast<std::size_t>(std::countr_zero(met));
+        LoneEntry entry{node.child[child], entries[child]};
+        if (entry.t < nearest.t) std::swap(entry, nearest);
+        std::size_t at = size++;
+        for (; at > base && stack[at - 1].t < entry.t; --at) stack[at] = stack[at - 1];
+        stack[at] = entry;
+    }
+    return nearest;
+}
+
+Probe probe_of(const Ray& ray) {
+    const ShearedRay sheared(ray);
+    const float limit = next_float(ray.tmax, -1.0f);
+    return {sheared.kx, sheared.ky, sheared.kz, sheared.ox, sheared.oy, sheared.oz, sheared.sx,
+            sheared.sy, sheared.sz, ray.tmin,   limit,      0.0f,       0.0f,       no_triangle};
+}
+
+/// Follows one ray; returns whether it hit. The nearest child goes on at once, others wait on the stack.
+template <bool any>
+bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
+    const LoneRay lone(ray, tree.bounds);
+    alignas(32) float entries[8];
+    std::uint32_t met = lone.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
+    if (met == 0) return false;
+    Probe probe = probe_of(ray);
+    LoneEntry stack[stack_size];
+    std::size_t size = 0;
+    LoneEntry at = push_sorted(tree.nodes[0], met, entries, stack, size);
+    for (;;) {
+        if ((at.code & leaf_bit) != 0) {
+            if (test_ray<any>(Leaf(tree, LeafCode{at.code}), probe) && any) return true;
+        } else {
+            const WideNode& node = tree.nodes[at.code];
+            met = lone.meets(node, probe.limit, entries);
+            if (met != 0) {
+                at = push_sorted(node, met, entries, stack, size);
+                continue;
+            }
+        }
+        do {
+            if (size == 0) {
+                record = {probe.limit, probe.u, probe.v, probe.triangle};
+                return probe.triangle != no_triangle;
+            }
+            at = stack[--size];
+        } while (at.t > probe.limit);
+    }
+}
+
+} // namespace
+
+// What the dispatcher calls: anonymous functions cannot be exported.
+TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) {
+    TriangleRecord record;
+    const bool hit = !tree.nodes.empty() && is_traceable(ray) && follow<false>(tree, ray, record);
+    return hit ? record : TriangleRecord{};
+}
+bool occluded_lone(const MeshTree& tree, const Ray& ray) {
+    TriangleRecord record;
+    return !tree.nodes.empty() && is_traceable(ray) && follow<true>(tree, ray, record);
+}
+
+#endif
+
+} // namespace HWY_NAMESPACE
+} // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint {
+
+HWY_EXPORT(closest_lone);
+HWY_EXPORT(occluded_lone);
+
+TriangleRecord closest(const MeshTree& tree, const Ray& ray) {
+    return HWY_DYNAMIC_DISPATCH(closest_lone)(tree, ray);
+}
+
+bool occluded(const MeshTree& tree, const Ray& ray) { return HWY_DYNAMIC_DISPATCH(occluded_lone)(tree, ray); }
+
+} // namespace glint
+#endif

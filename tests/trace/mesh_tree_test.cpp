@@ -1,0 +1,142 @@
+// Every way through a MeshTree gives the bits of the plain one.
+
+#include "trace/mesh_tree.h"
+
+#include "math/random.shared.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+float draw(uint key, uint index) { return unit_float(hash_with(key, index)); }
+
+vec3 draw_point(uint key, uint index) {
+    return vec3(draw(key, 3 * index), draw(key, 3 * index + 1), draw(key, 3 * index + 2));
+}
+
+struct Soup {
+    std::vector<vec3> positions;
+    std::vector<uvec3> triangles;
+};
+
+/// Small triangles scattered in a cube of side 1 · scale, some of them twice, some flat.
+Soup soup(uint seed, std::size_t count, float scale) {
+    Soup s;
+    for (uint i = 0; i < count; ++i) {
+        const vec3 at = draw_point(seed, 4 * i);
+        for (uint k = 1; k < 4; ++k)
+            s.positions.push_back((at + (draw_point(seed, 4 * i + k) - 0.5f) * 0.2f) * scale);
+        const uint first = 3 * (i % 16 == 15 ? i - 1 : i);
+        s.triangles.push_back(uvec3(first, first + 1, i % 32 == 7 ? first : first + 2));
+    }
+    return s;
+}
+
+/// Parallel and scattered rays, along axes too, short and long, NaN and infinite ones, those without
+/// direction.
+std::vector<Ray> rays_for(uint seed, std::size_t count, float scale) {
+    std::vector<Ray> rays;
+    for (uint i = 0; i < count; ++i) {
+        Ray ray;
+        ray.origin = (draw_point(seed, 2 * i) * 3.0f - 1.0f) * scale;
+        ray.direction = draw_point(seed, 2 * i + 1) - 0.5f;
+        if (i % 3 == 0) ray.direction = vec3(0.1f, 0.2f, 1.0f);
+        if (i % 16 == 1) ray.direction = vec3(0.0f, i % 32 == 1 ? -0.0f : 0.0f, i % 64 == 1 ? -1e-12f : 2.0f);
+        if (i % 8 == 2) ray.tmax = 0.4f * scale;
+        if (i % 8 == 3) ray.tmin = 0.5f * scale;
+        if (i % 128 == 5) ray.direction.x = std::numeric_limits<float>::quiet_NaN();
+        if (i % 128 == 6) ray.origin.y = std::numeric_limits<float>::infinity();
+        if (i % 128 == 7) ray.direction = vec3(0.0f);
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+bool same_bits(const TriangleRecord& a, const TriangleRecord& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+void expect_agreement(const MeshTree& tree, const std::vector<Ray>& rays) {
+    std::vector<TriangleRecord> records(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    for (const RayHint hint : {RayHint::coherent, RayHint::incoherent}) {
+        closest(tree, rays, records, hint);
+        occluded(tree, rays, blocked, hint);
+        int hits = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const TriangleRecord wanted = closest_scalar(tree, rays[i]);
+            EXPECT_TRUE(same_bits(records[i], wanted)) << "ray " << i << " in a batch";
+            EXPECT_TRUE(same_bits(closest(tree, rays[i]), wanted)) << "ray " << i << " alone";
+            EXPECT_EQ(blocked[i] != 0, wanted.triangle != no_triangle) << "ray " << i << " in a batch";
+            EXPECT_EQ(occluded(tree, rays[i]), wanted.triangle != no_triangle) << "ray " << i << " alone";
+            if (wanted.triangle != no_triangle) ++hits;
+        }
+        EXPECT_GT(hits, static_cast<int>(rays.size() / 10));
+    }
+}
+
+class MeshTreeAtScale : public testing::TestWithParam<float> {};
+
+TEST_P(MeshTreeAtScale, KernelsGiveTheBitsOfThePlainWalk) {
+    TaskPool pool(2);
+    for (uint seed = 1; seed <= 4; ++seed) {
+        const Soup s = soup(seed, 3000, GetParam());
+        expect_agreement(build_mesh_tree(s.positions, s.triangles, pool), rays_for(seed, 5000, GetParam()));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, MeshTreeAtScale, testing::Values(1e-12f, 1.0f, 1e12f));
+
+TEST(MeshTree, HoldsNothingAndHitsNothing) {
+    TaskPool pool(1);
+    const MeshTree tree = build_mesh_tree({}, {}, pool);
+    const std::vector<Ray> rays(100);
+    std::vector<TriangleRecord> records(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size(), 1);
+    closest(tree, rays, records, RayHint::coherent);
+    occluded(tree, rays, blocked, RayHint::coherent);
+    EXPECT_EQ(records[99].triangle, no_triangle);
+    EXPECT_EQ(blocked[99], 0);
+    EXPECT_EQ(closest(tree, Ray{}).triangle, no_triangle);
+    EXPECT_FALSE(occluded(tree, Ray{}));
+}
+
+TEST(MeshTree, OfEqualTrianglesTheFirstIsHit) {
+    TaskPool pool(2);
+    const std::vector<vec3> positions{vec3(-1, -1, 0), vec3(1, -1, 0), vec3(0, 1, 0)};
+    const std::vector<uvec3> triangles(20000, uvec3(0, 1, 2));
+    const MeshTree tree = build_mesh_tree(positions, triangles, pool);
+    Ray ray;
+    ray.origin = vec3(0, 0, -1);
+    const std::vector<Ray> rays(64, ray);
+    std::vector<TriangleRecord> records(rays.size());
+    for (const RayHint hint : {RayHint::coherent, RayHint::incoherent}) {
+        closest(tree, rays, records, hint);
+        for (const TriangleRecord& record : records) EXPECT_EQ(record.triangle, 0u);
+    }
+    EXPECT_EQ(closest(tree, ray).triangle, 0u);
+}
+
+TEST(MeshTree, TakesLittleMemoryWhereVerticesAreShared) {
+    std::vector<vec3> positions;
+    std::vector<uvec3> triangles;
+    constexpr uint side = 200;
+    for (uint y = 0; y < side; ++y)
+        for (uint x = 0; x < side; ++x) positions.push_back(vec3(float(x), float(y), draw(1, y * side + x)));
+    for (uint y = 0; y + 1 < side; ++y)
+        for (uint x = 0; x + 1 < side; ++x) {
+            const uint at = y * side + x;
+            triangles.push_back(uvec3(at, at + 1, at + side));
+            triangles.push_back(uvec3(at + 1, at + side + 1, at + side));
+        }
+    TaskPool pool(2);
+    const MeshTree tree = build_mesh_tree(positions, triangles, pool);
+    EXPECT_LE(static_cast<double>(tree.bytes()) / static_cast<double>(triangles.size()), 48.0);
+}
+
+} // namespace
+} // namespace glint
