@@ -46,7 +46,7 @@ function(glint_test name)
     add_executable(${name} ${TEST_SOURCES})
     target_link_libraries(${name} PRIVATE glint_flags ${TEST_DEPS} ${TEST_LIBS} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE GLINT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
+    gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()
 
 # Finds OpenEXR for the directory that asks. Debian's Imath remarks on Python parts that it does not bring; that is
