@@ -3,6 +3,7 @@
 #   glint_room(NAME [SOURCES …] [DEPS room…] [LIBS target…])   a static library `glint_NAME` of src/NAME
 #   glint_test(NAME SOURCES … [DEPS room…] [LIBS target…])     a GoogleTest program, one CTest entry a TEST,
 #                                                              labelled NAME
+#   glint_find_openexr()                                       imports OpenEXR::OpenEXR
 
 add_library(glint_flags INTERFACE)
 target_compile_features(glint_flags INTERFACE cxx_std_20)
@@ -45,5 +46,13 @@ function(glint_test name)
     add_executable(${name} ${TEST_SOURCES})
     target_link_libraries(${name} PRIVATE glint_flags ${TEST_DEPS} ${TEST_LIBS} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE GLINT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
+    gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()
+
+# Finds OpenEXR for the directory that asks. Debian's Imath remarks on Python parts that it does not bring; that is
+# kept from the reader.
+macro(glint_find_openexr)
+    set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+    find_package(OpenEXR CONFIG REQUIRED)
+    unset(CMAKE_MESSAGE_LOG_LEVEL)
+endmacro()

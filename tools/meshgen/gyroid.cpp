@@ -65,24 +65,26 @@ class Marcher {
         for (const std::size_t n : nodes) (values_[n] < 0 ? in[inside++] : out[outside++]) = n;
         if (inside == 0 || outside == 0) return;
 
+        // Cut in a list, which has an order where the arguments of a call have none: vertices are numbered as
+        // made.
         const dvec3 outward = position(out[0]) - position(in[0]);
-        if (inside == 1) {
-            add_triangle(cut(in[0], out[0]), cut(in[0], out[1]), cut(in[0], out[2]), outward);
-        } else if (outside == 1) {
-            add_triangle(cut(in[0], out[0]), cut(in[1], out[0]), cut(in[2], out[0]), outward);
-        } else {
+        if (inside == 2) {
             const std::array<Index, 4> ring{cut(in[0], out[0]), cut(in[0], out[1]), cut(in[1], out[1]),
                                             cut(in[1], out[0])};
-            add_triangle(ring[0], ring[1], ring[2], outward);
-            add_triangle(ring[0], ring[2], ring[3], outward);
+            add_triangle({ring[0], ring[1], ring[2]}, outward);
+            add_triangle({ring[0], ring[2], ring[3]}, outward);
+        } else if (inside == 1) {
+            add_triangle({cut(in[0], out[0]), cut(in[0], out[1]), cut(in[0], out[2])}, outward);
+        } else {
+            add_triangle({cut(in[0], out[0]), cut(in[1], out[0]), cut(in[2], out[0])}, outward);
         }
     }
 
     // The corners of every triangle separate in[0] from out[0], so the sign is sure.
-    void add_triangle(Index a, Index b, Index c, const dvec3& outward) {
-        const dvec3 normal = glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
-        if (glm::dot(normal, outward) < 0) std::swap(b, c);
-        mesh_.triangles.emplace_back(a, b, c);
+    void add_triangle(std::array<Index, 3> t, const dvec3& outward) {
+        const dvec3 normal = glm::cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
+        if (glm::dot(normal, outward) < 0) std::swap(t[1], t[2]);
+        mesh_.triangles.emplace_back(t[0], t[1], t[2]);
     }
 
     // The vertex on the edge between an inside and an outside node, made once for all tetrahedra at it.
