@@ -137,7 +137,8 @@ TableSpec render_table() {
                  .type = KeyType::choice,
                  .fallback = "\"mitchell\"",
                  .choices = "box tent gaussian mitchell",
-                 .help = "of the pixels; radius in pixels: box 0.5, tent 1, gaussian 1.5, mitchell 2"},
+                 .help = "of the pixels; radius in pixels: box 0.5, tent 1, gaussian 1.5, mitchell 2 (its "
+                         "negative lobes count from 16 samples on)"},
                 {.key = "background",
                  .type = KeyType::color,
                  .fallback = "[0, 0, 0]",

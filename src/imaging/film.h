@@ -42,9 +42,13 @@ class PairwiseSum {
     std::array<T, 32> trees_{}; ///< tree of 2^level values where bit `level` of the count is set
 };
 
-/// One pixel's samples: Σ w L / Σ w for weights of ±1 (imaging/filter.h). Where the weights nearly cancel,
-/// Σ w < n / 2, as happens when several of few samples fall on a negative lobe, dividing by them would blow
-/// the pixel up: it is the plain mean of the samples of positive weight, or of all where there is none.
+/// From this many samples on, a filter's negative lobes count.
+inline constexpr std::uint32_t samples_for_lobes = 16;
+
+/// One pixel's samples: Σ w L / Σ w for weights of ±1 (imaging/filter.h). Few samples do not resolve a
+/// negative lobe: one bright sample on it among four would turn a pixel black. So with fewer than
+/// samples_for_lobes, or where the weights nearly cancel (Σ w < n / 2), the pixel is the plain mean of the
+/// samples of positive weight, or of all where there is none.
 ///
 /// T is what a sample measures: T{} is 0, and it has + − and / float.
 template <class T>
@@ -66,7 +70,8 @@ class PixelSum {
         if (positives_ == 0) return negative_.total() / static_cast<float>(negatives);
 
         const std::int64_t weights = std::int64_t{positives_} - std::int64_t{negatives};
-        if (2 * weights < std::int64_t{count}) return positive_.total() / static_cast<float>(positives_);
+        if (count < samples_for_lobes || 2 * weights < std::int64_t{count})
+            return positive_.total() / static_cast<float>(positives_);
         return (positive_.total() - negative_.total()) / static_cast<float>(weights);
     }
 

@@ -61,13 +61,16 @@ TEST(PixelSum, OneSampleIsThePixel) {
 }
 
 TEST(PixelSum, DividesTheWeightedSumByTheWeights) {
-    // (1 + 2 + 3 − 4) / (3 − 1): half of the samples' number remains, just enough.
+    // (12 · 2 − 4 · 4) / (12 − 4): half of the samples' number remains, just enough.
     PixelSum<vec3> pixel;
-    pixel.add(vec3(1), 1);
-    pixel.add(vec3(4), -1);
-    pixel.add(vec3(2), 1);
-    pixel.add(vec3(3), 1);
+    for (int i = 0; i < 16; ++i) pixel.add(i % 4 == 1 ? vec3(4) : vec3(2), i % 4 == 1 ? -1.0f : 1.0f);
     EXPECT_EQ(pixel.value(), vec3(1));
+}
+
+TEST(PixelSum, LeavesNegativeLobesOutOfFewSamples) {
+    PixelSum<vec3> pixel;
+    for (int i = 0; i < 15; ++i) pixel.add(i == 7 ? vec3(100) : vec3(2), i == 7 ? -1.0f : 1.0f);
+    EXPECT_EQ(pixel.value(), vec3(2));
 }
 
 TEST(PixelSum, TakesThePositiveMeanWhereWeightsNearlyCancel) {
