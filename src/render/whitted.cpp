@@ -214,6 +214,9 @@ float WhittedTracer::shadow_factor(const Surface& s, const LightNode& light, con
         ray.tmax = 1.0f;
     }
     if (!scene_.world.occluded(ray)) return 1.0f;
+    // Light on a back that is lit as stored arrives on the other side of the surface.
+    if (s.lit_side < 0.0f && holds_media(s.object))
+        media = across(media, s.object, s.entering, scene_, arena_);
     const bool walk =
         scene_.any_transparent && (settings_.shadows == Shadows::transmissive || media != nullptr);
     return walk ? walk_shadow(ray, media) : 0.0f;

@@ -130,6 +130,26 @@ TEST(Nesting, ShadowsFromInsideKnowWhatTheyAreIn) {
     EXPECT_EQ(look(scene, Vec3(0.1, 0, 0.2), Vec3(-0.1, 0, -0.2)).light.x, 0);
 }
 
+TEST(Nesting, LightOnTheBackOfAStoredFaceComesFromOutsideItsGlass) {
+    // The far side of the box, met from inside, is lit through its back: something stands before that light.
+    Material m = glass(1, 0.5);
+    m.color = Vec3(1);
+    m.diffuse = 1;
+    SceneDescription scene = empty_scene();
+    scene.whitted.max_depth = 1;
+    add(scene, SphereShape{Vec3(3, 0, 0), 0.5}, matte());
+    MeshShape box = mesh_of(box_mesh(Vec3(0), Vec3(2)));
+    box.facing = Facing::stored;
+    add(scene, box, m);
+    add_light(scene, Vec3(5, 0.1, 0.2));
+    const Look seen = look(scene, Vec3(-4, 0.1, 0.2), Vec3(1, 0, 0));
+    const LightNode& light = seen.node(1).lights.at(0);
+    EXPECT_GT(light.arriving.x, 0);
+    EXPECT_EQ(light.shadow, 0);
+    scene.objects[0].visible = false;
+    EXPECT_EQ(look(scene, Vec3(-4, 0.1, 0.2), Vec3(1, 0, 0)).node(1).lights.at(0).shadow, 1);
+}
+
 TEST(Nesting, ADrinkThatOverlapsItsGlassMeetsItDirectly) {
     // From the air through glass into the drink and back: three kinds of crossing, and no air gap between.
     SceneDescription scene = in_sky();
