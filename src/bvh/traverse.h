@@ -26,11 +26,12 @@ struct BoxRay {
 
     BoxRay(const Ray& ray, const Bounds& bounds) {
         const vec3 d = glm::abs(ray.direction);
-        const float least = 1e-18f * std::max({d.x, d.y, d.z});
+        // The floor is where 1/x would overflow.
+        const float least = std::max(1e-18f * std::max({d.x, d.y, d.z}), 2.95e-39f);
         float reach = 0;
         float corner = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const float size = std::min(1.0f / std::max(d[axis], least), std::numeric_limits<float>::max());
+            const float size = 1.0f / std::max(d[axis], least);
             origin[axis] = ray.origin[axis];
             inverse[axis] = std::copysign(size, ray.direction[axis]);
             reach = std::max(reach, std::abs(ray.origin[axis]));

@@ -44,10 +44,10 @@ class LoneRay {
         const float scale =
             std::max(reach.x, std::max(reach.y, reach.z)) + std::max(far.x, std::max(far.y, far.z));
         const float pad = 0x1p-20f * scale;
-        const float least = std::max(most * least_direction, scale * least_of_scale);
+        const float least = std::max({most * least_direction, scale * least_of_scale, 2.95e-39f});
         for (int axis = 0; axis < 3; ++axis) {
             const float clamped = std::max(d[axis], least);
-            const float size = std::min(1.0f / clamped, std::numeric_limits<float>::max());
+            const float size = 1.0f / clamped;
             const float inverse = std::copysign(size, ray.direction[axis]);
             const float shift = ray.origin[axis] * inverse;
             inverse_[axis] = inverse;
