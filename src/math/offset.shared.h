@@ -7,9 +7,10 @@ GLINT_SHARED_BEGIN
 /// The float next to x in the direction of `toward` (±); 0 steps to the least subnormal.
 GLINT_FN float next_float(float x, float toward) {
     if (x == 0.0f) return toward > 0.0f ? intBitsToFloat(1) : intBitsToFloat(int(0x80000001u));
+    // +1 away from 0, −1 toward it, by the signs alone: which it is cannot be predicted.
     int bits = floatBitsToInt(x);
-    bool away = (x > 0.0f) == (toward > 0.0f);
-    return intBitsToFloat(away ? bits + 1 : bits - 1);
+    int step = 1 | ((bits ^ floatBitsToInt(toward)) >> 31);
+    return intBitsToFloat(bits + step);
 }
 
 /// One float further than x in the direction of w; x itself where w is 0.
