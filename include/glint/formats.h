@@ -24,19 +24,19 @@ using Override = std::string;
 
 struct LoadOptions {
     std::vector<Override> overrides;
-    bool allow_outside = false;   ///< may a scene name files outside its own folder?
+    bool allow_outside = false; ///< may a scene name files outside its own folder?
     bool load_meshes = true;
-    std::optional<Axis> up;       ///< for bare meshes; none: guessed, and said in `notes`
+    std::optional<Axis> up; ///< for bare meshes; none: guessed, and said in `notes`
 };
 
 struct LoadedScene {
     SceneDescription description;
     std::vector<Diagnostic> warnings; ///< of the files; those of meaning come from glint::warnings()
-    std::vector<std::string> notes;   ///< choices made for the user, one line each ("up axis: y (guessed) …")
+    std::vector<std::string> notes; ///< choices made for the user, one line each ("up axis: y (guessed) …")
 };
 
-/// Reads a scene file, or stages a bare mesh, judged by the extension and then by the content. "-" reads a scene
-/// from stdin. All errors of meaning are reported together.
+/// Reads a scene file, or stages a bare mesh, judged by the extension and then by the content. "-" reads a
+/// scene from stdin. All errors of meaning are reported together.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 /// The same from text; `name` stands for the file in messages and its folder for relative names.
@@ -79,18 +79,19 @@ struct Layer {
 
 struct PictureOptions {
     View view = View::srgb;
-    int bits = 8;                    ///< PNG: 8 or 16
-    std::vector<float> alpha;        ///< PNG, EXR: width · height values, straight; empty: none
-    std::vector<Layer> layers;       ///< EXR
-    std::vector<std::pair<std::string, std::string>> metadata; ///< what decides the picture; PNG text, EXR attributes
+    int bits = 8;              ///< PNG: 8 or 16
+    std::vector<float> alpha;  ///< PNG, EXR: width · height values, straight; empty: none
+    std::vector<Layer> layers; ///< EXR
+    std::vector<std::pair<std::string, std::string>>
+        metadata; ///< what decides the picture; PNG text, EXR attributes
 };
 
 /// Writes .png, .exr or .pfm by the extension; "-" is stdout (as PNG).
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options = {});
 
-/// Throws what write_picture() would throw for the path alone: Error(usage) for an extension that is none of the
-/// three or cannot hold alpha or layers, Error(output) for a missing folder or permission. Writes nothing: call it
-/// before a long render.
+/// Throws what write_picture() would throw for the path alone: Error(usage) for an extension that is none of
+/// the three or cannot hold alpha or layers, Error(output) for a missing folder or permission. Writes
+/// nothing: call it before a long render.
 void check_picture_target(const std::string& path, bool with_alpha = false, bool with_layers = false);
 
 /// A picture as read: 8- and 16-bit ones hold their integer values, float ones linear light.
@@ -100,8 +101,8 @@ struct LoadedPicture {
 };
 LoadedPicture read_picture(const std::string& path);
 
-/// What `glint diff` compares: |a − b| in units of 1/255 where both pictures have 8 or 16 bits, linear light where
-/// both are float. One of each is refused with Error(usage), different sizes with Error(input).
+/// What `glint diff` compares: |a − b| in units of 1/255 where both pictures have 8 or 16 bits, linear light
+/// where both are float. One of each is refused with Error(usage), different sizes with Error(input).
 struct PictureDifference {
     Comparison comparison;
     bool eight_bit = false; ///< units of 1/255

@@ -24,7 +24,8 @@ struct Image {
 
   private:
     std::size_t offset(int x, int y) const {
-        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3;
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+               3;
     }
 };
 
@@ -40,9 +41,9 @@ struct Comparison {
     double share = 0; ///< share of pixels with a channel that differs by more than `tolerance`, 0 … 1
 };
 
-/// Compares a with b. `tolerance` is in the pictures' own units and inclusive (a difference equal to it passes);
-/// `peak` is white (1 for linear light, 255 for 8-bit values). Pictures of different sizes throw std::invalid_argument.
-/// NaN against NaN is no difference; NaN against a number is an infinite one.
+/// Compares a with b. `tolerance` is in the pictures' own units and inclusive (a difference equal to it
+/// passes); `peak` is white (1 for linear light, 255 for 8-bit values). Pictures of different sizes throw
+/// std::invalid_argument. NaN against NaN is no difference; NaN against a number is an infinite one.
 Comparison compare(const Image& a, const Image& b, double tolerance, double peak);
 
 /// A picture of |a − b|: black is equal, through blue and yellow to white at `full_scale` and beyond.

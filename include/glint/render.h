@@ -37,8 +37,8 @@ struct RenderOptions {
     int threads = 0;    ///< 0: one for each core
     int tile_size = 16; ///< pixels; changes the order of the work, never the picture
     std::optional<Rect> crop;
-    bool terms = false;    ///< keep a picture of each term
-    bool coverage = false; ///< keep the share of samples that hit something
+    bool terms = false;                            ///< keep a picture of each term
+    bool coverage = false;                         ///< keep the share of samples that hit something
     std::function<void(const Progress&)> progress; ///< called from rendering threads, one at a time
     const CancelFlag* cancel = nullptr;
 };
@@ -63,17 +63,19 @@ struct RenderStats {
 
 struct Picture {
     Image image;
-    std::array<Image, term_count> terms; ///< by Term; their sum in order is `image` to the bit; empty unless asked for
-    std::vector<float> coverage;         ///< width · height: share of the samples that hit something; or empty
+    std::array<Image, term_count>
+        terms; ///< by Term; their sum in order is `image` to the bit; empty unless asked for
+    std::vector<float> coverage; ///< width · height: share of the samples that hit something; or empty
     RenderStats stats;
     bool complete = true; ///< false: cancelled; pixels of unfinished tiles are 0
 };
 
-/// Renders the scene by its own settings. The picture depends on scene and settings alone: not on threads or tiles.
-/// With a crop, the picture has the crop's size and holds exactly these pixels of the whole.
+/// Renders the scene by its own settings. The picture depends on scene and settings alone: not on threads or
+/// tiles. With a crop, the picture has the crop's size and holds exactly these pixels of the whole.
 Picture render(const Scene& scene, const RenderOptions& options = {});
 
-/// The settings that decide the picture, for metadata: version, size, samples, seed, filter, integrator, depth …
+/// The settings that decide the picture, for metadata: version, size, samples, seed, filter, integrator,
+/// depth …
 std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& scene);
 
 /// The version of the library, "0.1.0".

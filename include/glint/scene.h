@@ -72,15 +72,15 @@ struct WhittedSettings {
 
 struct Material {
     std::string name;
-    Vec3 color{0.8};          ///< linear RGB
-    double ambient = 1;       ///< k_a
-    double diffuse = 1;       ///< k_d
-    double highlight = 0;     ///< k
-    double shininess = 32;    ///< m, the report's n
-    double reflectivity = 0;  ///< ρ
-    double transparency = 0;  ///< τ, 0 … 1
-    double index = 1.5;       ///< η, used where transparency > 0
-    Vec3 absorption{0};       ///< σ, per scene unit, inside solids
+    Vec3 color{0.8};         ///< linear RGB
+    double ambient = 1;      ///< k_a
+    double diffuse = 1;      ///< k_d
+    double highlight = 0;    ///< k
+    double shininess = 32;   ///< m, the report's n
+    double reflectivity = 0; ///< ρ
+    double transparency = 0; ///< τ, 0 … 1
+    double index = 1.5;      ///< η, used where transparency > 0
+    Vec3 absorption{0};      ///< σ, per scene unit, inside solids
     bool fresnel = false;
     Vec3 emission{0};
     Location where;
@@ -110,17 +110,18 @@ enum class PolyhedronKind { box, tetrahedron, octahedron, dodecahedron, icosahed
 struct PolyhedronShape {
     PolyhedronKind kind = PolyhedronKind::box;
     Vec3 center{0};
-    Vec3 size{1};      ///< box: edge lengths
-    double radius = 1; ///< all others: circumscribed
-    int sides = 6;     ///< prism, pyramid
-    double height = 1; ///< prism, pyramid
+    Vec3 size{1};       ///< box: edge lengths
+    double radius = 1;  ///< all others: circumscribed
+    int sides = 6;      ///< prism, pyramid
+    double height = 1;  ///< prism, pyramid
     Vec3 axis{0, 0, 1}; ///< prism, pyramid
 };
 enum class NormalsMode { automatic, flat, smooth };
 /// Which way a mesh's normals face when lights are summed.
 enum class Facing {
     viewer, ///< turned to the viewer, as everything else
-    stored  ///< by the winding: the inside of an open mesh is lit through its back, as the report's program did
+    stored  ///< by the winding: the inside of an open mesh is lit through its back, as the report's program
+            ///< did
 };
 enum class VertexColors { automatic, ignore };
 struct MeshShape {
@@ -195,8 +196,8 @@ struct SceneStats {
     std::uint64_t lights = 0;
     std::uint64_t tree_nodes = 0;
     int tree_depth = 0;
-    std::uint64_t bytes = 0;     ///< held by geometry and trees
-    Vec3 bounds_min{0};          ///< of everything finite; min > max where there is nothing
+    std::uint64_t bytes = 0; ///< held by geometry and trees
+    Vec3 bounds_min{0};      ///< of everything finite; min > max where there is nothing
     Vec3 bounds_max{0};
 };
 
@@ -222,8 +223,9 @@ struct FreezeOptions {
 /// Checks the description, bakes transforms, builds the trees. Throws Error(input) with every error found.
 Scene freeze(const SceneDescription& description, const FreezeOptions& options = {});
 
-/// What is suspicious though valid: no light, camera or light inside an object, open mesh made of glass, coincident
-/// glass faces, a material that gives more light than it gets, objects hidden inside glass that owns their space.
+/// What is suspicious though valid: no light, camera or light inside an object, open mesh made of glass,
+/// coincident glass faces, a material that gives more light than it gets, objects hidden inside glass that
+/// owns their space.
 std::vector<Diagnostic> warnings(const Scene& scene);
 
 /// The axis that points up in a mesh as it is stored, judged by its shape: y or z.
