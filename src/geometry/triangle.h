@@ -71,15 +71,15 @@ inline ShearedVertex shear(const ShearedRay& ray, const std::array<float, 3>& v)
     return {(v[ray.kx] - ray.ox) - ray.sx * z, (v[ray.ky] - ray.oy) - ray.sy * z, z};
 }
 
-/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So what this
-/// rejects, exact arithmetic rejects as well.
+/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So what
+/// this rejects, exact arithmetic rejects as well.
 inline bool surely_outside(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
     return mixed_signs(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
 }
 
 /// The exact part of the test, for what is not surely outside.
-inline bool intersect_sheared(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c, float sz,
-                              float tmin, float limit, TriangleHit& hit) {
+inline bool intersect_sheared(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c,
+                              float sz, float tmin, float limit, TriangleHit& hit) {
     // Products of floats are exact in double, so that these signs are exact.
     const double u = double(c.x) * b.y - double(c.y) * b.x;
     const double v = double(a.x) * c.y - double(a.y) * c.x;
