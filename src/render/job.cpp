@@ -58,6 +58,19 @@ double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Samples that are traced together: enough to fill batches of rays, few enough to stay in the cache.
+constexpr int batch_samples = 256;
+
+/// Every second bit of a number, moved together: from a place on Morton's curve its x, or its y from the
+/// half.
+std::uint32_t even_bits(std::uint32_t x) {
+    x &= 0x55555555u;
+    x = (x | x >> 1) & 0x33333333u;
+    x = (x | x >> 2) & 0x0f0f0f0fu;
+    x = (x | x >> 4) & 0x00ff00ffu;
+    return (x | x >> 8) & 0x0000ffffu;
+}
+
 /// One rendering: tiles over threads, each tile's pixels written by one thread alone.
 class Job {
   public:
@@ -65,6 +78,7 @@ class Job {
         : scene_(scene), options_(options), settings_(scene.description.render), camera_(camera_of(scene)),
           filter_(filter_kind(settings_.filter)), area_(checked_area()) {
         tile_ = std::max(1, options.tile_size);
+        while (4 * block_ * block_ * settings_.spp <= batch_samples) block_ *= 2;
         columns_ = (area_.width + tile_ - 1) / tile_;
         rows_ = (area_.height + tile_ - 1) / tile_;
         picture_.image = Image(area_.width, area_.height);
@@ -81,7 +95,7 @@ class Job {
         TaskPool pool(options_.threads);
         start_ = wall;
         for (int i = 0; i < pool.threads(); ++i)
-            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel)});
+            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel), {}, {}, {}});
         pool.run(tile_count(), [this](std::size_t tile, int worker) {
             render_tile(tile, workers_[static_cast<std::size_t>(worker)]);
         });
@@ -92,8 +106,16 @@ class Job {
     }
 
   private:
+    /// A pixel of the area.
+    struct Pixel {
+        int x = 0;
+        int y = 0;
+    };
     struct Worker {
         WhittedTracer tracer;
+        std::vector<Pixel> pixels;
+        std::vector<Sample> samples;
+        std::vector<float> weights;
         std::uint64_t tiles = 0;
         std::uint64_t rays_told = 0;
     };
@@ -124,43 +146,85 @@ class Job {
         r.y = static_cast<int>(tile / static_cast<std::size_t>(columns_)) * tile_;
         r.width = std::min(tile_, area_.width - r.x);
         r.height = std::min(tile_, area_.height - r.y);
-        for (int y = r.y; y < r.y + r.height; ++y)
-            for (int x = r.x; x < r.x + r.width; ++x) {
-                render_pixel(x, y, worker);
+        for (int y = r.y; y < r.y + r.height; y += block_)
+            for (int x = r.x; x < r.x + r.width; x += block_) {
+                render_block(x, y, r, worker);
                 if (cancelled()) return clear(r);
             }
         ++worker.tiles;
         report(worker);
     }
 
-    /// x and y count within the area; samples depend on the place in the whole picture. One sample is the
-    /// pixel's centre.
-    void render_pixel(int x, int y, Worker& worker) {
-        const int px = area_.x + x;
-        const int py = area_.y + y;
-        const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
-                                   static_cast<uint>(px), static_cast<uint>(py));
-        if (settings_.spp == 1) {
-            const Terms terms = trace_sample(px, py, FilterSample{}, worker);
-            return store(x, y, terms, worker.tracer.covered() ? 1.0f : 0.0f);
+    /// The block of pixels at x, y, as far as it lies in the tile: all their samples together.
+    void render_block(int x, int y, const Rect& tile, Worker& worker) {
+        worker.pixels.clear();
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block_ * block_); ++i) {
+            const Pixel pixel{x + static_cast<int>(even_bits(i)), y + static_cast<int>(even_bits(i >> 1))};
+            if (pixel.x < tile.x + tile.width && pixel.y < tile.y + tile.height)
+                worker.pixels.push_back(pixel);
         }
+        const int count = std::min(settings_.spp, batch_samples);
+        start_batch(worker);
+        for (const Pixel& pixel : worker.pixels) add_samples(pixel, 0, count, worker);
+        worker.tracer.trace(worker.samples);
+        for (std::size_t i = 0; i < worker.pixels.size(); ++i) {
+            const std::size_t first = i * static_cast<std::size_t>(count);
+            if (settings_.spp == 1)
+                store(worker.pixels[i], worker.samples[i].terms, worker.samples[i].covered ? 1.0f : 0.0f);
+            else
+                store_sum(worker.pixels[i], first, worker);
+        }
+    }
+
+    /// One pixel's mean, from its samples in the batch; those that a batch cannot hold are traced now.
+    void store_sum(const Pixel& pixel, std::size_t first, Worker& worker) {
         PixelSum<Terms> sum;
         int covered = 0;
-        for (int i = 0; i < settings_.spp; ++i) {
-            const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
-            const FilterSample place = filter_.sample(u.x, u.y);
-            sum.add(trace_sample(px, py, place, worker), place.weight);
-            if (worker.tracer.covered()) ++covered;
+        for (int done = 0; done < settings_.spp;) {
+            const int count = std::min(settings_.spp - done, batch_samples);
+            if (done > 0) {
+                start_batch(worker);
+                add_samples(pixel, done, count, worker);
+                worker.tracer.trace(worker.samples);
+                first = 0;
+            }
+            for (const Sample* s = &worker.samples[first]; s != &worker.samples[first] + count; ++s) {
+                sum.add(s->terms, worker.weights[static_cast<std::size_t>(s - worker.samples.data())]);
+                covered += s->covered ? 1 : 0;
+            }
+            done += count;
         }
-        store(x, y, sum.value(), static_cast<float>(covered) / static_cast<float>(settings_.spp));
+        store(pixel, sum.value(), static_cast<float>(covered) / static_cast<float>(settings_.spp));
     }
 
-    Terms trace_sample(int px, int py, const FilterSample& place, Worker& worker) const {
-        const vec3 direction = pinhole_direction(camera_, px, py, place.dx, place.dy);
-        return worker.tracer.trace(camera_.eye, direction);
+    static void start_batch(Worker& worker) {
+        worker.samples.clear();
+        worker.weights.clear();
     }
 
-    void store(int x, int y, const Terms& terms, float coverage) {
+    /// Samples first … first + count − 1 of a pixel, for the next batch.
+    void add_samples(const Pixel& pixel, int first, int count, Worker& worker) const {
+        for (int i = first; i < first + count; ++i) {
+            const FilterSample place = place_of(pixel, i);
+            const vec3 direction =
+                pinhole_direction(camera_, area_.x + pixel.x, area_.y + pixel.y, place.dx, place.dy);
+            worker.samples.push_back({camera_.eye, direction, {}, false});
+            worker.weights.push_back(place.weight);
+        }
+    }
+
+    /// Where sample i of a pixel lies: by its place in the whole picture. One sample is the pixel's centre.
+    FilterSample place_of(const Pixel& pixel, int i) const {
+        if (settings_.spp == 1) return {};
+        const auto key =
+            pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
+                      static_cast<uint>(area_.x + pixel.x), static_cast<uint>(area_.y + pixel.y));
+        const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
+        return filter_.sample(u.x, u.y);
+    }
+
+    void store(const Pixel& pixel, const Terms& terms, float coverage) {
+        const auto [x, y] = pixel;
         write(picture_.image.at(x, y), terms.sum());
         if (options_.terms)
             for (std::size_t i = 0; i < picture_.terms.size(); ++i)
@@ -181,7 +245,7 @@ class Job {
 
     void clear(const Rect& r) {
         for (int y = r.y; y < r.y + r.height; ++y)
-            for (int x = r.x; x < r.x + r.width; ++x) store(x, y, Terms{}, 0.0f);
+            for (int x = r.x; x < r.x + r.width; ++x) store({x, y}, Terms{}, 0.0f);
     }
 
     static std::uint64_t rays_of(const RayCounts& c) {
@@ -219,6 +283,7 @@ class Job {
     const PixelFilterSampler filter_;
     const Rect area_;
     int tile_ = 16;
+    int block_ = 1; ///< side of the squares of pixels that are traced together
     int columns_ = 0;
     int rows_ = 0;
     double start_ = 0;

@@ -10,70 +10,88 @@ namespace glint {
 WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel)
     : scene_(scene), settings_(scene.description.whitted), cancel_(cancel) {}
 
-Terms WhittedTracer::trace(const vec3& origin, const vec3& direction, RayTree* record) {
-    arena_.clear();
-    record_ = record;
-    if (record_ != nullptr) record_->nodes.clear();
+Ray WhittedTracer::ray_of(const Path& path) {
+    Ray ray;
+    ray.origin = path.origin;
+    ray.direction = path.direction;
+    return ray;
+}
+
+WhittedTracer::Path WhittedTracer::primary_path(const vec3& origin, const vec3& direction) {
     Path path;
     path.origin = origin;
     path.direction = direction;
     for (const std::uint32_t object : scene_.camera_media)
         path.media = with(path.media, object, scene_, arena_);
     ++counts_.primary;
-    return follow(path);
+    return path;
 }
 
-Terms WhittedTracer::follow(Path path) {
+Terms WhittedTracer::trace(const vec3& origin, const vec3& direction, RayTree* record, bool* covered) {
+    arena_.clear();
+    record_ = record;
+    if (record_ != nullptr) record_->nodes.clear();
+    return follow(primary_path(origin, direction), covered);
+}
+
+Terms WhittedTracer::follow(Path path, bool* covered) {
     // A tree can have 2^max_depth rays: the wish to stop must reach into it.
     if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return Terms{};
     const int node = start_node(path);
-    Ray ray;
-    ray.origin = path.origin;
-    ray.direction = path.direction;
-    const Hit hit = visible_hit(ray, path.media);
-    if (path.kind == RayKind::primary) covered_ = static_cast<bool>(hit);
+    const Ray ray = ray_of(path);
+    Hit hit = scene_.world.closest(ray);
+    pass_hidden(ray, hit, path.media);
+    if (covered != nullptr) *covered = static_cast<bool>(hit);
     if (!hit) return missed(path, node);
 
     const Surface surface = surface_at(ray, hit);
-    if (RayNode* record = node_at(node)) {
-        record->hit = hit;
-        record->position = surface.point.p;
-        record->geometric_normal = surface.n_g;
-        record->shading_normal = surface.n;
-        record->color = surface.color;
-        record->entering = surface.entering;
-        for (const Media* m = path.media; m != nullptr; m = m->rest) record->media.push_back(m->object);
-    }
-    Terms terms = local_terms(surface, path.media, node);
-    bounce(path, surface, terms, node);
+    note_surface(path, hit, surface, node);
+    Terms terms = first_terms(surface);
+    light_surface(surface, path.media, terms, node);
+    limit_terms(terms);
+    if (goes_on(path, surface, node)) branch(path, surface, terms, node);
     absorb(path.media, hit.t, terms, node);
-    if (RayNode* record = node_at(node)) {
-        record->terms = terms;
-        record->radiance = terms.sum();
-    }
+    note_terms(terms, node);
     return terms;
+}
+
+void WhittedTracer::light_surface(const Surface& surface, const Media* media, Terms& terms, int node) {
+    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
+        LightNode light = light_at(i, surface);
+        if (wants_shadow(light, surface)) {
+            const Ray ray = shadow_ray(surface, light);
+            if (scene_.world.occluded(ray)) light.shadow = behind_blockers(ray, surface, media);
+            add_light(light, surface, terms);
+        }
+        if (RayNode* record = node_at(node)) record->lights.push_back(light);
+    }
+}
+
+void WhittedTracer::branch(const Path& path, const Surface& surface, Terms& terms, int node) {
+    const Split split = split_at(path, surface, terms, node);
+    if (split.reflected > 0.0f)
+        terms[Term::reflection] = follow(reflected_path(path, surface, node)).sum() * split.reflected;
+    if (split.refracted > 0.0f)
+        terms[Term::transmission] =
+            follow(refracted_path(path, surface, split, node)).sum() * split.refracted;
 }
 
 // Surfaces inside a transparent solid of higher rank are passed over on the same ray, one by one; `media`
 // follows.
-Hit WhittedTracer::visible_hit(const Ray& ray, const Media*& media) {
-    Hit hit = scene_.world.closest(ray);
+void WhittedTracer::pass_hidden(const Ray& ray, Hit& hit, const Media*& media) {
     while (hit && hidden(media, hit.object, scene_)) {
         if (holds_media(hit.object)) media = across(media, hit.object, enters(ray, hit), scene_, arena_);
         hit = scene_.world.next(ray, hit);
     }
-    return hit;
 }
 
 // What never leaves a solid brings nothing; what misses everything gets the background.
-Terms WhittedTracer::missed(const Path& path, int node) {
+Terms WhittedTracer::missed(const Path& path, int node) const {
     Terms terms{};
     if (path.media == nullptr) terms[Term::emission] = scene_.background;
-    if (RayNode* record = node_at(node)) {
+    if (RayNode* record = node_at(node))
         record->end = path.media == nullptr ? RayEnd::background : RayEnd::absorbed;
-        record->terms = terms;
-        record->radiance = terms.sum();
-    }
+    note_terms(terms, node);
     return terms;
 }
 
@@ -142,27 +160,15 @@ void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
 // ── Light that arrives from the lights
 // ──────────────────────────────────────────────────────────────────────
 
-Terms WhittedTracer::local_terms(const Surface& s, const Media* media, int node) {
+Terms WhittedTracer::first_terms(const Surface& s) const {
     Terms terms{};
-    const FrozenMaterial& m = *s.material;
-    terms[Term::ambient] = ambient_term(scene_.ambient, s.color, m.ambient);
-    terms[Term::emission] = m.emission;
-    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
-        const LightNode light = light_at(i, s, media);
-        terms[Term::diffuse] = terms[Term::diffuse] + light.diffuse;
-        terms[Term::highlight] = terms[Term::highlight] + light.highlight;
-        if (RayNode* record = node_at(node)) record->lights.push_back(light);
-    }
-    if (settings_.clamp) {
-        terms[Term::ambient] = limit_to_range(terms[Term::ambient]);
-        terms[Term::highlight] = limit_to_range(terms[Term::highlight]);
-        const vec3 sum = (terms[Term::ambient] + terms[Term::diffuse]) + terms[Term::highlight];
-        terms[Term::clamp] = limit_to_one(sum) - sum;
-    }
+    terms[Term::ambient] = ambient_term(scene_.ambient, s.color, s.material->ambient);
+    terms[Term::emission] = s.material->emission;
     return terms;
 }
 
-LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s, const Media* media) {
+/// What arrives from a light where nothing stands between.
+LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s) const {
     const FrozenLight& light = scene_.lights[index];
     LightNode node;
     node.light = index;
@@ -171,39 +177,28 @@ LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s, const M
         node.distance = std::numeric_limits<float>::infinity();
         node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
         node.arriving = directional_light_arriving(light.strength, node.cosine);
-    } else {
-        const vec3 to_light = light.position - s.point.p;
-        const float r_squared = dot(to_light, to_light);
-        node.distance = sqrt(r_squared);
-        if (!(node.distance > 0.0f)) return node;
-        node.direction = to_light / node.distance;
-        node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
-        node.arriving = point_light_arriving(light.strength, node.cosine, r_squared);
-        if (light.kind == LightKind::spot)
-            node.arriving = node.arriving * spot_falloff(-dot(node.direction, light.direction),
-                                                         light.cos_outer, light.cos_inner);
+        return node;
     }
-    const bool shines = s.material->diffuse > 0.0f || s.material->highlight > 0.0f;
-    if (!shines || node.arriving == vec3(0.0f)) return node;
-    node.shadow = shadow_factor(s, node, media);
-    if (node.shadow > 0.0f) shade_light(node, s);
+    const vec3 to_light = light.position - s.point.p;
+    const float r_squared = dot(to_light, to_light);
+    node.distance = sqrt(r_squared);
+    if (!(node.distance > 0.0f)) return node;
+    node.direction = to_light / node.distance;
+    node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
+    node.arriving = point_light_arriving(light.strength, node.cosine, r_squared);
+    if (light.kind == LightKind::spot)
+        node.arriving = node.arriving *
+                        spot_falloff(-dot(node.direction, light.direction), light.cos_outer, light.cos_inner);
     return node;
 }
 
-void WhittedTracer::shade_light(LightNode& light, const Surface& s) const {
-    const FrozenMaterial& m = *s.material;
-    light.diffuse = diffuse_term(light.arriving, s.color, m.diffuse) * light.shadow;
-    if (settings_.clamp) light.diffuse = limit_to_one(light.diffuse);
-    if (m.highlight > 0.0f) {
-        const float lobe = settings_.highlight_model == HighlightModel::blinn
-                               ? blinn_lobe(s.n * s.lit_side, light.direction, s.v, m.shininess)
-                               : phong_lobe(s.n * s.lit_side, light.direction, s.v, m.shininess);
-        light.highlight = highlight_term(light.arriving, m.highlight, lobe) * light.shadow;
-    }
+bool WhittedTracer::wants_shadow(const LightNode& light, const Surface& s) const {
+    const bool shines = s.material->diffuse > 0.0f || s.material->highlight > 0.0f;
+    return shines && light.arriving != vec3(0.0f);
 }
 
 // The ray to the light ends at t = 1 for a light with a place, so that "between" needs no tolerance.
-float WhittedTracer::shadow_factor(const Surface& s, const LightNode& light, const Media* media) {
+Ray WhittedTracer::shadow_ray(const Surface& s, const LightNode& light) {
     ++counts_.shadow;
     const FrozenLight& source = scene_.lights[light.light];
     Ray ray;
@@ -213,13 +208,39 @@ float WhittedTracer::shadow_factor(const Surface& s, const LightNode& light, con
         ray.direction = source.position - ray.origin;
         ray.tmax = 1.0f;
     }
-    if (!scene_.world.occluded(ray)) return 1.0f;
+    return ray;
+}
+
+/// The share of the light that gets through what the ray meets.
+float WhittedTracer::behind_blockers(const Ray& ray, const Surface& s, const Media* media) {
     // Light on a back that is lit as stored arrives on the other side of the surface.
     if (s.lit_side < 0.0f && holds_media(s.object))
         media = across(media, s.object, s.entering, scene_, arena_);
     const bool walk =
         scene_.any_transparent && (settings_.shadows == Shadows::transmissive || media != nullptr);
     return walk ? walk_shadow(ray, media) : 0.0f;
+}
+
+void WhittedTracer::add_light(LightNode& light, const Surface& s, Terms& terms) const {
+    if (!(light.shadow > 0.0f)) return;
+    const FrozenMaterial& m = *s.material;
+    light.diffuse = diffuse_term(light.arriving, s.color, m.diffuse) * light.shadow;
+    if (settings_.clamp) light.diffuse = limit_to_one(light.diffuse);
+    terms[Term::diffuse] = terms[Term::diffuse] + light.diffuse;
+    if (!(m.highlight > 0.0f)) return;
+    const float lobe = settings_.highlight_model == HighlightModel::blinn
+                           ? blinn_lobe(s.n * s.lit_side, light.direction, s.v, m.shininess)
+                           : phong_lobe(s.n * s.lit_side, light.direction, s.v, m.shininess);
+    light.highlight = highlight_term(light.arriving, m.highlight, lobe) * light.shadow;
+    terms[Term::highlight] = terms[Term::highlight] + light.highlight;
+}
+
+void WhittedTracer::limit_terms(Terms& terms) const {
+    if (!settings_.clamp) return;
+    terms[Term::ambient] = limit_to_range(terms[Term::ambient]);
+    terms[Term::highlight] = limit_to_range(terms[Term::highlight]);
+    const vec3 sum = (terms[Term::ambient] + terms[Term::diffuse]) + terms[Term::highlight];
+    terms[Term::clamp] = limit_to_one(sum) - sum;
 }
 
 // Every visible crossing takes its share: τ only, no bending (docs/light-model.md, "Shadows").
@@ -241,18 +262,26 @@ float WhittedTracer::walk_shadow(const Ray& ray, const Media* media) {
 // ── Light that arrives along mirror and refracted rays
 // ──────────────────────────────────────────────────────
 
-void WhittedTracer::bounce(const Path& path, const Surface& s, Terms& terms, int node) {
+bool WhittedTracer::goes_on(const Path& path, const Surface& s, int node) const {
+    const bool follows = s.material->reflectivity > 0.0f || s.material->transparency > 0.0f;
+    if (follows && path.depth < settings_.max_depth) return true;
+    if (RayNode* record = node_at(node)) record->end = follows ? RayEnd::depth_limit : RayEnd::matte;
+    return false;
+}
+
+/// Weighs the local terms, and says what the branches will weigh.
+WhittedTracer::Split WhittedTracer::split_at(const Path& path, const Surface& s, Terms& terms, int node) {
     const FrozenMaterial& m = *s.material;
-    const bool follows = m.reflectivity > 0.0f || m.transparency > 0.0f;
-    if (!follows || path.depth >= settings_.max_depth) {
-        if (RayNode* record = node_at(node)) record->end = follows ? RayEnd::depth_limit : RayEnd::matte;
-        return;
-    }
     const float local = local_weight(m.reflectivity, m.transparency, settings_.energy == Energy::balanced);
     for (const Term term : {Term::ambient, Term::diffuse, Term::highlight, Term::clamp})
         terms[term] = terms[term] * local;
 
-    const Split split = split_at(path, s);
+    Split split;
+    split.reflected = m.reflectivity;
+    split.refracted = m.transparency;
+    split.direction = path.direction;
+    split.media = path.media;
+    if (holds_media(s.object)) cross(path, s, split); // else opaque, or a thin pane: straight on
     if (RayNode* record = node_at(node)) {
         record->end = RayEnd::bounced;
         record->local_weight = local;
@@ -262,38 +291,19 @@ void WhittedTracer::bounce(const Path& path, const Surface& s, Terms& terms, int
         record->index_after = split.index_after;
         record->total_reflection = split.total;
     }
-    if (split.reflected > 0.0f) {
-        vec3 mirrored = normalize(mirror_direction(s.v, s.n));
-        if (!(dot(mirrored, s.n_g) > 0.0f)) mirrored = normalize(mirror_direction(s.v, s.n_g));
-        ++counts_.reflected;
-        terms[Term::reflection] =
-            branch(path, s, RayKind::reflected, mirrored, path.media, node) * split.reflected;
-    }
-    if (split.refracted > 0.0f) {
-        ++counts_.refracted;
-        terms[Term::transmission] =
-            branch(path, s, RayKind::refracted, split.direction, split.media, node) * split.refracted;
-    }
+    return split;
 }
 
-WhittedTracer::Split WhittedTracer::split_at(const Path& path, const Surface& s) {
-    const FrozenMaterial& m = *s.material;
-    Split split;
-    split.reflected = m.reflectivity;
-    split.refracted = m.transparency;
-    split.direction = path.direction;
-    split.media = path.media;
-    if (!holds_media(s.object)) return split; // opaque, or a thin pane: straight on
-
+/// Through the surface of a solid: Snell's law, or all of the light back.
+void WhittedTracer::cross(const Path& path, const Surface& s, Split& split) {
     split.media = across(path.media, s.object, s.entering, scene_, arena_);
     split.index_before = index_of(path.media, scene_);
     split.index_after = index_of(split.media, scene_);
     if (!refract(s, s.n, split) && !split.total) refract(s, s.n_g, split);
     if (split.total) {
-        split.reflected = m.reflectivity + m.transparency;
+        split.reflected = s.material->reflectivity + s.material->transparency;
         split.refracted = 0.0f;
     }
-    return split;
 }
 
 // False if the refracted direction would not go below the surface: then the geometric normal must serve.
@@ -316,16 +326,27 @@ bool WhittedTracer::refract(const Surface& s, const vec3& n, Split& split) const
     return true;
 }
 
-vec3 WhittedTracer::branch(const Path& path, const Surface& s, RayKind kind, const vec3& direction,
-                           const Media* media, int node) {
-    Path next;
-    next.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, direction);
-    next.direction = direction;
-    next.media = media;
-    next.depth = path.depth + 1;
-    next.kind = kind;
-    next.parent = node;
-    return follow(next).sum();
+WhittedTracer::Path WhittedTracer::reflected_path(const Path& path, const Surface& s, int node) {
+    ++counts_.reflected;
+    vec3 mirrored = normalize(mirror_direction(s.v, s.n));
+    if (!(dot(mirrored, s.n_g) > 0.0f)) mirrored = normalize(mirror_direction(s.v, s.n_g));
+    return {offset_ray_origin(s.point.p, s.point.p_error, s.n_g, mirrored),
+            mirrored,
+            path.media,
+            path.depth + 1,
+            RayKind::reflected,
+            node};
+}
+
+WhittedTracer::Path WhittedTracer::refracted_path(const Path& path, const Surface& s, const Split& split,
+                                                  int node) {
+    ++counts_.refracted;
+    return {offset_ray_origin(s.point.p, s.point.p_error, s.n_g, split.direction),
+            split.direction,
+            split.media,
+            path.depth + 1,
+            RayKind::refracted,
+            node};
 }
 
 void WhittedTracer::absorb(const Media* media, float distance, Terms& terms, int node) const {
@@ -353,6 +374,25 @@ int WhittedTracer::start_node(const Path& path) {
     if (RayNode* parent = node_at(path.parent))
         (path.kind == RayKind::reflected ? parent->reflected : parent->refracted) = index;
     return index;
+}
+
+void WhittedTracer::note_surface(const Path& path, const Hit& hit, const Surface& surface, int node) const {
+    RayNode* record = node_at(node);
+    if (record == nullptr) return;
+    record->hit = hit;
+    record->position = surface.point.p;
+    record->geometric_normal = surface.n_g;
+    record->shading_normal = surface.n;
+    record->color = surface.color;
+    record->entering = surface.entering;
+    for (const Media* m = path.media; m != nullptr; m = m->rest) record->media.push_back(m->object);
+}
+
+void WhittedTracer::note_terms(const Terms& terms, int node) const {
+    RayNode* record = node_at(node);
+    if (record == nullptr) return;
+    record->terms = terms;
+    record->radiance = terms.sum();
 }
 
 RayNode* WhittedTracer::node_at(int node) const {

@@ -6,6 +6,9 @@
 #include "scene/frozen.h"
 #include "scene/media.h"
 
+#include <span>
+#include <vector>
+
 namespace glint {
 
 struct RayCounts {
@@ -15,17 +18,27 @@ struct RayCounts {
     std::uint64_t shadow = 0;
 };
 
+/// A camera ray (unit direction), and what comes back along it.
+struct Sample {
+    vec3 origin{0.0f};
+    vec3 direction{0.0f};
+    Terms terms{};
+    bool covered = false; ///< did it hit anything?
+};
+
 /// Follows rays through one scene. Holds scratch memory: one tracer for each thread.
 class WhittedTracer {
   public:
     explicit WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel = nullptr);
 
     /// The light that comes back along a camera ray (unit direction), by term. `record`, if given, receives
-    /// the whole ray tree; the arithmetic is the same with and without.
-    Terms trace(const vec3& origin, const vec3& direction, RayTree* record = nullptr);
+    /// the whole ray tree; the arithmetic is the same with and without. `covered` says whether the ray hit
+    /// anything.
+    Terms trace(const vec3& origin, const vec3& direction, RayTree* record = nullptr,
+                bool* covered = nullptr);
+    /// The same for many, to the bit, level by level: all primary rays, their shadow rays, their branches …
+    void trace(std::span<Sample> samples);
 
-    /// Did the last primary ray hit anything?
-    bool covered() const { return covered_; }
     const RayCounts& counts() const { return counts_; }
 
   private:
@@ -61,26 +74,66 @@ class WhittedTracer {
         bool total = false;
     };
 
-    Terms follow(Path path);
-    Hit visible_hit(const Ray& ray, const Media*& media);
-    Terms missed(const Path& path, int node);
+    /// A ray of a batch, with what it met and what grew from it.
+    struct Flight {
+        Path path;
+        Hit hit;
+        Surface surface;
+        Terms terms{};
+        float reflected_weight = 0;
+        float refracted_weight = 0;
+        int reflected = -1; ///< flights; −1: none
+        int refracted = -1;
+    };
+    /// Light on its way to a flight, before the shadow is known.
+    struct Pending {
+        Flight* flight = nullptr;
+        LightNode light;
+    };
+
+    // One ray, its branches by recursion.
+    Terms follow(Path path, bool* covered = nullptr);
+    void light_surface(const Surface& surface, const Media* media, Terms& terms, int node);
+    void branch(const Path& path, const Surface& surface, Terms& terms, int node);
+
+    // A batch of rays, level by level (whitted_batch.cpp).
+    void find_hits(std::span<Flight> level);
+    void light(std::span<Flight> level, std::uint32_t index);
+    void grow(Flight& flight);
+    bool has_room() const;
+    int launch(const Path& path);
+    void gather();
+
+    // The steps of both. `node` is the ray's in the record, or −1.
+    static Ray ray_of(const Path& path);
+    Path primary_path(const vec3& origin, const vec3& direction);
+    void pass_hidden(const Ray& ray, Hit& hit, const Media*& media);
+    Terms missed(const Path& path, int node) const;
     Surface surface_at(const Ray& ray, const Hit& hit) const;
     void step_off_edge(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
     void interpolate(const Hit& hit, Surface& surface) const;
     bool enters(const Ray& ray, const Hit& hit) const;
     bool holds_media(std::uint32_t object) const;
-    Terms local_terms(const Surface& surface, const Media* media, int node);
-    LightNode light_at(std::uint32_t index, const Surface& surface, const Media* media);
-    void shade_light(LightNode& light, const Surface& surface) const;
-    float shadow_factor(const Surface& surface, const LightNode& light, const Media* media);
+    Terms first_terms(const Surface& surface) const;
+    LightNode light_at(std::uint32_t index, const Surface& surface) const;
+    bool wants_shadow(const LightNode& light, const Surface& surface) const;
+    Ray shadow_ray(const Surface& surface, const LightNode& light);
+    float behind_blockers(const Ray& ray, const Surface& surface, const Media* media);
     float walk_shadow(const Ray& ray, const Media* media);
-    void bounce(const Path& path, const Surface& surface, Terms& terms, int node);
-    Split split_at(const Path& path, const Surface& surface);
+    void add_light(LightNode& light, const Surface& surface, Terms& terms) const;
+    void limit_terms(Terms& terms) const;
+    bool goes_on(const Path& path, const Surface& surface, int node) const;
+    Split split_at(const Path& path, const Surface& surface, Terms& terms, int node);
+    void cross(const Path& path, const Surface& surface, Split& split);
     bool refract(const Surface& surface, const vec3& n, Split& split) const;
-    vec3 branch(const Path& path, const Surface& surface, RayKind kind, const vec3& direction,
-                const Media* media, int node);
+    Path reflected_path(const Path& path, const Surface& surface, int node);
+    Path refracted_path(const Path& path, const Surface& surface, const Split& split, int node);
     void absorb(const Media* media, float distance, Terms& terms, int node) const;
+
+    // The record.
     int start_node(const Path& path);
+    void note_surface(const Path& path, const Hit& hit, const Surface& surface, int node) const;
+    void note_terms(const Terms& terms, int node) const;
     RayNode* node_at(int node) const;
 
     const FrozenScene& scene_;
@@ -90,7 +143,13 @@ class WhittedTracer {
     std::vector<Hit> crossings_;
     RayCounts counts_;
     RayTree* record_ = nullptr;
-    bool covered_ = false;
+    std::vector<Flight> flights_; ///< used again and again: the first flight_count_ count
+    std::size_t flight_count_ = 0;
+    std::vector<Pending> pending_;
+    std::vector<Ray> rays_;
+    std::vector<Hit> hits_;
+    std::vector<std::uint8_t> blocked_;
+    World::Scratch scratch_;
 };
 
 } // namespace glint

@@ -85,13 +85,6 @@ struct Repeated {
     bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
 };
 
-/// The ray up to `limit`, inclusive.
-Ray limited(const Ray& ray, float limit) {
-    Ray part = ray;
-    part.tmax = next_float(limit, 1.0f);
-    return part;
-}
-
 /// The kernels do not tell hits on an edge apart; only those with a weight of (nearly) 0 can be.
 Hit with_edge(const WorldData& world, const Ray& ray, Hit hit) {
     if (hit.u != 0.0f && hit.v != 0.0f && hit.u + hit.v < 0.99999f) return hit;
@@ -113,16 +106,31 @@ bool precedes(const Hit& a, const Hit& b) {
     return a.kind == b.kind && a.kind != PrimKind::triangle && a.u < b.u;
 }
 
-Hit World::closest(const Ray& ray) const {
+Hit closest_surface(const WorldData& world, const Ray& ray) {
     if (!is_traceable(ray)) return {};
     Closest sink{limit_below(ray.tmax)};
-    trace_quadrics(*data_, ray, ray.tmin, sink);
-    const TriangleRecord record = glint::closest(data_->mesh_tree, limited(ray, sink.limit));
-    if (record.triangle != no_triangle) {
-        const Hit hit = numbered_hit(*data_, record.triangle, record.t, record.u, record.v, false);
-        if (precedes(hit, sink.best)) sink.best = with_edge(*data_, ray, hit);
-    }
+    trace_quadrics(world, ray, ray.tmin, sink);
     return sink.best;
+}
+
+bool occluded_surface(const WorldData& world, const Ray& ray) {
+    if (!is_traceable(ray)) return false;
+    Any sink{limit_below(ray.tmax)};
+    return trace_quadrics(world, ray, ray.tmin, sink);
+}
+
+void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit) {
+    const Hit triangle = numbered_hit(world, record.triangle, record.t, record.u, record.v, false);
+    if (precedes(triangle, hit)) hit = with_edge(world, ray, triangle);
+}
+
+Hit World::closest(const Ray& ray) const {
+    Hit hit = closest_surface(*data_, ray);
+    Ray limited = ray;
+    if (hit) limited.tmax = next_float(hit.t, 1.0f);
+    const TriangleRecord record = glint::closest(data_->mesh_tree, limited);
+    if (record.triangle != no_triangle) keep_closer(*data_, ray, record, hit);
+    return hit;
 }
 
 Hit World::closest_brute_force(const Ray& ray) const {
@@ -132,9 +140,7 @@ Hit World::closest_brute_force(const Ray& ray) const {
 }
 
 bool World::occluded(const Ray& ray) const {
-    if (!is_traceable(ray)) return false;
-    Any sink{limit_below(ray.tmax)};
-    return trace_quadrics(*data_, ray, ray.tmin, sink) || glint::occluded(data_->mesh_tree, ray);
+    return occluded_surface(*data_, ray) || glint::occluded(data_->mesh_tree, ray);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {

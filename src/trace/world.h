@@ -6,9 +6,11 @@
 #include "math/ray.h"
 #include "math/vec.h"
 #include "parallel/task_pool.h"
+#include "trace/mesh_tree.h"
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace glint {
@@ -107,6 +109,18 @@ class World {
     Hit next(const Ray& ray, const Hit& previous) const;
     /// Is there any hit with tmin < t < tmax?
     bool occluded(const Ray& ray) const;
+    /// Memory that questions for many rays work in; one for each thread.
+    struct Scratch {
+        std::vector<Ray> rays;
+        std::vector<std::uint32_t> numbers;
+        std::vector<TriangleRecord> records;
+        std::vector<std::uint8_t> flags;
+    };
+    /// The same for many rays at once; both spans have one length.
+    void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch) const;
+    /// 1 for every ray that meets something, else 0; both spans have one length.
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                  Scratch& scratch) const;
     /// All crossings with tmin < t < tmax in order; those on a shared edge of one mesh once.
     void crossings(const Ray& ray, std::vector<Hit>& out) const;
     /// The same as closest(), by testing every primitive: the oracle of the trees.

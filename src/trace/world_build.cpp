@@ -89,9 +89,10 @@ std::vector<Quadric> collect_quadrics(const WorldInput& input) {
     std::vector<Quadric> quadrics;
     for (const auto& s : input.spheres)
         quadrics.push_back(
-            {PrimKind::sphere, s.affine, s.object, s.prim, {s.center, dvec3(0.0), 0.0, s.radius}});
+            {PrimKind::sphere, s.affine, s.object, s.prim, 0, {s.center, dvec3(0.0), 0.0, s.radius}});
     for (const auto& c : input.cylinders)
-        quadrics.push_back({PrimKind::cylinder, c.affine, c.object, 0, {c.base, c.axis, c.height, c.radius}});
+        quadrics.push_back(
+            {PrimKind::cylinder, c.affine, c.object, 0, 0, {c.base, c.axis, c.height, c.radius}});
     return quadrics;
 }
 
@@ -116,6 +117,22 @@ void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
     });
 }
 
+/// One running number for planes and quadrics, in the order in which hits at one t count.
+void number_surfaces(WorldData& world) {
+    for (const NumberedPlane& p : world.planes) world.surfaces.push_back({PrimKind::plane, p.object, 0});
+    for (const Quadric& q : world.quadrics) world.surfaces.push_back({q.kind, q.object, q.prim});
+    const auto before = [](const SurfaceName& a, const SurfaceName& b) {
+        return std::pair(a.object, a.prim) < std::pair(b.object, b.prim);
+    };
+    std::sort(world.surfaces.begin(), world.surfaces.end(), before);
+    const auto number = [&](const SurfaceName& name) {
+        const auto at = std::lower_bound(world.surfaces.begin(), world.surfaces.end(), name, before);
+        return static_cast<std::uint32_t>(at - world.surfaces.begin());
+    };
+    for (NumberedPlane& p : world.planes) p.surface = number({PrimKind::plane, p.object, 0});
+    for (Quadric& q : world.quadrics) q.surface = number({q.kind, q.object, q.prim});
+}
+
 void count(WorldData& world, const WorldInput& input) {
     WorldStats& stats = world.stats;
     for (const auto& mesh : world.meshes) {
@@ -128,7 +145,8 @@ void count(WorldData& world, const WorldInput& input) {
     stats.nodes = world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
     stats.depth = std::max(world.mesh_tree.depth, world.quadric_tree.depth);
     stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
-                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.quadrics_by_number);
+                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.quadrics_by_number) +
+                   bytes_of(world.surfaces);
 }
 
 } // namespace
@@ -147,12 +165,13 @@ World::World(WorldInput input, TaskPool& pool) {
         const dmat3 linear(m);
         world->affines.push_back({linear, inverted(linear), dvec3(m[3])});
     }
-    for (const auto& p : input.planes) world->planes.push_back({p.object, {p.normal, p.offset}});
+    for (const auto& p : input.planes) world->planes.push_back({p.object, 0, {p.normal, p.offset}});
     std::sort(world->planes.begin(), world->planes.end(),
               [](auto& a, auto& b) { return a.object < b.object; });
 
     build_triangles(*world, pool);
     build_quadrics(*world, input, pool);
+    number_surfaces(*world);
     count(*world, input);
     data_ = std::move(world);
 }

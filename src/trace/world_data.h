@@ -21,14 +21,23 @@ struct Quadric {
     std::int32_t affine = -1; ///< index into WorldData::affines, or -1
     std::uint32_t object = 0;
     std::uint32_t prim = 0;
-    Cylinder shape; ///< a sphere has base = centre and its radius
+    std::uint32_t surface = 0; ///< index into WorldData::surfaces
+    Cylinder shape;            ///< a sphere has base = centre and its radius
 
     Sphere sphere() const { return {shape.base, shape.radius}; }
 };
 
 struct NumberedPlane {
     std::uint32_t object = 0;
+    std::uint32_t surface = 0; ///< index into WorldData::surfaces
     Plane plane;
+};
+
+/// Whose a plane or quadric is.
+struct SurfaceName {
+    PrimKind kind = PrimKind::none;
+    std::uint32_t object = 0;
+    std::uint32_t prim = 0;
 };
 
 /// A local space: p_world = linear · p_local + translation.
@@ -48,6 +57,7 @@ struct WorldData {
     std::vector<Quadric> quadrics; ///< in the order of the leaves
     std::vector<NumberedPlane> planes;
     std::vector<Affine> affines;
+    std::vector<SurfaceName> surfaces; ///< of planes and quadrics by (object, prim)
 
     std::vector<WorldInput::Triangles> meshes;     ///< by object
     std::vector<std::uint32_t> first_numbers;      ///< the number of each mesh's first triangle
@@ -192,6 +202,13 @@ void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     TriangleTester<Sink> test(world, ray, sink);
     walk(world.mesh_tree, ray, from, sink.limit, [&](LeafCode leaf) { return test.leaf(leaf); });
 }
+
+/// The closest plane, sphere or cylinder; whether there is any.
+Hit closest_surface(const WorldData& world, const Ray& ray);
+bool occluded_surface(const WorldData& world, const Ray& ray);
+
+/// Puts the triangle that a mesh's kernel found in the place of `hit`, if it precedes.
+void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit);
 
 /// The same without trees.
 template <class Sink>

@@ -41,6 +41,25 @@ TEST_P(RayTreeOf, RecordingChangesNoBit) {
     });
 }
 
+TEST_P(RayTreeOf, ABatchBringsWhatItsRaysBringAlone) {
+    std::vector<Sample> samples;
+    std::vector<Terms> alone;
+    std::vector<bool> covered;
+    for_rays([&](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
+        bool hit = false;
+        alone.push_back(tracer.trace(origin, direction, nullptr, &hit));
+        covered.push_back(hit);
+        samples.push_back({origin, direction, {}, false});
+    });
+    const Scene scene = freeze(GetParam().scene);
+    WhittedTracer tracer(scene.frozen());
+    tracer.trace(samples);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        EXPECT_EQ(samples[i].terms.value, alone[i].value) << "ray " << i;
+        EXPECT_EQ(samples[i].covered, covered[i]) << "ray " << i;
+    }
+}
+
 /// The node's terms, put together from its lights and children alone.
 Terms recombined(const RayTree& tree, const RayNode& node, const WhittedSettings& settings) {
     Terms terms = node.terms;

@@ -22,8 +22,8 @@ struct Tally {
 
 /// The claim that a family puts to the test.
 enum class Claim {
-    agrees,  ///< closest() and occluded() are those of brute force, to the bit; next() gives what crossings()
-             ///< gives
+    agrees,  ///< closest() and occluded() are those of brute force, to the bit, ray by ray and in batches;
+             ///< next() gives what crossings() gives
     closed,  ///< a ray from inside a closed mesh hits it
     crosses, ///< a ray from outside crosses a closed mesh an even number of times, unless it meets an edge
              ///< exactly

@@ -1,5 +1,6 @@
 #include "closed_cases.h"
 
+#include "batches.h"
 #include "describe.h"
 #include "geometry/polyhedron.h"
 #include "placement.h"
@@ -157,14 +158,17 @@ Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays) {
     Random random(seed);
     ClosedWorld closed(kind, random);
     Tally tally;
-    for (; tally.rays < rays; ++tally.rays) {
+    Answered answered;
+    for (; tally.rays < rays / 2; ++tally.rays) {
         const Ray ray = closed.from_inside();
         const Hit hit = closed.world().closest(ray);
         tally.hits += hit ? 1 : 0;
         tally.on_edge += hit.on_edge ? 1 : 0;
         if (!hit) tally.fail(describe(ray) + ": leaks out of a closed mesh");
         if (!closed.world().occluded(ray)) tally.fail(describe(ray) + ": leaks out unoccluded");
+        answered.add(ray, hit, true);
     }
+    check_batches(closed.world(), answered, random, tally);
     return tally;
 }
 

@@ -1,23 +1,14 @@
 #include "soup_cases.h"
 
+#include "batches.h"
 #include "describe.h"
 
-#include <bit>
 #include <cmath>
 #include <vector>
 
 namespace glint::stress {
 
 namespace {
-
-bool same_bits(float a, float b) {
-    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-
-bool same(const Hit& a, const Hit& b) {
-    return same_bits(a.t, b.t) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.object == b.object &&
-           a.prim == b.prim && a.kind == b.kind && a.on_edge == b.on_edge;
-}
 
 /// Rays that look for trouble in one world: through corners and edges, along sides and axes, from far away.
 class TroubleRays {
@@ -130,7 +121,7 @@ bool walk_agrees(const World& world, const Ray& ray) {
 }
 
 /// One ray against brute force; its hit becomes the end of a second, shorter one.
-void compare(const World& world, Ray ray, Random& random, Tally& tally) {
+void compare(const World& world, Ray ray, Random& random, Answered& answered, Tally& tally) {
     for (int round = 0; round < 2; ++round) {
         const Hit hit = world.closest(ray);
         const Hit truth = world.closest_brute_force(ray);
@@ -139,8 +130,9 @@ void compare(const World& world, Ray ray, Random& random, Tally& tally) {
         tally.on_edge += truth.on_edge ? 1 : 0;
         if (!same(hit, truth))
             tally.fail(describe(ray) + ": closest is " + describe(hit) + ", not " + describe(truth));
-        if (world.occluded(ray) != world.occluded_brute_force(ray))
-            tally.fail(describe(ray) + ": occluded differs from brute force");
+        const bool blocked = world.occluded_brute_force(ray);
+        answered.add(ray, truth, blocked);
+        if (world.occluded(ray) != blocked) tally.fail(describe(ray) + ": occluded differs from brute force");
         if (random.one_in(16) && !walk_agrees(world, ray))
             tally.fail(describe(ray) + ": next() differs from crossings()");
         // Bounds that fall exactly on a hit: both are exclusive.
@@ -159,7 +151,9 @@ Tally run_soup(Soup kind, std::uint64_t seed, std::uint32_t rays) {
     TaskPool pool(1);
     const World world(std::move(input), pool);
     Tally tally;
-    while (tally.rays < rays) compare(world, next_ray(), random, tally);
+    Answered answered;
+    while (tally.rays < rays / 2) compare(world, next_ray(), random, answered, tally);
+    check_batches(world, answered, random, tally);
     return tally;
 }
 

@@ -1,0 +1,121 @@
+// Many camera rays at once, breadth first: every level's rays are traced together, light by light its shadow
+// rays, and hits are shaded one by one by the steps of whitted.cpp. So the picture is the same to the bit as
+// by recursion.
+
+#include "render/whitted.h"
+
+namespace glint {
+
+namespace {
+
+/// Ray trees grow without end where glass meets glass: what has no room here is followed by recursion.
+constexpr std::size_t most_flights = 4096;
+
+} // namespace
+
+bool WhittedTracer::has_room() const { return flight_count_ + 2 <= most_flights; }
+
+int WhittedTracer::launch(const Path& path) {
+    // Clearing a flight would cost as much as lighting it: what is not set here is set by find_hits().
+    Flight& flight = flights_[flight_count_];
+    flight.path = path;
+    flight.reflected = -1;
+    flight.refracted = -1;
+    return static_cast<int>(flight_count_++);
+}
+
+void WhittedTracer::trace(std::span<Sample> samples) {
+    for (; samples.size() > most_flights; samples = samples.subspan(most_flights))
+        trace(samples.first(most_flights));
+    arena_.clear();
+    record_ = nullptr;
+    flights_.resize(most_flights);
+    flight_count_ = 0;
+    for (const Sample& sample : samples) launch(primary_path(sample.origin, sample.direction));
+
+    std::size_t first = 0;
+    while (first < flight_count_) {
+        if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
+        const std::span<Flight> level(flights_.data() + first, flight_count_ - first);
+        first = flight_count_;
+        find_hits(level);
+        for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) light(level, i);
+        for (Flight& flight : level)
+            if (flight.hit) grow(flight);
+    }
+    gather();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i].terms = flights_[i].terms;
+        samples[i].covered = static_cast<bool>(flights_[i].hit);
+    }
+}
+
+void WhittedTracer::find_hits(std::span<Flight> level) {
+    rays_.clear();
+    for (const Flight& flight : level) rays_.push_back(ray_of(flight.path));
+    hits_.resize(rays_.size());
+    scene_.world.closest(rays_, hits_, RayHint::coherent, scratch_);
+    for (std::size_t i = 0; i < level.size(); ++i) {
+        Flight& flight = level[i];
+        flight.hit = hits_[i];
+        pass_hidden(rays_[i], flight.hit, flight.path.media);
+        if (flight.hit) {
+            flight.surface = surface_at(rays_[i], flight.hit);
+            flight.terms = first_terms(flight.surface);
+        } else {
+            flight.terms = missed(flight.path, -1);
+        }
+    }
+}
+
+/// Adds one light to all flights that it can reach.
+void WhittedTracer::light(std::span<Flight> level, std::uint32_t index) {
+    rays_.clear();
+    pending_.clear();
+    for (Flight& flight : level) {
+        if (!flight.hit) continue;
+        const LightNode light = light_at(index, flight.surface);
+        if (!wants_shadow(light, flight.surface)) continue;
+        rays_.push_back(shadow_ray(flight.surface, light));
+        pending_.push_back({&flight, light});
+    }
+    blocked_.resize(rays_.size());
+    scene_.world.occluded(rays_, blocked_, RayHint::coherent, scratch_);
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        Flight& flight = *pending_[i].flight;
+        LightNode& light = pending_[i].light;
+        if (blocked_[i] != 0) light.shadow = behind_blockers(rays_[i], flight.surface, flight.path.media);
+        add_light(light, flight.surface, flight.terms);
+    }
+}
+
+/// Ends the local terms of a flight and launches its branches.
+void WhittedTracer::grow(Flight& flight) {
+    limit_terms(flight.terms);
+    if (!goes_on(flight.path, flight.surface, -1)) return;
+    if (!has_room()) return branch(flight.path, flight.surface, flight.terms, -1);
+    const Split split = split_at(flight.path, flight.surface, flight.terms, -1);
+    flight.reflected_weight = split.reflected;
+    flight.refracted_weight = split.refracted;
+    if (split.reflected > 0.0f) flight.reflected = launch(reflected_path(flight.path, flight.surface, -1));
+    if (split.refracted > 0.0f)
+        flight.refracted = launch(refracted_path(flight.path, flight.surface, split, -1));
+}
+
+/// What branches bring, the youngest first: children stand behind their parents.
+void WhittedTracer::gather() {
+    for (std::size_t i = flight_count_; i-- > 0;) {
+        Flight& flight = flights_[i];
+        if (!flight.hit) continue;
+        const auto brought = [&](int child, float weight) {
+            return flights_[static_cast<std::size_t>(child)].terms.sum() * weight;
+        };
+        if (flight.reflected >= 0)
+            flight.terms[Term::reflection] = brought(flight.reflected, flight.reflected_weight);
+        if (flight.refracted >= 0)
+            flight.terms[Term::transmission] = brought(flight.refracted, flight.refracted_weight);
+        absorb(flight.path.media, flight.hit.t, flight.terms, -1);
+    }
+}
+
+} // namespace glint

@@ -1,0 +1,312 @@
+// Planes, spheres and cylinders for every SIMD target: one shape at a time, as many rays at once as doubles
+// fit into a vector.
+
+#include "trace/surface_batch.h"
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/surface_batch.cpp"
+#include <hwy/foreach_target.h> // IWYU pragma: keep
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+const hn::CappedTag<double, 8> dd;
+const hn::Rebind<float, decltype(dd)> df;
+using Doubles = hn::Vec<decltype(dd)>;
+using Mask = hn::Mask<decltype(dd)>;
+constexpr std::size_t lanes = hn::MaxLanes(dd);
+
+Doubles all(double x) { return hn::Set(dd, x); }
+Doubles rounded(Doubles x) { return hn::PromoteTo(dd, hn::DemoteTo(df, x)); }
+
+struct Vec {
+    Doubles x, y, z;
+};
+
+Vec all(const dvec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
+Vec operator+(const Vec& a, const Vec& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+Vec operator-(const Vec& a, const Vec& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+Vec operator*(const Vec& a, Doubles s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+Doubles dot(const Vec& a, const Vec& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+Vec transformed(const dmat3& m, const Vec& v) {
+    const auto row = [&](int i) {
+        return hn::Add(hn::Add(hn::Mul(all(m[0][i]), v.x), hn::Mul(all(m[1][i]), v.y)),
+                       hn::Mul(all(m[2][i]), v.z));
+    };
+    return {row(0), row(1), row(2)};
+}
+
+struct Lines {
+    Vec origin, direction;
+};
+
+/// Rays side by side. One that can hit nothing has an empty interval.
+struct Rays {
+    Lines line;
+    Doubles tmin, limit; ///< hits count up to the limit, inclusive
+
+    explicit Rays(const Ray* rays) {
+        alignas(32) float side[8][lanes];
+        for (std::size_t i = 0; i < lanes; ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                side[axis][i] = rays[i].origin[axis];
+                side[3 + axis][i] = rays[i].direction[axis];
+            }
+            side[6][i] = rays[i].tmin;
+            side[7][i] = limit_below(rays[i].tmax);
+        }
+        const auto column = [&](int k) { return hn::PromoteTo(dd, hn::Load(df, side[k])); };
+        line = {{column(0), column(1), column(2)}, {column(3), column(4), column(5)}};
+        tmin = column(6);
+        // Each product is 0, or NaN where a value is not finite.
+        const Doubles zero = hn::Zero(dd);
+        const Vec none = line.origin * zero + line.direction * zero;
+        const Vec& d = line.direction;
+        const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
+        const Mask traceable =
+            hn::And(hn::Eq(hn::Add(none.x, hn::Add(none.y, none.z)), zero), hn::Gt(most, zero));
+        limit = hn::IfThenElse(traceable, column(7), all(-std::numeric_limits<double>::infinity()));
+    }
+};
+
+/// May the rays meet the box between tmin and limit? With the slack that bvh/traverse.h derives.
+Mask may_meet(const Rays& rays, const Bounds& box, Doubles limit) {
+    const Vec& o = rays.line.origin;
+    const Vec& d = rays.line.direction;
+    const Doubles reach = hn::Max(hn::Abs(o.x), hn::Max(hn::Abs(o.y), hn::Abs(o.z)));
+    const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
+    const vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+    const Doubles pad = hn::Mul(all(0x1p-20), hn::Add(reach, all(std::max({far.x, far.y, far.z}))));
+    const Doubles least = hn::Mul(most, all(1e-18));
+    Doubles enter = rays.tmin, leave = limit;
+    const auto slab = [&](Doubles from, Doubles along, double lo, double hi) {
+        const Doubles inverse = hn::Div(all(1.0), hn::CopySign(hn::Max(hn::Abs(along), least), along));
+        const Doubles one = hn::Mul(hn::Sub(hn::Sub(all(lo), pad), from), inverse);
+        const Doubles other = hn::Mul(hn::Sub(hn::Add(all(hi), pad), from), inverse);
+        enter = hn::Max(enter, hn::Min(one, other));
+        leave = hn::Min(leave, hn::Max(one, other));
+    };
+    slab(o.x, d.x, double(box.lo.x), double(box.hi.x));
+    slab(o.y, d.y, double(box.lo.y), double(box.hi.y));
+    slab(o.z, d.z, double(box.lo.z), double(box.hi.z));
+    return hn::Le(enter, leave);
+}
+
+/// Where lines are inside a convex solid, and which are.
+struct Inside {
+    Doubles enter, leave;
+    Mask met;
+};
+
+/// line_in_ball of geometry/quadric.cpp. False if all lines miss.
+bool in_ball(const Vec& f, const Vec& d, double radius, Inside& in) {
+    const Doubles zero = hn::Zero(dd);
+    const Doubles squared = all(radius * radius);
+    const Doubles a = dot(d, d);
+    const Doubles b = hn::Neg(dot(f, d));
+    const Vec nearest = f + d * hn::Div(b, a);
+    const Doubles delta = hn::Sub(squared, dot(nearest, nearest));
+    const Mask still = hn::Eq(a, zero);
+    const Doubles ff = dot(f, f);
+    in.met = hn::Or(hn::And(still, hn::Le(ff, squared)), hn::AndNot(still, hn::Ge(delta, zero)));
+    if (hn::AllFalse(dd, in.met)) return false;
+
+    const Doubles root = hn::Sqrt(hn::Mul(a, delta));
+    const Doubles q = hn::IfThenElse(hn::Ge(b, zero), hn::Add(b, root), hn::Sub(b, root));
+    const Doubles one = hn::Div(q, a);
+    const Doubles other = hn::IfThenElse(hn::Eq(q, zero), zero, hn::Div(hn::Sub(ff, squared), q));
+    const Mask ordered = hn::Lt(one, other);
+    const Doubles infinity = all(std::numeric_limits<double>::infinity());
+    in.enter = hn::IfThenElse(still, hn::Sub(zero, infinity), hn::IfThenElse(ordered, one, other));
+    in.leave = hn::IfThenElse(still, infinity, hn::IfThenElse(ordered, other, one));
+    return true;
+}
+
+Vec across(const Vec& axis, const Vec& v) { return v - axis * dot(axis, v); }
+
+/// The solid cylinder of geometry/quadric.cpp. False if all lines miss.
+bool in_cylinder(const Lines& line, const Cylinder& cylinder, Inside& in) {
+    const Vec axis = all(cylinder.axis);
+    const Vec from_base = line.origin - all(cylinder.base);
+    if (!in_ball(across(axis, from_base), across(axis, line.direction), cylinder.radius, in)) return false;
+
+    const Doubles zero = hn::Zero(dd);
+    const Doubles height = all(cylinder.height);
+    const Doubles infinity = all(std::numeric_limits<double>::infinity());
+    const Doubles h = dot(axis, from_base);
+    const Doubles rise = dot(axis, line.direction);
+    const Mask level = hn::Eq(rise, zero);
+    const Mask reversed = hn::Lt(rise, zero);
+    const Doubles at_base = hn::Div(hn::Neg(h), rise);
+    const Doubles at_top = hn::Div(hn::Sub(height, h), rise);
+    const Doubles first =
+        hn::IfThenElse(level, hn::Sub(zero, infinity), hn::IfThenElse(reversed, at_top, at_base));
+    const Doubles last = hn::IfThenElse(level, infinity, hn::IfThenElse(reversed, at_base, at_top));
+    const Mask outside = hn::And(level, hn::Not(hn::And(hn::Ge(h, zero), hn::Le(h, height))));
+
+    in.enter = hn::IfThenElse(hn::Gt(in.enter, first), in.enter, first);
+    in.leave = hn::IfThenElse(hn::Lt(in.leave, last), in.leave, last);
+    in.met = hn::AndNot(outside, hn::And(in.met, hn::Le(in.enter, in.leave)));
+    return true;
+}
+
+bool in_quadric(const WorldData& world, const Quadric& quadric, Lines line, Inside& in) {
+    if (quadric.affine >= 0) {
+        const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
+        line = {transformed(affine.inverse, line.origin - all(affine.translation)),
+                transformed(affine.inverse, line.direction)};
+    }
+    if (quadric.kind == PrimKind::cylinder) return in_cylinder(line, quadric.shape, in);
+    return in_ball(line.origin - all(quadric.shape.base), line.direction, quadric.shape.radius, in);
+}
+
+/// Does a hit at `exact` count, its t rounded to float?
+Mask takes(const Rays& rays, Mask met, Doubles exact, Doubles near) {
+    return hn::And(met, hn::And(hn::Gt(exact, rays.tmin), hn::Le(near, rays.limit)));
+}
+
+/// Keeps the least (t, root) of each ray.
+struct Least {
+    const Rays& rays;
+    Doubles t = all(std::numeric_limits<double>::infinity());
+    Doubles root = hn::Zero(dd);
+
+    void add(Mask met, Doubles exact, double number) {
+        const Doubles near = rounded(exact);
+        const Doubles it = all(number);
+        const Mask closer = hn::Or(hn::Lt(near, t), hn::And(hn::Eq(near, t), hn::Lt(it, root)));
+        const Mask better = hn::And(takes(rays, met, exact, near), closer);
+        t = hn::IfThenElse(better, near, t);
+        root = hn::IfThenElse(better, it, root);
+    }
+    bool done() const { return false; }
+};
+
+/// Finds which rays meet anything.
+struct AnyHit {
+    const Rays& rays;
+    Mask found = hn::FirstN(dd, 0);
+
+    void add(Mask met, Doubles exact, double) {
+        found = hn::Or(found, takes(rays, met, exact, rounded(exact)));
+    }
+    bool done() const { return hn::AllTrue(dd, found); }
+};
+
+/// Every plane and quadric against one vector of rays.
+template <class Sink>
+void meet_all(const WorldData& world, const Lines& line, Sink& sink) {
+    const Doubles zero = hn::Zero(dd);
+    for (const NumberedPlane& numbered : world.planes) {
+        const Vec normal = all(numbered.plane.normal);
+        const Doubles fall = dot(normal, line.direction);
+        const Doubles t = hn::Div(hn::Sub(all(numbered.plane.offset), dot(normal, line.origin)), fall);
+        sink.add(hn::Ne(fall, zero), t, 2.0 * numbered.surface);
+        if (sink.done()) return;
+    }
+    for (const Quadric& quadric : world.quadrics) {
+        Inside in;
+        if (!in_quadric(world, quadric, line, in)) continue;
+        sink.add(in.met, in.enter, 2.0 * quadric.surface);
+        sink.add(in.met, in.leave, 2.0 * quadric.surface + 1.0);
+        if (sink.done()) return;
+    }
+}
+
+/// Hands each vector of rays to `use(first, count, rays)`; the last ray fills what is left of the last
+/// vector.
+template <class Use>
+void for_vectors(const Ray* rays, std::size_t count, Use&& use) {
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) use(i, lanes, Rays(rays + i));
+    if (i == count) return;
+    Ray last[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) last[k] = rays[std::min(i + k, count - 1)];
+    use(i, count - i, Rays(last));
+}
+
+std::uint32_t bits_of(Mask mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(dd, mask, bits);
+    return bits[0];
+}
+
+} // namespace
+
+// What the dispatcher calls: anonymous functions cannot be exported.
+void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, Hit* hits,
+                        std::uint8_t* mesh_ahead) {
+    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
+        Least sink{vector};
+        meet_all(world, vector.line, sink);
+        const std::uint32_t ahead =
+            bits_of(may_meet(vector, world.mesh_tree.bounds, hn::Min(sink.t, vector.limit)));
+        alignas(64) double t[lanes], root[lanes];
+        hn::Store(sink.t, dd, t);
+        hn::Store(sink.root, dd, root);
+        for (std::size_t k = 0; k < n; ++k) {
+            mesh_ahead[first + k] = ahead >> k & 1u;
+            hits[first + k] = Hit{};
+            if (!(t[k] < std::numeric_limits<double>::infinity())) continue;
+            const auto number = static_cast<std::size_t>(root[k]);
+            const SurfaceName& name = world.surfaces[number / 2];
+            hits[first + k] = {static_cast<float>(t[k]),
+                               static_cast<float>(number % 2),
+                               0.0f,
+                               name.object,
+                               name.prim,
+                               name.kind,
+                               false};
+        }
+    });
+}
+
+void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, std::uint8_t* blocked,
+                         std::uint8_t* mesh_ahead) {
+    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
+        AnyHit sink{vector};
+        meet_all(world, vector.line, sink);
+        const std::uint32_t found = bits_of(sink.found);
+        const std::uint32_t ahead =
+            bits_of(hn::AndNot(sink.found, may_meet(vector, world.mesh_tree.bounds, vector.limit)));
+        for (std::size_t k = 0; k < n; ++k) {
+            blocked[first + k] = found >> k & 1u;
+            mesh_ahead[first + k] = ahead >> k & 1u;
+        }
+    });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint {
+
+HWY_EXPORT(closest_in_vectors);
+HWY_EXPORT(occluded_in_vectors);
+
+void closest_surfaces(const WorldData& world, std::span<const Ray> rays, Hit* hits,
+                      std::uint8_t* mesh_ahead) {
+    HWY_DYNAMIC_DISPATCH(closest_in_vectors)(world, rays.data(), rays.size(), hits, mesh_ahead);
+}
+void occluded_surfaces(const WorldData& world, std::span<const Ray> rays, std::uint8_t* blocked,
+                       std::uint8_t* mesh_ahead) {
+    HWY_DYNAMIC_DISPATCH(occluded_in_vectors)(world, rays.data(), rays.size(), blocked, mesh_ahead);
+}
+
+} // namespace glint
+#endif

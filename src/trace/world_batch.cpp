@@ -1,0 +1,81 @@
+// The questions a World answers for many rays at once: planes and quadrics first, then the meshes, for the
+// rays that can still meet one.
+
+#include "trace/surface_batch.h"
+#include "trace/world.h"
+
+#include <algorithm>
+
+namespace glint {
+
+namespace {
+
+/// Few enough to be tested one after another rather than through their tree.
+constexpr std::size_t few_surfaces = 16;
+
+bool are_few(const WorldData& world) { return world.surfaces.size() <= few_surfaces; }
+
+/// Grows, and never clears what is there.
+template <class T>
+T* room_for(std::vector<T>& v, std::size_t count) {
+    if (v.size() < count) v.resize(count);
+    return v.data();
+}
+
+} // namespace
+
+void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch) const {
+    const std::size_t count = rays.size();
+    std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
+    if (are_few(*data_)) {
+        closest_surfaces(*data_, rays, hits.data(), mesh_ahead);
+    } else {
+        for (std::size_t i = 0; i < count; ++i) hits[i] = closest_surface(*data_, rays[i]);
+        std::fill_n(mesh_ahead, count, std::uint8_t{1});
+    }
+    if (data_->mesh_tree.nodes.empty()) return;
+
+    Ray* open = room_for(scratch.rays, count);
+    std::uint32_t* numbers = room_for(scratch.numbers, count);
+    std::size_t left = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        open[left] = rays[i];
+        if (hits[i]) open[left].tmax = next_float(hits[i].t, 1.0f);
+        numbers[left] = i;
+        left += mesh_ahead[i];
+    }
+    TriangleRecord* records = room_for(scratch.records, left);
+    glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint);
+    for (std::size_t i = 0; i < left; ++i)
+        if (records[i].triangle != no_triangle)
+            keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
+}
+
+void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                     Scratch& scratch) const {
+    const std::size_t count = rays.size();
+    std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
+    if (are_few(*data_)) {
+        occluded_surfaces(*data_, rays, blocked.data(), mesh_ahead);
+    } else {
+        for (std::size_t i = 0; i < count; ++i) {
+            blocked[i] = occluded_surface(*data_, rays[i]) ? 1 : 0;
+            mesh_ahead[i] = blocked[i] ^ 1u;
+        }
+    }
+    if (data_->mesh_tree.nodes.empty()) return;
+
+    Ray* open = room_for(scratch.rays, count);
+    std::uint32_t* numbers = room_for(scratch.numbers, count);
+    std::size_t left = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        open[left] = rays[i];
+        numbers[left] = i;
+        left += mesh_ahead[i];
+    }
+    // The flags are read: their place is free for the answers.
+    glint::occluded(data_->mesh_tree, {open, left}, {mesh_ahead, left}, hint);
+    for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = mesh_ahead[i];
+}
+
+} // namespace glint
