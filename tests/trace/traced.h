@@ -1,0 +1,33 @@
+#pragma once
+// Triangles and rays in the terms of glint/trace.h, and what brute force says of them.
+
+#include "glint/trace.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace glint::tracing {
+
+struct Soup {
+    std::vector<float> xyz;
+    std::vector<std::uint32_t> corners;
+
+    std::size_t triangles() const { return corners.size() / 3; }
+};
+
+/// In [0, 1), a function of both.
+float draw(std::uint32_t key, std::uint32_t index);
+
+/// Small triangles scattered in the unit cube, some twice, some flat.
+Soup make_soup(std::uint32_t seed, std::uint32_t count);
+
+/// Parallel, axis-parallel and scattered rays, long and short; every eighth goes exactly through a vertex of
+/// the soup, and some can hit nothing: NaN, infinite, without direction.
+std::vector<Ray> make_rays(const Soup& soup, std::uint32_t seed, std::uint32_t count);
+
+/// The least (t, triangle) over all triangles.
+Hit brute_force(const Soup& soup, const Ray& ray);
+
+bool same_bits(const Hit& a, const Hit& b);
+
+} // namespace glint::tracing

@@ -1,0 +1,178 @@
+// The public tracing interface gives the bits of brute force, and refuses what is wrong.
+
+#include "traced.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+namespace glint::tracing {
+namespace {
+
+constexpr RayHint hints[] = {RayHint::coherent, RayHint::incoherent};
+
+void expect_brute_force(const Mesh& mesh, const Soup& soup, const std::vector<Ray>& rays) {
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    std::size_t found = 0;
+    for (const RayHint hint : hints) {
+        mesh.closest(rays, hits, hint);
+        mesh.occluded(rays, blocked, hint);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Hit wanted = brute_force(soup, rays[i]);
+            EXPECT_TRUE(same_bits(hits[i], wanted)) << "ray " << i << " in a batch";
+            EXPECT_TRUE(same_bits(mesh.closest(rays[i]), wanted)) << "ray " << i << " alone";
+            EXPECT_EQ(blocked[i], wanted ? 1 : 0) << "ray " << i << " in a batch";
+            EXPECT_EQ(mesh.occluded(rays[i]), bool(wanted)) << "ray " << i << " alone";
+            found += wanted ? 1 : 0;
+        }
+    }
+    EXPECT_GT(found, rays.size() / 10);
+    EXPECT_LT(found, 2 * rays.size());
+}
+
+TEST(Tracing, MeshesGiveTheBitsOfBruteForce) {
+    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        const Soup soup = make_soup(seed, 400);
+        expect_brute_force(Mesh(soup.xyz, soup.corners), soup, make_rays(soup, seed, 1500));
+    }
+}
+
+TEST(Tracing, ArraysOfStructuresAreReadByTheirStride) {
+    const Soup soup = make_soup(7, 200);
+    struct Vertex {
+        float x, y, z, weight, u, v;
+    };
+    struct Face {
+        std::uint32_t corner[3], material;
+    };
+    std::vector<Vertex> vertices;
+    for (std::size_t i = 0; i < soup.xyz.size(); i += 3)
+        vertices.push_back({soup.xyz[i], soup.xyz[i + 1], soup.xyz[i + 2], 1, 2, 3});
+    std::vector<Face> faces;
+    for (std::size_t i = 0; i < soup.corners.size(); i += 3)
+        faces.push_back({{soup.corners[i], soup.corners[i + 1], soup.corners[i + 2]}, 9});
+    const Mesh mesh(Vertices(&vertices[0].x, vertices.size(), sizeof(Vertex)),
+                    Triangles(faces[0].corner, faces.size(), sizeof(Face)));
+    expect_brute_force(mesh, soup, make_rays(soup, 7, 1000));
+}
+
+TEST(Tracing, TheTreeDoesNotDependOnThreads) {
+    const Soup soup = make_soup(3, 5000);
+    const std::vector<Ray> rays = make_rays(soup, 3, 500);
+    const Mesh one(soup.xyz, soup.corners, {.threads = 1});
+    const Mesh three(soup.xyz, soup.corners, {.threads = 3});
+    EXPECT_EQ(one.stats().bytes, three.stats().bytes);
+    for (const Ray& ray : rays) EXPECT_TRUE(same_bits(one.closest(ray), three.closest(ray)));
+}
+
+TEST(Tracing, ManyThreadsMayAskAtOnce) {
+    const Soup soup = make_soup(4, 400);
+    const Mesh mesh(soup.xyz, soup.corners);
+    const std::vector<Ray> rays = make_rays(soup, 4, 2000);
+    std::vector<std::vector<Hit>> hits(4, std::vector<Hit>(rays.size()));
+    std::vector<std::thread> threads;
+    for (auto& mine : hits) threads.emplace_back([&] { mesh.closest(rays, mine, RayHint::incoherent); });
+    for (std::thread& thread : threads) thread.join();
+    for (const auto& mine : hits)
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            EXPECT_TRUE(same_bits(mine[i], mesh.closest(rays[i]))) << i;
+}
+
+TEST(Tracing, AnEmptyMeshIsHitByNothing) {
+    for (const Mesh& mesh : {Mesh(), Mesh(std::vector<float>{}, std::vector<std::uint32_t>{}),
+                             Mesh(std::vector<float>{1, 2, 3}, std::vector<std::uint32_t>{})}) {
+        const std::vector<Ray> rays(70);
+        std::vector<Hit> hits(rays.size(), Hit{1, 1, 1, 1});
+        std::vector<std::uint8_t> blocked(rays.size(), 1);
+        mesh.closest(rays, hits, RayHint::coherent);
+        mesh.occluded(rays, blocked, RayHint::coherent);
+        EXPECT_TRUE(same_bits(hits[69], Hit{}));
+        EXPECT_EQ(blocked[69], 0);
+        EXPECT_FALSE(mesh.closest(Ray{}));
+        EXPECT_FALSE(mesh.occluded(Ray{}));
+        EXPECT_EQ(mesh.stats().triangles, 0u);
+        EXPECT_GT(mesh.bounds().lo[0], mesh.bounds().hi[0]);
+    }
+}
+
+TEST(Tracing, NoRaysAreNoWork) {
+    const Soup soup = make_soup(1, 10);
+    const Mesh mesh(soup.xyz, soup.corners);
+    mesh.closest({}, {}, RayHint::coherent);
+    mesh.occluded({}, {}, RayHint::incoherent);
+}
+
+TEST(Tracing, TrianglesThatAreNotFiniteAreSkippedAndCounted) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const std::vector<float> xyz{-1, -1, 1, 1, -1, 1, 0, 1, 1, nan, 0, 1, 0, infinity, 1};
+    const std::vector<std::uint32_t> corners{0, 1, 3, 0, 4, 2, 0, 1, 2};
+    const Mesh mesh(xyz, corners);
+    EXPECT_EQ(mesh.stats().triangles, 3u);
+    EXPECT_EQ(mesh.stats().skipped, 2u);
+    EXPECT_EQ(mesh.closest(Ray{}).triangle, 2u);
+    EXPECT_EQ(mesh.bounds().hi, (std::array<float, 3>{1, 1, 1}));
+}
+
+TEST(Tracing, CopiesShareTheirTree) {
+    const Soup soup = make_soup(2, 50);
+    Mesh first(soup.xyz, soup.corners);
+    const Mesh second = first;
+    const std::vector<Ray> rays = make_rays(soup, 2, 200);
+    first = Mesh();
+    for (const Ray& ray : rays) {
+        EXPECT_TRUE(same_bits(second.closest(ray), brute_force(soup, ray)));
+        EXPECT_FALSE(first.closest(ray));
+    }
+}
+
+/// What an invalid_argument says; empty if nothing was thrown.
+template <class Body>
+std::string refusal(Body&& body) {
+    try {
+        body();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(Tracing, WrongInputIsRefusedWithItsReason) {
+    const std::vector<float> xyz(9, 0.5f);
+    const std::vector<float> ragged(10, 0.5f);
+    using Corners = std::vector<std::uint32_t>;
+    const Corners good{0, 1, 2};
+    EXPECT_EQ(refusal([&] {
+                  Mesh(xyz, Corners{0, 1, 3});
+              }),
+              "a triangle names a vertex that its mesh does not have");
+    EXPECT_EQ(refusal([&] {
+                  Mesh(std::vector<float>{}, Corners{0, 0, 0});
+              }),
+              "a triangle names a vertex that its mesh does not have");
+    EXPECT_EQ(refusal([&] { Mesh(xyz, Corners{0, 1}); }), "the triangles are not three numbers each");
+    EXPECT_EQ(refusal([&] { Mesh(ragged, good); }), "the vertices are not three floats each");
+    for (const std::size_t stride : {std::size_t{0}, std::size_t{8}, std::size_t{13}}) {
+        EXPECT_EQ(refusal([&] { Mesh(Vertices(xyz.data(), 3, stride), Triangles(good.data(), 1, 12)); }),
+                  "a stride is no multiple of 4 bytes or below 12");
+        EXPECT_EQ(refusal([&] { Mesh(Vertices(xyz.data(), 3, 12), Triangles(good.data(), 1, stride)); }),
+                  "a stride is no multiple of 4 bytes or below 12");
+    }
+}
+
+TEST(Tracing, BatchesOfDifferentLengthsAreRefused) {
+    const Mesh mesh;
+    const std::vector<Ray> rays(3);
+    std::vector<Hit> hits(2);
+    std::vector<std::uint8_t> blocked(4);
+    EXPECT_EQ(refusal([&] { mesh.closest(rays, hits, RayHint::coherent); }),
+              "rays and hits differ in number");
+    EXPECT_EQ(refusal([&] { mesh.occluded(rays, blocked, RayHint::coherent); }),
+              "rays and blocked differ in number");
+}
+
+} // namespace
+} // namespace glint::tracing
