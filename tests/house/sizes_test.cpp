@@ -9,7 +9,7 @@
 namespace glint::house {
 namespace {
 
-const std::vector<std::string> everywhere = {"include", "src", "apps", "tools", "tests"};
+const std::vector<std::string> everywhere = {"include", "src", "apps", "tools", "tests", "bench"};
 
 struct Placed {
     std::string path;

@@ -1,0 +1,14 @@
+// What stands for Embree where it is not installed.
+
+#include "builders.h"
+#include "peer.h"
+
+namespace glint::bench {
+
+std::vector<Peer> embree_peers(const Model&, Group, const std::string&) { return {}; }
+
+std::vector<Builder> embree_builders() { return {}; }
+
+std::string embree_version() { return {}; }
+
+} // namespace glint::bench
