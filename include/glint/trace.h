@@ -128,6 +128,70 @@ class Mesh {
     MeshStats stats() const;
 
   private:
+    friend class Scene;
+    struct Data;
+    std::shared_ptr<const Data> data_;
+};
+
+/// p_world = m · (p_local, 1): three rows, the translation in the last column. Rotations, scales, mirrors and
+/// shears may be in it.
+struct Transform {
+    std::array<std::array<float, 4>, 3> m{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+};
+
+/// A mesh at a place of the world.
+struct Instance {
+    Mesh mesh;
+    Transform world_from_local;
+};
+
+/// What a ray meets in a scene. 20 bytes.
+struct InstanceHit {
+    float t = std::numeric_limits<float>::infinity();
+    float u = 0;
+    float v = 0;
+    std::uint32_t triangle = none; ///< of the instance's mesh
+    std::uint32_t instance = none; ///< in the order given
+
+    explicit operator bool() const { return instance != none; }
+};
+
+struct SceneStats {
+    std::size_t instances = 0;
+    std::size_t meshes = 0; ///< different ones: each is stored once
+    std::size_t bytes = 0;  ///< held by the tree of instances and all meshes
+};
+
+/// Meshes at many places. An instance is hit as its mesh is hit by the ray taken to its space, direction and
+/// all, so that t counts alike in both; u and v are those of the mesh's triangle. Watertight within each
+/// instance. Copies share everything. To move instances, make a new scene: it takes microseconds each.
+class Scene {
+  public:
+    /// No instances: no ray hits.
+    Scene();
+    /// Keeps the meshes alive. Throws std::invalid_argument for a transform that is not finite, or singular:
+    /// one that squeezes some direction more than a million times as much as another, or that puts a mesh
+    /// beyond the range of floats.
+    explicit Scene(std::span<const Instance> instances, const BuildOptions& options = {});
+
+    Scene(const Scene&) = default;
+    Scene& operator=(const Scene&) = default;
+
+    /// The least (t, instance, triangle) of each ray; InstanceHit{} where there is none. Throws
+    /// std::invalid_argument unless rays and hits have one length.
+    void closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint) const;
+    InstanceHit closest(const Ray& ray) const;
+
+    /// 1 where the ray meets any triangle, else 0. Throws std::invalid_argument unless rays and blocked have
+    /// one length.
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const;
+    bool occluded(const Ray& ray) const;
+
+    /// Around all that can be hit, and a little more.
+    Box bounds() const;
+    SceneStats stats() const;
+
+  private:
     struct Data;
     std::shared_ptr<const Data> data_;
 };

@@ -2,47 +2,18 @@
 
 #include "glint/trace.h"
 
-#include "trace/mesh_tree.h"
+#include "trace/tracing.h"
 
 #include <cmath>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace glint::tracing {
 
-struct Mesh::Data {
-    MeshTree tree;
-    std::size_t skipped = 0;
-};
-
 namespace {
 
-// Rays and hits go to the kernels as they are. This file only passes them on: the kernels, compiled apart,
-// see one type each.
-static_assert(sizeof(Ray) == sizeof(glint::Ray) && std::is_standard_layout_v<glint::Ray>);
-static_assert(offsetof(Ray, tmin) == offsetof(glint::Ray, tmin));
-static_assert(offsetof(Ray, direction) == offsetof(glint::Ray, direction));
-static_assert(offsetof(Ray, tmax) == offsetof(glint::Ray, tmax));
-static_assert(sizeof(Hit) == sizeof(TriangleRecord) && std::is_standard_layout_v<TriangleRecord>);
-static_assert(offsetof(Hit, u) == offsetof(TriangleRecord, u));
-static_assert(offsetof(Hit, v) == offsetof(TriangleRecord, v));
-static_assert(offsetof(Hit, triangle) == offsetof(TriangleRecord, triangle));
 static_assert(sizeof(vec3) == 12 && sizeof(uvec3) == 12);
-
-std::span<const glint::Ray> inner(std::span<const Ray> rays) {
-    return {reinterpret_cast<const glint::Ray*>(rays.data()), rays.size()};
-}
-
-glint::Ray inner(const Ray& ray) {
-    return {vec3(ray.origin[0], ray.origin[1], ray.origin[2]), ray.tmin,
-            vec3(ray.direction[0], ray.direction[1], ray.direction[2]), ray.tmax};
-}
-
-glint::RayHint inner(RayHint hint) {
-    return hint == RayHint::coherent ? glint::RayHint::coherent : glint::RayHint::incoherent;
-}
 
 template <class T>
 std::size_t threes(std::span<const T> values, const char* message) {
@@ -120,10 +91,7 @@ void Mesh::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, 
 
 bool Mesh::occluded(const Ray& ray) const { return glint::occluded(data_->tree, inner(ray)); }
 
-Box Mesh::bounds() const {
-    const Bounds& b = data_->tree.bounds;
-    return {{b.lo.x, b.lo.y, b.lo.z}, {b.hi.x, b.hi.y, b.hi.z}};
-}
+Box Mesh::bounds() const { return outer(data_->tree.bounds); }
 
 MeshStats Mesh::stats() const {
     const MeshTree& tree = data_->tree;

@@ -1,0 +1,204 @@
+// Rays through an InstanceTree, one by one and in batches. A batch goes down as lists of rays, filtered at
+// each box (Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", 2014), so that an instance gets all
+// rays that meet its box at once.
+
+#include "math/offset.shared.h"
+#include "trace/instance_tree.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t batch_rays = 4096;
+/// From here on a sub-batch is traced as one.
+constexpr std::size_t few_rays = 4;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Can the ray hit anything? NaN, infinite rays and those without a direction cannot.
+bool is_traceable(const Ray& ray) {
+    const vec3 zero = ray.origin * 0.0f + ray.direction * 0.0f;
+    return zero == vec3(0.0f) && ray.direction != vec3(0.0f);
+}
+
+/// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
+float limit_below(float tmax) { return next_float(tmax, -1.0f); }
+
+/// The ray up to `limit`, inclusive.
+Ray limited(Ray ray, float limit) {
+    ray.tmax = next_float(limit, 1.0f);
+    return ray;
+}
+
+/// Keeps the least of what instances report.
+void keep(const TriangleRecord& found, std::uint32_t instance, InstanceRecord& best, float& limit) {
+    if (found.triangle == no_triangle) return;
+    if (found.t == best.t && instance > best.instance) return;
+    best = {found.t, found.u, found.v, found.triangle, instance};
+    limit = found.t;
+}
+
+/// A ray that waits for a node, and where it enters the node's box.
+struct Active {
+    std::uint32_t ray;
+    float entry;
+};
+
+} // namespace
+
+struct InstanceTree::Batch {
+    std::span<const Ray> rays;
+    RayHint hint = RayHint::coherent;
+    InstanceRecord* records = nullptr; ///< of closest hits
+    std::uint8_t* blocked = nullptr;   ///< of any hits
+    std::vector<Query> queries;        ///< by ray; those that can hit nothing have one too
+    std::vector<float> limits;         ///< by ray: the greatest t still wanted, inclusive
+
+    /// A node and its rays, a range of `waiting`.
+    struct Pending {
+        TreeRef ref;
+        std::size_t first;
+    };
+    std::vector<Pending> stack; ///< the ranges follow each other, the top's last
+    std::vector<Active> waiting;
+    std::vector<Active> active; ///< those at the node in hand
+    std::vector<float> entries; ///< two for each of `active`
+
+    std::vector<Ray> local_rays;
+    std::vector<TriangleRecord> local_records;
+    std::vector<std::uint8_t> local_blocked;
+
+    Batch(std::span<const Ray> all, RayHint ray_hint, const InstanceTree& tree) : rays(all), hint(ray_hint) {
+        queries.reserve(rays.size());
+        limits.reserve(rays.size());
+        for (std::uint32_t i = 0; i < rays.size(); ++i) {
+            queries.emplace_back(rays[i], tree.tree_.bounds);
+            limits.push_back(limit_below(rays[i].tmax));
+            if (is_traceable(rays[i])) waiting.push_back({i, rays[i].tmin});
+        }
+        stack.push_back({tree.tree_.root, 0});
+    }
+
+    /// Takes the top of the stack, without the rays that have found something nearer since.
+    TreeRef pop() {
+        const Pending top = stack.back();
+        stack.pop_back();
+        active.clear();
+        for (std::size_t i = top.first; i < waiting.size(); ++i)
+            if (waiting[i].entry <= limits[waiting[i].ray]) active.push_back(waiting[i]);
+        waiting.resize(top.first);
+        return top.ref;
+    }
+
+    void push(const TreeRef& ref, std::size_t child) {
+        const std::size_t first = waiting.size();
+        for (std::size_t i = 0; i < active.size(); ++i)
+            if (entries[2 * i + child] < infinity) waiting.push_back({active[i].ray, entries[2 * i + child]});
+        if (waiting.size() > first) stack.push_back({ref, first});
+    }
+};
+
+template <bool any>
+void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
+    const MeshTree& mesh = *places_[instance].mesh;
+    batch.local_rays.clear();
+    for (const Active& at : batch.active)
+        batch.local_rays.push_back(to_local(instance, limited(batch.rays[at.ray], batch.limits[at.ray])));
+    const std::size_t count = batch.active.size();
+    if constexpr (any) {
+        batch.local_blocked.resize(count);
+        if (count < few_rays)
+            for (std::size_t i = 0; i < count; ++i)
+                batch.local_blocked[i] = glint::occluded(mesh, batch.local_rays[i]) ? 1 : 0;
+        else
+            glint::occluded(mesh, batch.local_rays, batch.local_blocked, batch.hint);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (batch.local_blocked[i] == 0) continue;
+            batch.blocked[batch.active[i].ray] = 1;
+            batch.limits[batch.active[i].ray] = -infinity;
+        }
+    } else {
+        batch.local_records.resize(count);
+        if (count < few_rays)
+            for (std::size_t i = 0; i < count; ++i)
+                batch.local_records[i] = glint::closest(mesh, batch.local_rays[i]);
+        else
+            glint::closest(mesh, batch.local_rays, batch.local_records, batch.hint);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t ray = batch.active[i].ray;
+            keep(batch.local_records[i], instance, batch.records[ray], batch.limits[ray]);
+        }
+    }
+}
+
+template <bool any>
+void InstanceTree::trace(Batch& batch) const {
+    while (!batch.stack.empty()) {
+        const TreeRef at = batch.pop();
+        if (batch.active.empty()) continue;
+        if (at.count > 0) {
+            ask<any>(tree_.order[at.first], batch);
+            continue;
+        }
+        batch.entries.clear();
+        std::size_t second_nearer = 0;
+        for (const Active& active : batch.active) {
+            const Query& query = batch.queries[active.ray];
+            const float limit = batch.limits[active.ray];
+            const float first = entry(query, at.first, 0, limit);
+            const float second = entry(query, at.first, 1, limit);
+            batch.entries.push_back(first);
+            batch.entries.push_back(second);
+            second_nearer += second < first ? 1u : 0u;
+        }
+        // What is nearer for most goes on top.
+        const std::size_t near = 2 * second_nearer > batch.active.size() ? 1 : 0;
+        const TreeNode& node = tree_.nodes[at.first];
+        batch.push(node.child[1 - near], 1 - near);
+        batch.push(node.child[near], near);
+    }
+}
+
+InstanceRecord InstanceTree::closest(const Ray& ray) const {
+    InstanceRecord best;
+    float limit = limit_below(ray.tmax);
+    if (!is_traceable(ray)) return best;
+    visit(ray, limit, [&](std::uint32_t instance) {
+        keep(glint::closest(mesh(instance), to_local(instance, limited(ray, limit))), instance, best, limit);
+        return false;
+    });
+    return best;
+}
+
+bool InstanceTree::occluded(const Ray& ray) const {
+    if (!is_traceable(ray)) return false;
+    bool found = false;
+    const float limit = limit_below(ray.tmax);
+    visit(ray, limit, [&](std::uint32_t instance) {
+        return found = glint::occluded(mesh(instance), to_local(instance, ray));
+    });
+    return found;
+}
+
+void InstanceTree::closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint) const {
+    for (std::size_t at = 0; at < rays.size(); at += batch_rays) {
+        const std::size_t count = std::min(batch_rays, rays.size() - at);
+        std::fill_n(records.data() + at, count, InstanceRecord{});
+        if (tree_.empty()) continue;
+        Batch batch(rays.subspan(at, count), hint, *this);
+        batch.records = records.data() + at;
+        trace<false>(batch);
+    }
+}
+
+void InstanceTree::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const {
+    for (std::size_t at = 0; at < rays.size(); at += batch_rays) {
+        const std::size_t count = std::min(batch_rays, rays.size() - at);
+        std::fill_n(blocked.data() + at, count, std::uint8_t{0});
+        if (tree_.empty()) continue;
+        Batch batch(rays.subspan(at, count), hint, *this);
+        batch.blocked = blocked.data() + at;
+        trace<true>(batch);
+    }
+}
+
+} // namespace glint

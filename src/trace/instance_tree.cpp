@@ -1,0 +1,105 @@
+// From instances to a tree of their boxes.
+
+#include "trace/instance_tree.h"
+
+#include "math/inverse.h"
+
+#include <stdexcept>
+
+namespace glint {
+namespace {
+
+constexpr double unit = 0x1p-20; ///< 16 u
+constexpr double most_squeezed = 0x1p20;
+
+/// The matrix norm that goes with the largest |coordinate| of vectors.
+double norm(const dmat3& m) {
+    const dvec3 rows = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]);
+    return std::max({rows.x, rows.y, rows.z});
+}
+
+double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+float below(double x) {
+    return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+}
+float above(double x) {
+    return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+template <class V>
+bool is_finite(const V& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// How much |L| |L⁻¹| stretches errors.
+double stretch_of(const MeshInstance& instance, const dmat3& inverse) {
+    const double stretch = norm(instance.linear) * norm(inverse);
+    const dmat3& m = instance.linear;
+    const bool finite =
+        is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]) && is_finite(instance.translation);
+    if (!finite || !(stretch <= most_squeezed))
+        throw std::invalid_argument("the transform of an instance is singular or not finite");
+    return stretch;
+}
+
+/// Around the corners of the mesh's box, grown by what no ray changes.
+BoxRef box_of(const MeshInstance& instance, double stretch, std::uint32_t id) {
+    const Bounds& local = instance.mesh->bounds;
+    const dvec3 lo(local.lo);
+    const dvec3 hi(local.hi);
+    dvec3 least(std::numeric_limits<double>::infinity());
+    dvec3 most = -least;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p((corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
+                      (corner & 4) != 0 ? hi.z : lo.z);
+        const dvec3 q = instance.linear * p + instance.translation;
+        least = glm::min(least, q);
+        most = glm::max(most, q);
+    }
+    const double reach = std::max(largest(lo), largest(hi));
+    const dvec3 slack(unit * (norm(instance.linear) * reach + stretch * largest(instance.translation)));
+    least -= slack;
+    most += slack;
+    const BoxRef box{vec3(below(least.x), below(least.y), below(least.z)), id,
+                     vec3(above(most.x), above(most.y), above(most.z))};
+    if (!is_finite(box.lo) || !is_finite(box.hi))
+        throw std::invalid_argument("an instance reaches beyond the range of floats");
+    return box;
+}
+
+} // namespace
+
+InstanceTree::InstanceTree(std::span<const MeshInstance> instances, TaskPool& pool) {
+    if (instances.size() >= no_instance) throw std::length_error("too many instances");
+    std::vector<BoxRef> boxes;
+    std::vector<float> slack;
+    places_.reserve(instances.size());
+    boxes.reserve(instances.size());
+    slack.reserve(instances.size());
+    for (const MeshInstance& instance : instances) {
+        const dmat3 inverse = inverted(instance.linear);
+        const double stretch = stretch_of(instance, inverse);
+        const auto id = static_cast<std::uint32_t>(places_.size());
+        places_.push_back({instance.mesh, inverse, instance.translation});
+        slack.push_back(above(unit * stretch));
+        if (!instance.mesh->bounds.empty()) boxes.push_back(box_of(instance, stretch, id));
+    }
+    tree_ = build_tree(std::move(boxes), 1, pool);
+    slack_.resize(tree_.nodes.size());
+    if (!tree_.empty()) fill_slack(tree_.root, slack);
+}
+
+float InstanceTree::fill_slack(TreeRef ref, const std::vector<float>& slack_of_instance) {
+    if (ref.count > 0) return slack_of_instance[tree_.order[ref.first]];
+    for (std::size_t child = 0; child < 2; ++child)
+        slack_[ref.first][child] = fill_slack(tree_.nodes[ref.first].child[child], slack_of_instance);
+    return std::max(slack_[ref.first][0], slack_[ref.first][1]);
+}
+
+std::size_t InstanceTree::bytes() const {
+    return places_.size() * sizeof(Place) + tree_.nodes.size() * (sizeof(TreeNode) + sizeof slack_[0]) +
+           tree_.order.size() * sizeof tree_.order[0];
+}
+
+} // namespace glint
