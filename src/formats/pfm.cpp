@@ -3,6 +3,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 
 namespace glint {
@@ -92,6 +93,10 @@ std::vector<std::byte> encode_pfm(const Image& image) {
     for (int y = 0; y < image.height; ++y) {
         const float* from = image.at(0, y);
         std::byte* to = bytes.data() + header.size() + 4 * row_values * file_row(y, image.height);
+        if constexpr (std::endian::native == std::endian::little) {
+            std::memcpy(to, from, 4 * row_values);
+            continue;
+        }
         for (std::size_t i = 0; i < row_values; ++i) {
             const auto bits = std::bit_cast<std::uint32_t>(from[i]);
             for (unsigned k = 0; k < 4; ++k) to[4 * i + k] = static_cast<std::byte>(bits >> (8 * k) & 255U);

@@ -95,7 +95,7 @@ class Job {
         TaskPool pool(options_.threads);
         start_ = wall;
         for (int i = 0; i < pool.threads(); ++i)
-            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel), {}, {}, {}});
+            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel), {}});
         pool.run(tile_count(), [this](std::size_t tile, int worker) {
             render_tile(tile, workers_[static_cast<std::size_t>(worker)]);
         });
@@ -114,8 +114,9 @@ class Job {
     struct Worker {
         WhittedTracer tracer;
         std::vector<Pixel> pixels;
-        std::vector<Sample> samples;
-        std::vector<float> weights;
+        std::vector<Sample> samples = std::vector<Sample>(batch_samples);
+        std::vector<float> weights = std::vector<float>(batch_samples);
+        std::size_t count = 0; ///< of samples in the batch
         std::uint64_t tiles = 0;
         std::uint64_t rays_told = 0;
     };
@@ -164,9 +165,9 @@ class Job {
                 worker.pixels.push_back(pixel);
         }
         const int count = std::min(settings_.spp, batch_samples);
-        start_batch(worker);
+        worker.count = 0;
         for (const Pixel& pixel : worker.pixels) add_samples(pixel, 0, count, worker);
-        worker.tracer.trace(worker.samples);
+        worker.tracer.trace({worker.samples.data(), worker.count});
         for (std::size_t i = 0; i < worker.pixels.size(); ++i) {
             const std::size_t first = i * static_cast<std::size_t>(count);
             if (settings_.spp == 1)
@@ -183,9 +184,9 @@ class Job {
         for (int done = 0; done < settings_.spp;) {
             const int count = std::min(settings_.spp - done, batch_samples);
             if (done > 0) {
-                start_batch(worker);
+                worker.count = 0;
                 add_samples(pixel, done, count, worker);
-                worker.tracer.trace(worker.samples);
+                worker.tracer.trace({worker.samples.data(), worker.count});
                 first = 0;
             }
             for (const Sample* s = &worker.samples[first]; s != &worker.samples[first] + count; ++s) {
@@ -197,19 +198,16 @@ class Job {
         store(pixel, sum.value(), static_cast<float>(covered) / static_cast<float>(settings_.spp));
     }
 
-    static void start_batch(Worker& worker) {
-        worker.samples.clear();
-        worker.weights.clear();
-    }
-
     /// Samples first … first + count − 1 of a pixel, for the next batch.
     void add_samples(const Pixel& pixel, int first, int count, Worker& worker) const {
         for (int i = first; i < first + count; ++i) {
             const FilterSample place = place_of(pixel, i);
             const vec3 direction =
                 pinhole_direction(camera_, area_.x + pixel.x, area_.y + pixel.y, place.dx, place.dy);
-            worker.samples.push_back({camera_.eye, direction, {}, false});
-            worker.weights.push_back(place.weight);
+            Sample& sample = worker.samples[worker.count];
+            sample.origin = camera_.eye;
+            sample.direction = direction;
+            worker.weights[worker.count++] = place.weight;
         }
     }
 

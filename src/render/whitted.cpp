@@ -10,35 +10,31 @@ namespace glint {
 WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel)
     : scene_(scene), settings_(scene.description.whitted), cancel_(cancel) {}
 
-Ray WhittedTracer::ray_of(const Path& path) {
-    Ray ray;
-    ray.origin = path.origin;
-    ray.direction = path.direction;
-    return ray;
-}
-
-WhittedTracer::Path WhittedTracer::primary_path(const vec3& origin, const vec3& direction) {
-    Path path;
+void WhittedTracer::start_primary(const vec3& origin, const vec3& direction, Path& path) {
+    path = Path{};
     path.origin = origin;
     path.direction = direction;
     for (const std::uint32_t object : scene_.camera_media)
         path.media = with(path.media, object, scene_, arena_);
     ++counts_.primary;
-    return path;
 }
 
 Terms WhittedTracer::trace(const vec3& origin, const vec3& direction, RayTree* record, bool* covered) {
     arena_.clear();
     record_ = record;
     if (record_ != nullptr) record_->nodes.clear();
-    return follow(primary_path(origin, direction), covered);
+    Path path;
+    start_primary(origin, direction, path);
+    return follow(path, covered);
 }
 
 Terms WhittedTracer::follow(Path path, bool* covered) {
     // A tree can have 2^max_depth rays: the wish to stop must reach into it.
     if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return Terms{};
     const int node = start_node(path);
-    const Ray ray = ray_of(path);
+    Ray ray;
+    ray.origin = path.origin;
+    ray.direction = path.direction;
     Hit hit = scene_.world.closest(ray);
     pass_hidden(ray, hit, path.media);
     if (covered != nullptr) *covered = static_cast<bool>(hit);
@@ -46,7 +42,8 @@ Terms WhittedTracer::follow(Path path, bool* covered) {
 
     const Surface surface = surface_at(ray, hit);
     note_surface(path, hit, surface, node);
-    Terms terms = first_terms(surface);
+    Terms terms{};
+    start_terms(surface, terms);
     light_surface(surface, path.media, terms, node);
     limit_terms(terms);
     if (goes_on(path, surface, node)) branch(path, surface, terms, node);
@@ -57,9 +54,10 @@ Terms WhittedTracer::follow(Path path, bool* covered) {
 
 void WhittedTracer::light_surface(const Surface& surface, const Media* media, Terms& terms, int node) {
     for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
-        LightNode light = light_at(i, surface);
-        if (wants_shadow(light, surface)) {
-            const Ray ray = shadow_ray(surface, light);
+        LightNode light;
+        if (reaches(i, surface, light)) {
+            Ray ray;
+            aim(surface, light, ray);
             if (scene_.world.occluded(ray)) light.shadow = behind_blockers(ray, surface, media);
             add_light(light, surface, terms);
         }
@@ -69,11 +67,15 @@ void WhittedTracer::light_surface(const Surface& surface, const Media* media, Te
 
 void WhittedTracer::branch(const Path& path, const Surface& surface, Terms& terms, int node) {
     const Split split = split_at(path, surface, terms, node);
-    if (split.reflected > 0.0f)
-        terms[Term::reflection] = follow(reflected_path(path, surface, node)).sum() * split.reflected;
-    if (split.refracted > 0.0f)
-        terms[Term::transmission] =
-            follow(refracted_path(path, surface, split, node)).sum() * split.refracted;
+    Path next;
+    if (split.reflected > 0.0f) {
+        reflect(path, surface, node, next);
+        terms[Term::reflection] = follow(next).sum() * split.reflected;
+    }
+    if (split.refracted > 0.0f) {
+        transmit(path, surface, split, node, next);
+        terms[Term::transmission] = follow(next).sum() * split.refracted;
+    }
 }
 
 // Surfaces inside a transparent solid of higher rank are passed over on the same ray, one by one; `media`
@@ -106,10 +108,9 @@ bool WhittedTracer::holds_media(std::uint32_t object) const {
 }
 
 WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit) const {
-    Surface s;
+    Surface s{scene_.world.surface(ray, hit)};
     s.object = hit.object;
     s.material = &scene_.materials[scene_.objects[hit.object].material];
-    s.point = scene_.world.surface(ray, hit);
     if (hit.on_edge) step_off_edge(ray, hit, s.point);
     s.v = -ray.direction;
     s.entering = dot(s.point.n, ray.direction) < 0.0f;
@@ -160,55 +161,52 @@ void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
 // ── Light that arrives from the lights
 // ──────────────────────────────────────────────────────────────────────
 
-Terms WhittedTracer::first_terms(const Surface& s) const {
-    Terms terms{};
+void WhittedTracer::start_terms(const Surface& s, Terms& terms) const {
+    terms = Terms{};
     terms[Term::ambient] = ambient_term(scene_.ambient, s.color, s.material->ambient);
     terms[Term::emission] = s.material->emission;
-    return terms;
 }
 
-/// What arrives from a light where nothing stands between.
-LightNode WhittedTracer::light_at(std::uint32_t index, const Surface& s) const {
-    const FrozenLight& light = scene_.lights[index];
-    LightNode node;
+/// Sets what arrives from a light where nothing stands between; is it worth a shadow ray?
+bool WhittedTracer::reaches(std::uint32_t index, const Surface& s, LightNode& node) const {
+    node = LightNode{};
     node.light = index;
+    arrive(scene_.lights[index], s, node);
+    const bool shines = s.material->diffuse > 0.0f || s.material->highlight > 0.0f;
+    return shines && node.arriving != vec3(0.0f);
+}
+
+void WhittedTracer::arrive(const FrozenLight& light, const Surface& s, LightNode& node) const {
     if (light.kind == LightKind::directional) {
         node.direction = -light.direction;
         node.distance = std::numeric_limits<float>::infinity();
         node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
         node.arriving = directional_light_arriving(light.strength, node.cosine);
-        return node;
+        return;
     }
     const vec3 to_light = light.position - s.point.p;
     const float r_squared = dot(to_light, to_light);
     node.distance = sqrt(r_squared);
-    if (!(node.distance > 0.0f)) return node;
+    if (!(node.distance > 0.0f)) return;
     node.direction = to_light / node.distance;
     node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
     node.arriving = point_light_arriving(light.strength, node.cosine, r_squared);
     if (light.kind == LightKind::spot)
         node.arriving = node.arriving *
                         spot_falloff(-dot(node.direction, light.direction), light.cos_outer, light.cos_inner);
-    return node;
-}
-
-bool WhittedTracer::wants_shadow(const LightNode& light, const Surface& s) const {
-    const bool shines = s.material->diffuse > 0.0f || s.material->highlight > 0.0f;
-    return shines && light.arriving != vec3(0.0f);
 }
 
 // The ray to the light ends at t = 1 for a light with a place, so that "between" needs no tolerance.
-Ray WhittedTracer::shadow_ray(const Surface& s, const LightNode& light) {
+void WhittedTracer::aim(const Surface& s, const LightNode& light, Ray& ray) {
     ++counts_.shadow;
     const FrozenLight& source = scene_.lights[light.light];
-    Ray ray;
+    ray = Ray{};
     ray.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, light.direction);
     ray.direction = light.direction;
     if (source.kind != LightKind::directional) {
         ray.direction = source.position - ray.origin;
         ray.tmax = 1.0f;
     }
-    return ray;
 }
 
 /// The share of the light that gets through what the ray meets.
@@ -326,27 +324,25 @@ bool WhittedTracer::refract(const Surface& s, const vec3& n, Split& split) const
     return true;
 }
 
-WhittedTracer::Path WhittedTracer::reflected_path(const Path& path, const Surface& s, int node) {
+void WhittedTracer::reflect(const Path& path, const Surface& s, int node, Path& next) {
     ++counts_.reflected;
-    vec3 mirrored = normalize(mirror_direction(s.v, s.n));
-    if (!(dot(mirrored, s.n_g) > 0.0f)) mirrored = normalize(mirror_direction(s.v, s.n_g));
-    return {offset_ray_origin(s.point.p, s.point.p_error, s.n_g, mirrored),
-            mirrored,
-            path.media,
-            path.depth + 1,
-            RayKind::reflected,
-            node};
+    next.direction = normalize(mirror_direction(s.v, s.n));
+    if (!(dot(next.direction, s.n_g) > 0.0f)) next.direction = normalize(mirror_direction(s.v, s.n_g));
+    next.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, next.direction);
+    next.media = path.media;
+    next.depth = path.depth + 1;
+    next.kind = RayKind::reflected;
+    next.parent = node;
 }
 
-WhittedTracer::Path WhittedTracer::refracted_path(const Path& path, const Surface& s, const Split& split,
-                                                  int node) {
+void WhittedTracer::transmit(const Path& path, const Surface& s, const Split& split, int node, Path& next) {
     ++counts_.refracted;
-    return {offset_ray_origin(s.point.p, s.point.p_error, s.n_g, split.direction),
-            split.direction,
-            split.media,
-            path.depth + 1,
-            RayKind::refracted,
-            node};
+    next.direction = split.direction;
+    next.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, next.direction);
+    next.media = split.media;
+    next.depth = path.depth + 1;
+    next.kind = RayKind::refracted;
+    next.parent = node;
 }
 
 void WhittedTracer::absorb(const Media* media, float distance, Terms& terms, int node) const {

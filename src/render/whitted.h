@@ -53,9 +53,9 @@ class WhittedTracer {
     };
     /// A hit, ready to be shaded.
     struct Surface {
+        SurfacePoint point;
         const FrozenMaterial* material = nullptr;
         std::uint32_t object = 0;
-        SurfacePoint point;
         vec3 v{0.0f};          ///< to the viewer
         vec3 n_g{0.0f};        ///< geometric normal toward the viewer
         vec3 n{0.0f};          ///< shading normal on the side of n_g
@@ -101,12 +101,12 @@ class WhittedTracer {
     void light(std::span<Flight> level, std::uint32_t index);
     void grow(Flight& flight);
     bool has_room() const;
-    int launch(const Path& path);
+    Flight& launch();
     void gather();
 
-    // The steps of both. `node` is the ray's in the record, or −1.
-    static Ray ray_of(const Path& path);
-    Path primary_path(const vec3& origin, const vec3& direction);
+    // The steps of both. `node` is the ray's in the record, or −1. What is large is written where it stays:
+    // copying what was just written number by number makes the processor wait.
+    void start_primary(const vec3& origin, const vec3& direction, Path& path);
     void pass_hidden(const Ray& ray, Hit& hit, const Media*& media);
     Terms missed(const Path& path, int node) const;
     Surface surface_at(const Ray& ray, const Hit& hit) const;
@@ -114,10 +114,10 @@ class WhittedTracer {
     void interpolate(const Hit& hit, Surface& surface) const;
     bool enters(const Ray& ray, const Hit& hit) const;
     bool holds_media(std::uint32_t object) const;
-    Terms first_terms(const Surface& surface) const;
-    LightNode light_at(std::uint32_t index, const Surface& surface) const;
-    bool wants_shadow(const LightNode& light, const Surface& surface) const;
-    Ray shadow_ray(const Surface& surface, const LightNode& light);
+    void start_terms(const Surface& surface, Terms& terms) const;
+    bool reaches(std::uint32_t index, const Surface& surface, LightNode& node) const;
+    void arrive(const FrozenLight& light, const Surface& surface, LightNode& node) const;
+    void aim(const Surface& surface, const LightNode& light, Ray& ray);
     float behind_blockers(const Ray& ray, const Surface& surface, const Media* media);
     float walk_shadow(const Ray& ray, const Media* media);
     void add_light(LightNode& light, const Surface& surface, Terms& terms) const;
@@ -126,8 +126,8 @@ class WhittedTracer {
     Split split_at(const Path& path, const Surface& surface, Terms& terms, int node);
     void cross(const Path& path, const Surface& surface, Split& split);
     bool refract(const Surface& surface, const vec3& n, Split& split) const;
-    Path reflected_path(const Path& path, const Surface& surface, int node);
-    Path refracted_path(const Path& path, const Surface& surface, const Split& split, int node);
+    void reflect(const Path& path, const Surface& surface, int node, Path& next);
+    void transmit(const Path& path, const Surface& surface, const Split& split, int node, Path& next);
     void absorb(const Media* media, float distance, Terms& terms, int node) const;
 
     // The record.

@@ -4,6 +4,8 @@
 
 #include "render/whitted.h"
 
+#include <new>
+
 namespace glint {
 
 namespace {
@@ -15,13 +17,12 @@ constexpr std::size_t most_flights = 4096;
 
 bool WhittedTracer::has_room() const { return flight_count_ + 2 <= most_flights; }
 
-int WhittedTracer::launch(const Path& path) {
-    // Clearing a flight would cost as much as lighting it: what is not set here is set by find_hits().
-    Flight& flight = flights_[flight_count_];
-    flight.path = path;
+WhittedTracer::Flight& WhittedTracer::launch() {
+    // Clearing a flight would cost as much as lighting it: the caller sets its path, find_hits() the rest.
+    Flight& flight = flights_[flight_count_++];
     flight.reflected = -1;
     flight.refracted = -1;
-    return static_cast<int>(flight_count_++);
+    return flight;
 }
 
 void WhittedTracer::trace(std::span<Sample> samples) {
@@ -29,9 +30,15 @@ void WhittedTracer::trace(std::span<Sample> samples) {
         trace(samples.first(most_flights));
     arena_.clear();
     record_ = nullptr;
-    flights_.resize(most_flights);
+    if (flights_.empty()) {
+        flights_.resize(most_flights);
+        pending_.resize(most_flights);
+        rays_.resize(most_flights);
+        hits_.resize(most_flights);
+        blocked_.resize(most_flights);
+    }
     flight_count_ = 0;
-    for (const Sample& sample : samples) launch(primary_path(sample.origin, sample.direction));
+    for (const Sample& sample : samples) start_primary(sample.origin, sample.direction, launch().path);
 
     std::size_t first = 0;
     while (first < flight_count_) {
@@ -51,17 +58,20 @@ void WhittedTracer::trace(std::span<Sample> samples) {
 }
 
 void WhittedTracer::find_hits(std::span<Flight> level) {
-    rays_.clear();
-    for (const Flight& flight : level) rays_.push_back(ray_of(flight.path));
-    hits_.resize(rays_.size());
-    scene_.world.closest(rays_, hits_, RayHint::coherent, scratch_);
+    for (std::size_t i = 0; i < level.size(); ++i) {
+        rays_[i] = Ray{};
+        rays_[i].origin = level[i].path.origin;
+        rays_[i].direction = level[i].path.direction;
+    }
+    scene_.world.closest({rays_.data(), level.size()}, {hits_.data(), level.size()}, RayHint::coherent,
+                         scratch_);
     for (std::size_t i = 0; i < level.size(); ++i) {
         Flight& flight = level[i];
         flight.hit = hits_[i];
         pass_hidden(rays_[i], flight.hit, flight.path.media);
         if (flight.hit) {
-            flight.surface = surface_at(rays_[i], flight.hit);
-            flight.terms = first_terms(flight.surface);
+            ::new (&flight.surface) Surface(surface_at(rays_[i], flight.hit)); // made in its place
+            start_terms(flight.surface, flight.terms);
         } else {
             flight.terms = missed(flight.path, -1);
         }
@@ -70,18 +80,15 @@ void WhittedTracer::find_hits(std::span<Flight> level) {
 
 /// Adds one light to all flights that it can reach.
 void WhittedTracer::light(std::span<Flight> level, std::uint32_t index) {
-    rays_.clear();
-    pending_.clear();
+    std::size_t count = 0;
     for (Flight& flight : level) {
-        if (!flight.hit) continue;
-        const LightNode light = light_at(index, flight.surface);
-        if (!wants_shadow(light, flight.surface)) continue;
-        rays_.push_back(shadow_ray(flight.surface, light));
-        pending_.push_back({&flight, light});
+        if (!flight.hit || !reaches(index, flight.surface, pending_[count].light)) continue;
+        pending_[count].flight = &flight;
+        aim(flight.surface, pending_[count].light, rays_[count]);
+        ++count;
     }
-    blocked_.resize(rays_.size());
-    scene_.world.occluded(rays_, blocked_, RayHint::coherent, scratch_);
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
+    scene_.world.occluded({rays_.data(), count}, {blocked_.data(), count}, RayHint::coherent, scratch_);
+    for (std::size_t i = 0; i < count; ++i) {
         Flight& flight = *pending_[i].flight;
         LightNode& light = pending_[i].light;
         if (blocked_[i] != 0) light.shadow = behind_blockers(rays_[i], flight.surface, flight.path.media);
@@ -97,9 +104,14 @@ void WhittedTracer::grow(Flight& flight) {
     const Split split = split_at(flight.path, flight.surface, flight.terms, -1);
     flight.reflected_weight = split.reflected;
     flight.refracted_weight = split.refracted;
-    if (split.reflected > 0.0f) flight.reflected = launch(reflected_path(flight.path, flight.surface, -1));
-    if (split.refracted > 0.0f)
-        flight.refracted = launch(refracted_path(flight.path, flight.surface, split, -1));
+    if (split.reflected > 0.0f) {
+        flight.reflected = static_cast<int>(flight_count_);
+        reflect(flight.path, flight.surface, -1, launch().path);
+    }
+    if (split.refracted > 0.0f) {
+        flight.refracted = static_cast<int>(flight_count_);
+        transmit(flight.path, flight.surface, split, -1, launch().path);
+    }
 }
 
 /// What branches bring, the youngest first: children stand behind their parents.

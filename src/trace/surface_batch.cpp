@@ -244,6 +244,10 @@ std::uint32_t bits_of(Mask mask) {
     return bits[0];
 }
 
+std::uint32_t mesh_ahead_of(const WorldData& world, const Rays& rays, Doubles limit) {
+    return world.mesh_tree.nodes.empty() ? 0u : bits_of(may_meet(rays, world.mesh_tree.bounds, limit));
+}
+
 } // namespace
 
 // What the dispatcher calls: anonymous functions cannot be exported.
@@ -252,8 +256,7 @@ void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t cou
     for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
         Least sink{vector};
         meet_all(world, vector.line, sink);
-        const std::uint32_t ahead =
-            bits_of(may_meet(vector, world.mesh_tree.bounds, hn::Min(sink.t, vector.limit)));
+        const std::uint32_t ahead = mesh_ahead_of(world, vector, hn::Min(sink.t, vector.limit));
         alignas(64) double t[lanes], root[lanes];
         hn::Store(sink.t, dd, t);
         hn::Store(sink.root, dd, root);
@@ -280,8 +283,7 @@ void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t co
         AnyHit sink{vector};
         meet_all(world, vector.line, sink);
         const std::uint32_t found = bits_of(sink.found);
-        const std::uint32_t ahead =
-            bits_of(hn::AndNot(sink.found, may_meet(vector, world.mesh_tree.bounds, vector.limit)));
+        const std::uint32_t ahead = ~found & mesh_ahead_of(world, vector, vector.limit);
         for (std::size_t k = 0; k < n; ++k) {
             blocked[first + k] = found >> k & 1u;
             mesh_ahead[first + k] = ahead >> k & 1u;
