@@ -17,6 +17,8 @@ constexpr int deepest_search = 60;
 static_assert(deepest_search + 32 < max_tree_depth);
 /// Ranges above this are split one after another, ranges below are one task each.
 constexpr std::size_t grain = 8192;
+/// Ranges up to this size are halved, not searched, for the fast quality.
+constexpr std::size_t fast_halves = 4;
 /// Price of a step into a node, in tests of an element.
 constexpr double node_cost = 1.0;
 
@@ -64,8 +66,9 @@ struct Binning {
     vec3 scale; ///< 0 along an axis without extent
     int bins;
 
-    explicit Binning(const Range& range) : lo(range.middles.lo), scale(0.0f) {
+    Binning(const Range& range, BuildQuality quality) : lo(range.middles.lo), scale(0.0f) {
         bins = range.size() > 256 ? most_bins : range.size() > 16 ? 16 : 8;
+        if (quality == BuildQuality::fast) bins = 8;
         for (int axis = 0; axis < 3; ++axis) {
             const float extent = range.middles.hi[axis] - range.middles.lo[axis];
             const float factor = static_cast<float>(bins) / extent;
@@ -163,12 +166,19 @@ std::pair<Range, Range> split_in_half(const Range& range, BoxRef* refs) {
     return {left, right};
 }
 
+/// What is asked of all splits.
+struct Wish {
+    std::uint32_t max_leaf;
+    BuildQuality quality;
+};
+
 /// Splits the range in two, or decides that it is a leaf (false).
-bool split(const Range& range, std::uint32_t max_leaf, BoxRef* refs, std::pair<Range, Range>& halves) {
-    const bool must = range.size() > max_leaf;
+bool split(const Range& range, const Wish& wish, BoxRef* refs, std::pair<Range, Range>& halves) {
+    const bool must = range.size() > wish.max_leaf;
     if (range.size() < 2) return false;
-    if (range.depth < deepest_search) {
-        const Binning binning(range);
+    const bool halve = must && wish.quality == BuildQuality::fast && range.size() <= fast_halves;
+    if (!halve && range.depth < deepest_search) {
+        const Binning binning(range, wish.quality);
         const Cut cut = cheapest_cut(range, binning, refs);
         const double area = half_area(range.box);
         const bool pays = cut.cost + node_cost * area < static_cast<double>(range.size()) * area;
@@ -196,17 +206,17 @@ struct Subtree {
     TreeRef root;
     int depth = 0;
 
-    TreeRef build(const Range& range, std::uint32_t max_leaf, BoxRef* refs) {
+    TreeRef build(const Range& range, const Wish& wish, BoxRef* refs) {
         depth = std::max(depth, range.depth);
         std::pair<Range, Range> halves;
-        if (!split(range, max_leaf, refs, halves))
+        if (!split(range, wish, refs, halves))
             return {static_cast<std::uint32_t>(range.begin), static_cast<std::uint32_t>(range.size())};
         const std::size_t at = nodes.size();
         nodes.emplace_back();
         store_box(nodes[at], 0, halves.first.box);
         store_box(nodes[at], 1, halves.second.box);
-        const TreeRef first = build(halves.first, max_leaf, refs);
-        const TreeRef second = build(halves.second, max_leaf, refs);
+        const TreeRef first = build(halves.first, wish, refs);
+        const TreeRef second = build(halves.second, wish, refs);
         nodes[at].child[0] = first;
         nodes[at].child[1] = second;
         return {static_cast<std::uint32_t>(at), 0};
@@ -222,14 +232,14 @@ struct Pending {
 
 /// Splits the large ranges level by level, the ranges of one level side by side; leaves the small ones in
 /// order.
-std::vector<Pending> build_top(Tree& tree, const Range& root, std::uint32_t max_leaf, BoxRef* refs,
+std::vector<Pending> build_top(Tree& tree, const Range& root, const Wish& wish, BoxRef* refs,
                                TaskPool& pool) {
     std::vector<Pending> small;
     std::vector<Pending> large;
     (root.size() > grain ? large : small).push_back({root, 0, 2});
     while (!large.empty()) {
         std::vector<std::pair<Range, Range>> halves(large.size());
-        pool.run(large.size(), [&](std::size_t i, int) { split(large[i].range, max_leaf, refs, halves[i]); });
+        pool.run(large.size(), [&](std::size_t i, int) { split(large[i].range, wish, refs, halves[i]); });
         std::vector<Pending> level;
         for (std::size_t i = 0; i < large.size(); ++i) {
             const std::size_t at = tree.nodes.size();
@@ -262,17 +272,18 @@ void append(Tree& tree, const Pending& place, const Subtree& subtree) {
 
 } // namespace
 
-Tree build_tree(std::vector<BoxRef> boxes, std::uint32_t max_leaf, TaskPool& pool) {
+Tree build_tree(std::vector<BoxRef> boxes, std::uint32_t max_leaf, TaskPool& pool, BuildQuality quality) {
     Tree tree;
+    const Wish wish{max_leaf, quality};
     if (boxes.empty()) return tree;
     Range root{0, boxes.size(), {}, {}, 0};
     for (const BoxRef& ref : boxes) add(root, ref);
     tree.bounds = root.box;
 
-    const std::vector<Pending> small = build_top(tree, root, max_leaf, boxes.data(), pool);
+    const std::vector<Pending> small = build_top(tree, root, wish, boxes.data(), pool);
     std::vector<Subtree> subtrees(small.size());
     pool.run(small.size(), [&](std::size_t i, int) {
-        subtrees[i].root = subtrees[i].build(small[i].range, max_leaf, boxes.data());
+        subtrees[i].root = subtrees[i].build(small[i].range, wish, boxes.data());
     });
 
     std::size_t nodes = tree.nodes.size();

@@ -48,14 +48,23 @@ struct MeshTree {
     std::vector<std::uint32_t> leaf_words; ///< with a tail that vector loads may read
     Bounds bounds;
     int depth = 0;
-    std::size_t triangles = 0;
+    std::size_t triangles = 0; ///< as given
+    std::size_t left_out = 0;  ///< of these, with a vertex that is not finite
+    BuildQuality quality = BuildQuality::high;
 
     std::size_t bytes() const { return nodes.size() * sizeof(WideNode) + leaf_words.size() * 4; }
 };
 
 /// Builds the tree with the pool's threads; it does not depend on their number. Triangles with a vertex that
 /// is not finite are left out: nothing hits them. Throws std::length_error where the leaves exceed 512 MiB.
-MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool);
+MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool,
+                         BuildQuality quality = BuildQuality::high);
+
+/// Follows vertices that moved: leaves take the new positions, boxes grow and shrink with them, the shape of
+/// the tree stays. Every ray is answered as by a new tree; after large movements more slowly. Where a vertex
+/// is or was not finite the tree is built anew. Throws std::invalid_argument if the number of triangles is
+/// not that of the build.
+void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool);
 
 /// One ray in plain C++, as the kernels must answer it.
 TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray);

@@ -91,6 +91,66 @@ TEST_P(MeshTreeAtScale, KernelsGiveTheBitsOfThePlainWalk) {
 
 INSTANTIATE_TEST_SUITE_P(Scales, MeshTreeAtScale, testing::Values(1e-12f, 1.0f, 1e12f));
 
+TEST(MeshTree, EveryQualityGivesTheSameHits) {
+    TaskPool pool(2);
+    const Soup s = soup(5, 3000, 1.0f);
+    const MeshTree fast = build_mesh_tree(s.positions, s.triangles, pool, BuildQuality::fast);
+    const MeshTree high = build_mesh_tree(s.positions, s.triangles, pool, BuildQuality::high);
+    EXPECT_EQ(fast.quality, BuildQuality::fast);
+    EXPECT_EQ(high.quality, BuildQuality::high);
+    expect_agreement(fast, rays_for(5, 2000, 1.0f));
+    for (const Ray& ray : rays_for(6, 5000, 1.0f))
+        EXPECT_TRUE(same_bits(closest_scalar(fast, ray), closest_scalar(high, ray)));
+}
+
+/// The vertices of a soup, each moved for itself: what was one point comes apart.
+std::vector<vec3> moved(const Soup& s, uint seed, float by) {
+    std::vector<vec3> positions = s.positions;
+    for (uint i = 0; i < positions.size(); ++i) positions[i] += (draw_point(seed, i) - 0.5f) * by;
+    return positions;
+}
+
+TEST(MeshTree, RefitGivesTheHitsOfANewTree) {
+    TaskPool pool(2);
+    Soup s = soup(7, 3000, 1.0f);
+    // Every second pair of triangles meets in points that are equal, but not one vertex.
+    for (std::size_t i = 0; i + 6 <= s.positions.size(); i += 12) {
+        s.positions[i + 3] = s.positions[i + 1];
+        s.positions[i + 4] = s.positions[i + 2];
+    }
+    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::high}) {
+        MeshTree tree = build_mesh_tree(s.positions, s.triangles, pool, quality);
+        for (const float by : {0.0f, 0.01f, 3.0f}) {
+            const std::vector<vec3> positions = moved(s, 8, by);
+            refit(tree, positions, s.triangles, pool);
+            const MeshTree anew = build_mesh_tree(positions, s.triangles, pool, quality);
+            EXPECT_EQ(tree.bounds.lo, anew.bounds.lo);
+            EXPECT_EQ(tree.bounds.hi, anew.bounds.hi);
+            const std::vector<Ray> rays = rays_for(9, 3000, 1.0f);
+            expect_agreement(tree, rays);
+            for (const Ray& ray : rays)
+                EXPECT_TRUE(same_bits(closest_scalar(tree, ray), closest_scalar(anew, ray)));
+        }
+    }
+}
+
+TEST(MeshTree, RefitTakesVerticesThatBecomeOrWereNotFinite) {
+    TaskPool pool(1);
+    const Soup s = soup(11, 500, 1.0f);
+    std::vector<vec3> positions = s.positions;
+    positions[0].y = std::numeric_limits<float>::quiet_NaN();
+    MeshTree tree = build_mesh_tree(s.positions, s.triangles, pool);
+    const MeshTree whole = tree;
+    refit(tree, positions, s.triangles, pool);
+    EXPECT_GT(tree.left_out, 0u);
+    for (const Ray& ray : rays_for(12, 1000, 1.0f)) EXPECT_NE(closest_scalar(tree, ray).triangle, 0u);
+    refit(tree, s.positions, s.triangles, pool);
+    EXPECT_EQ(tree.left_out, 0u);
+    for (const Ray& ray : rays_for(12, 1000, 1.0f))
+        EXPECT_TRUE(same_bits(closest_scalar(tree, ray), closest_scalar(whole, ray)));
+    EXPECT_THROW(refit(tree, s.positions, std::span(s.triangles).first(10), pool), std::invalid_argument);
+}
+
 TEST(MeshTree, HoldsNothingAndHitsNothing) {
     TaskPool pool(1);
     const MeshTree tree = build_mesh_tree({}, {}, pool);
