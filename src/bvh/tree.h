@@ -45,16 +45,9 @@ struct BoxRef {
     vec3 hi;
 };
 
-/// What a build strives for. It decides the speed of rays, never the answer.
-enum class BuildQuality {
-    fast, ///< to be rebuilt often: few bins, small ranges are halved
-    high  ///< for many rays
-};
-
 /// A tree by the surface area heuristic over bins (Wald, "On fast Construction of SAH-based Bounding Volume
 /// Hierarchies", 2007), at most max_leaf elements a leaf. The tree depends on the boxes alone, not on the
 /// pool.
-Tree build_tree(std::vector<BoxRef> boxes, std::uint32_t max_leaf, TaskPool& pool,
-                BuildQuality quality = BuildQuality::high);
+Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, TaskPool& pool);
 
 } // namespace glint

@@ -6,13 +6,13 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t most_blocks = 0x01ffffff;
-
 bool same_bits(const vec3& a, const vec3& b) {
     return std::bit_cast<std::array<std::uint32_t, 3>>(a) == std::bit_cast<std::array<std::uint32_t, 3>>(b);
 }
 
 } // namespace
+
+void throw_too_many_leaves() { throw std::length_error("the leaves of a mesh exceed 512 MiB"); }
 
 LeafDraft draft_leaf(std::span<const vec3> positions, std::span<const uvec3> triangles,
                      std::span<const std::uint32_t> numbers, Sameness sameness) {
@@ -39,7 +39,7 @@ LeafDraft draft_leaf(std::span<const vec3> positions, std::span<const uvec3> tri
 
 std::uint32_t append_leaf(const LeafDraft& leaf, std::vector<std::uint32_t>& words) {
     const std::size_t offset = words.size() / 4;
-    if (offset >= most_blocks) throw std::length_error("the leaves of a mesh exceed 512 MiB");
+    if (offset >= most_leaf_blocks) throw_too_many_leaves();
     std::array<std::uint32_t, wide_leaf> corners{};
     for (std::uint32_t i = 0; i < leaf.triangles; ++i)
         corners[i] = leaf.corners[3 * i] | leaf.corners[3 * i + 1] << 3 | leaf.corners[3 * i + 2] << 6;

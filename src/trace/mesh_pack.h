@@ -16,6 +16,10 @@ inline constexpr std::uint32_t leaf_vertices = 8;
 /// Words behind the last leaf that a vector load of eight may touch.
 inline constexpr std::size_t tail_words = 16;
 
+/// A code can address as many units of 16 bytes.
+inline constexpr std::size_t most_leaf_blocks = 0x01ffffff;
+[[noreturn]] void throw_too_many_leaves();
+
 /// The distinct vertices of up to eight triangles, whether they fit into a leaf or not.
 struct LeafDraft {
     std::array<std::uint32_t, wide_leaf> numbers; ///< of the triangles

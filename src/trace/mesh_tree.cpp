@@ -1,88 +1,190 @@
+// From triangles to a tree: the top level by level, then subtrees, one a task, each written down as wide
+// nodes before the next begins, so that no binary tree of the whole is ever held.
+
 #include "trace/mesh_tree.h"
 
 #include "trace/mesh_pack.h"
+#include "trace/mesh_subtree.h"
+#include "trace/mesh_top.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <stdexcept>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace glint {
 namespace {
 
-/// Prices of a leaf in steps into a node, measured: one round of eight vertices and triangles, and each more.
-constexpr float leaf_base = 0.7f;
-constexpr float leaf_triangle = 0.12f;
+/// Triangles of one task.
+constexpr std::size_t piece = 32768;
 
 bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-class Packer {
-  public:
-    Packer(std::span<const vec3> positions, std::span<const uvec3> triangles, const Tree& tree)
-        : positions_(positions), triangles_(triangles), tree_(tree) {}
-
-    /// The price of a leaf, infinite with too many vertices.
-    float cost(std::uint32_t first, std::uint32_t count) const {
-        if (!draft(first, count).fits()) return std::numeric_limits<float>::infinity();
-        return leaf_base + leaf_triangle * static_cast<float>(count);
+/// References to all triangles whose vertices are finite, in order.
+Range fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, Ref* refs,
+                TaskPool& pool) {
+    std::vector<Range> parts((triangles.size() + piece - 1) / piece);
+    pool.run(parts.size(), [&](std::size_t task, int) {
+        Range part;
+        part.begin = part.end = task * piece;
+        for (std::size_t i = part.begin; i < std::min(part.begin + piece, triangles.size()); ++i) {
+            const vec3& a = positions[triangles[i].x];
+            const vec3& b = positions[triangles[i].y];
+            const vec3& c = positions[triangles[i].z];
+            if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
+            QuadBox box{quad(a), quad(a)};
+            box.grow(quad(b));
+            box.grow(quad(c));
+            refs[part.end] = Ref::of(box.lo, box.hi, static_cast<std::uint32_t>(i));
+            part.add(refs[part.end++]);
+        }
+        parts[task] = part;
+    });
+    Range all;
+    for (const Range& part : parts) {
+        if (all.end != part.begin) std::copy(refs + part.begin, refs + part.end, refs + all.end);
+        all.end += part.size();
+        all.box.grow(part.box);
+        all.middles.grow(part.middles);
     }
+    all.limit = all.end;
+    return all;
+}
 
-    /// Writes all leaves and puts their codes into the nodes.
-    void pack(WideTree& wide, std::vector<std::uint32_t>& words) const {
-        words.reserve(triangles_.size() * 7);
-        for (WideNode& node : wide.nodes)
-            for (std::uint32_t& child : node.child)
-                if (child != no_child && (child & leaf_bit) != 0) {
-                    const LeafRun& run = wide.leaves[child & ~leaf_bit];
-                    child = append_leaf(draft(run.first, run.count), words);
-                }
-        words.resize(words.size() + tail_words);
-        words.shrink_to_fit();
+std::vector<Subtree> build_subtrees(const MeshBuild& build, const MeshTop& top,
+                                    const std::vector<std::uint32_t>& parts, TaskPool& pool) {
+    std::vector<Subtree> subtrees(parts.size());
+    std::vector<std::unique_ptr<SubtreeBuilder>> builders(static_cast<std::size_t>(pool.threads()));
+    pool.run(subtrees.size(), [&](std::size_t task, int worker) {
+        auto& builder = builders[static_cast<std::size_t>(worker)];
+        if (!builder) builder = std::make_unique<SubtreeBuilder>();
+        subtrees[task] = builder->run(build, top, parts[task]);
+    });
+    return subtrees;
+}
+
+/// Writes the top, then all subtrees behind it.
+class Assembler {
+  public:
+    Assembler(MeshTop& top, const std::vector<std::uint32_t>& parts, std::vector<Subtree>& subtrees,
+              MeshTree& tree)
+        : top_(top), parts_(parts), subtrees_(subtrees), tree_(tree) {}
+
+    void run(float scale, TaskPool& pool) {
+        price(scale);
+        WideWriter writer(top_.nodes, tree_.nodes,
+                          [](const BinaryNode& leaf) { return leaf_bit | leaf.first; });
+        const std::uint32_t root = writer.run();
+        if ((root & leaf_bit) != 0) start_with_leaf();
+        place();
+        link();
+        tree_.nodes.resize(nodes_before_.back());
+        tree_.leaf_words.resize(words_before_.back() + tail_words);
+        pool.run(subtrees_.size(), [&](std::size_t i, int) { write(i); });
     }
 
   private:
-    LeafDraft draft(std::uint32_t first, std::uint32_t count) const {
-        return draft_leaf(positions_, triangles_, std::span(tree_.order).subspan(first, count),
-                          Sameness::position);
+    /// Now that the parts' prices are known. Children stand behind their parents.
+    void price(float scale) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            BinaryNode& part = top_.nodes[parts_[i]];
+            part.is_split = 0;
+            part.first = static_cast<std::uint32_t>(i);
+            price_leaf(part, subtrees_[i].cost);
+        }
+        for (std::size_t at = top_.nodes.size(); at-- > 0;) {
+            BinaryNode& node = top_.nodes[at];
+            if (node.is_split)
+                price_split(node, top_.nodes[node.left], top_.nodes[node.left + 1],
+                            half_area(node.box, scale), std::numeric_limits<float>::infinity());
+        }
     }
 
-    std::span<const vec3> positions_;
-    std::span<const uvec3> triangles_;
-    const Tree& tree_;
+    /// The only subtree is the tree. If it is a leaf, that needs a node above it.
+    void start_with_leaf() {
+        if ((subtrees_[0].root & leaf_bit) == 0) return;
+        tree_.nodes.push_back(empty_node());
+        set_child(tree_.nodes[0], 0, top_.nodes[0].box, leaf_bit);
+    }
+
+    void place() {
+        nodes_before_.push_back(tree_.nodes.size());
+        words_before_.push_back(0);
+        for (const Subtree& subtree : subtrees_) {
+            nodes_before_.push_back(nodes_before_.back() + subtree.nodes.size());
+            words_before_.push_back(words_before_.back() + subtree.words.size());
+        }
+        if (words_before_.back() / 4 > most_leaf_blocks) throw_too_many_leaves();
+    }
+
+    /// The top's leaves name subtrees; puts their roots instead.
+    void link() {
+        const std::size_t count = tree_.nodes.size();
+        std::vector<int> heights(count, 1);
+        for (std::size_t at = count; at-- > 0;) {
+            for (std::uint32_t& child : tree_.nodes[at].child) {
+                if (child == no_child) continue;
+                int height = 0;
+                if ((child & leaf_bit) == 0) {
+                    height = heights[child];
+                } else {
+                    const std::uint32_t subtree = child & ~leaf_bit;
+                    height = subtrees_[subtree].depth;
+                    child = moved(subtrees_[subtree].root, subtree);
+                }
+                heights[at] = std::max(heights[at], height + 1);
+            }
+        }
+        tree_.depth = count > 0 ? heights[0] : subtrees_[0].depth;
+    }
+
+    /// The code of a subtree's node or leaf in the whole tree.
+    std::uint32_t moved(std::uint32_t code, std::size_t subtree) const {
+        if (code == no_child) return code;
+        return code + static_cast<std::uint32_t>((code & leaf_bit) != 0 ? words_before_[subtree] / 4
+                                                                        : nodes_before_[subtree]);
+    }
+
+    void write(std::size_t i) {
+        Subtree& subtree = subtrees_[i];
+        WideNode* out = tree_.nodes.data() + nodes_before_[i];
+        for (WideNode& node : subtree.nodes) {
+            for (std::uint32_t& child : node.child) child = moved(child, i);
+            *out++ = node;
+        }
+        std::copy(subtree.words.begin(), subtree.words.end(), tree_.leaf_words.data() + words_before_[i]);
+        subtree = {};
+    }
+
+    MeshTop& top_;
+    const std::vector<std::uint32_t>& parts_;
+    std::vector<Subtree>& subtrees_;
+    MeshTree& tree_;
+    std::vector<std::size_t> nodes_before_;
+    std::vector<std::size_t> words_before_;
 };
-
-std::vector<BoxRef> boxes_of(std::span<const vec3> positions, std::span<const uvec3> triangles) {
-    std::vector<BoxRef> boxes;
-    boxes.reserve(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const vec3& a = positions[triangles[i].x];
-        const vec3& b = positions[triangles[i].y];
-        const vec3& c = positions[triangles[i].z];
-        if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
-        boxes.push_back(
-            {glm::min(glm::min(a, b), c), static_cast<std::uint32_t>(i), glm::max(glm::max(a, b), c)});
-    }
-    return boxes;
-}
 
 } // namespace
 
 MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool,
                          BuildQuality quality) {
-    MeshTree mesh;
-    const Tree tree = build_tree(boxes_of(positions, triangles), 1, pool, quality);
-    const Packer packer(positions, triangles, tree);
-    WideTree wide =
-        collapse(tree, [&](std::uint32_t first, std::uint32_t count) { return packer.cost(first, count); });
-    packer.pack(wide, mesh.leaf_words);
-    mesh.nodes = std::move(wide.nodes);
-    mesh.bounds = tree.bounds;
-    mesh.depth = wide.depth;
-    mesh.triangles = triangles.size();
-    mesh.left_out = triangles.size() - tree.order.size();
-    mesh.quality = quality;
-    return mesh;
+    MeshTree tree;
+    tree.triangles = triangles.size();
+    tree.quality = quality;
+    auto refs = std::make_unique_for_overwrite<Ref[]>(triangles.size());
+    const Range all = fill_refs(positions, triangles, refs.get(), pool);
+    tree.left_out = triangles.size() - all.size();
+    tree.bounds = all.box.bounds();
+    if (all.size() == 0) return tree;
+
+    const MeshBuild build{positions, triangles, quality, area_scale(all.box), refs.get()};
+    MeshTop top = build_top(build, all, pool);
+    const std::vector<std::uint32_t> parts = choose_parts(top, build.scale);
+    std::vector<Subtree> subtrees = build_subtrees(build, top, parts, pool);
+    refs.reset();
+    Assembler(top, parts, subtrees, tree).run(build.scale, pool);
+    return tree;
 }
 
 } // namespace glint

@@ -1,6 +1,7 @@
 #pragma once
 // Triangles in a wide tree with compact leaves, and the batches of rays that go through it.
 
+#include "bvh/tree.h"
 #include "bvh/wide.h"
 #include "math/bounds.h"
 #include "math/ray.h"
@@ -27,6 +28,12 @@ inline constexpr std::uint32_t no_triangle = 0xffffffffu;
 enum class RayHint {
     coherent,  ///< neighbours in the batch go nearly the same way
     incoherent ///< they do not
+};
+
+/// What a build strives for. It decides the speed of rays, never their answers.
+enum class BuildQuality {
+    fast, ///< soon: to be built often, or for few rays
+    high  ///< for many rays
 };
 
 /// A leaf's place in MeshTree::leaf_words: leaf_bit | triangles − 1 (3 bits) | vertices − 1 (3 bits) | offset

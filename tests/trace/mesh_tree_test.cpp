@@ -151,6 +151,23 @@ TEST(MeshTree, RefitTakesVerticesThatBecomeOrWereNotFinite) {
     EXPECT_THROW(refit(tree, s.positions, std::span(s.triangles).first(10), pool), std::invalid_argument);
 }
 
+TEST(MeshTree, IsTheSameOnAnyNumberOfThreads) {
+    const Soup s = soup(13, 90'000, 1.0f);
+    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::high}) {
+        TaskPool alone(1);
+        const MeshTree one = build_mesh_tree(s.positions, s.triangles, alone, quality);
+        for (const int threads : {2, 7}) {
+            TaskPool pool(threads);
+            const MeshTree many = build_mesh_tree(s.positions, s.triangles, pool, quality);
+            EXPECT_EQ(many.leaf_words, one.leaf_words);
+            ASSERT_EQ(many.nodes.size(), one.nodes.size());
+            EXPECT_EQ(std::memcmp(many.nodes.data(), one.nodes.data(), one.nodes.size() * sizeof(WideNode)),
+                      0);
+            EXPECT_EQ(many.depth, one.depth);
+        }
+    }
+}
+
 TEST(MeshTree, HoldsNothingAndHitsNothing) {
     TaskPool pool(1);
     const MeshTree tree = build_mesh_tree({}, {}, pool);

@@ -1,0 +1,164 @@
+#include "bvh/split.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+
+float area_scale(const QuadBox& box) {
+    float most = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        most = std::max({most, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+    int exponent = 0;
+    std::frexp(most, &exponent);
+    return std::ldexp(1.0f, std::clamp(-exponent, -120, 120));
+}
+
+Binning::Binning(const QuadBox& middles, int count) : lo(middles.lo), scale(quad(0.0f)), bins(count) {
+    lo[3] = 0.0f;
+    // Just below the number of bins, so that the last centre falls into the last bin.
+    const float most = static_cast<float>(bins) * (1.0f - 0x1p-20f);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float extent = middles.hi[axis] - middles.lo[axis];
+        const float factor = most / extent;
+        if (extent > 0.0f && std::isfinite(factor) && std::isfinite(extent)) scale[axis] = factor;
+    }
+}
+
+void Bins::clear(int bins) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::fill_n(boxes[axis].begin(), bins, QuadBox{});
+        std::fill_n(counts[axis].begin(), bins, 0u);
+    }
+}
+
+void Bins::fill(const Binning& binning, const Ref* begin, const Ref* end) {
+    for (const Ref* ref = begin; ref != end; ++ref) {
+        const QuadInts at = binning(ref->middle());
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto bin = static_cast<std::size_t>(at[axis]);
+            boxes[axis][bin].grow(ref->box());
+            ++counts[axis][bin];
+        }
+    }
+}
+
+void Bins::add(const Bins& other, int bins) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t bin = 0; bin < static_cast<std::size_t>(bins); ++bin) {
+            boxes[axis][bin].grow(other.boxes[axis][bin]);
+            counts[axis][bin] += other.counts[axis][bin];
+        }
+}
+
+namespace {
+
+/// Sweeps the bins of one axis from both ends; keeps the cheapest cut in `best`.
+void sweep(const std::array<QuadBox, most_bins>& boxes, const std::array<std::uint32_t, most_bins>& counts,
+           int bins, float scale, int axis, Cut& best) {
+    std::array<float, most_bins> right_cost;
+    QuadBox box;
+    std::uint32_t elements = 0;
+    for (auto i = static_cast<std::size_t>(bins - 1); i > 0; --i) {
+        box.grow(boxes[i]);
+        elements += counts[i];
+        right_cost[i] = elements > 0 ? half_area(box, scale) * static_cast<float>(elements)
+                                     : std::numeric_limits<float>::infinity();
+    }
+    box = {};
+    elements = 0;
+    for (std::size_t i = 1; i < static_cast<std::size_t>(bins); ++i) {
+        box.grow(boxes[i - 1]);
+        elements += counts[i - 1];
+        if (elements == 0) continue;
+        const float cost = half_area(box, scale) * static_cast<float>(elements) + right_cost[i];
+        if (cost < best.cost) best = {axis, static_cast<int>(i), cost};
+    }
+}
+
+} // namespace
+
+Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale) {
+    Cut best;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (binning.scale[axis] > 0.0f)
+            sweep(bins.boxes[axis], bins.counts[axis], binning.bins, scale, static_cast<int>(axis), best);
+    return best;
+}
+
+std::pair<QuadBox, QuadBox> boxes_of(const Bins& bins, const Binning& binning, const Cut& cut) {
+    std::pair<QuadBox, QuadBox> sides;
+    const auto& boxes = bins.boxes[static_cast<std::size_t>(cut.axis)];
+    for (int i = 0; i < binning.bins; ++i)
+        (i < cut.bin ? sides.first : sides.second).grow(boxes[static_cast<std::size_t>(i)]);
+    return sides;
+}
+
+void share_room(Range& left, Range& right, std::size_t limit, Ref* refs) {
+    const std::size_t spare = limit - right.end;
+    const auto share = static_cast<std::size_t>(
+        static_cast<double>(spare) *
+        (static_cast<double>(left.size()) / static_cast<double>(left.size() + right.size())));
+    left.limit = left.end + share;
+    right.limit = limit;
+    if (share == 0) return;
+    // Their order means nothing, so only as many move as must.
+    const std::size_t moved = std::min(share, right.size());
+    std::copy_n(refs + right.begin, moved, refs + right.end + share - moved);
+    right.begin += share;
+    right.end += share;
+}
+
+std::pair<Range, Range> split_by(const Range& range, const Bins& bins, const Binning& binning, const Cut& cut,
+                                 Ref* refs) {
+    Range left;
+    Range right;
+    std::tie(left.box, right.box) = boxes_of(bins, binning, cut);
+    left.depth = right.depth = range.depth + 1;
+
+    // The same arithmetic as in the bins: below the cut's number is below its bin.
+    const float lo = binning.lo[cut.axis];
+    const float scale = binning.scale[cut.axis];
+    const float bound = static_cast<float>(cut.bin);
+    const auto is_left = [&](const Ref& ref) {
+        return (ref.lo[cut.axis] * 0.5f + ref.hi[cut.axis] * 0.5f - lo) * scale < bound;
+    };
+    Ref* i = refs + range.begin;
+    Ref* j = refs + range.end;
+    for (;;) {
+        for (; i < j && is_left(*i); ++i) left.middles.grow(i->middle());
+        for (; i < j && !is_left(*(j - 1)); --j) right.middles.grow((j - 1)->middle());
+        if (i >= j) break;
+        std::swap(*i, *(j - 1));
+    }
+    left.begin = range.begin;
+    left.end = right.begin = static_cast<std::size_t>(i - refs);
+    right.end = range.end;
+    share_room(left, right, range.limit, refs);
+    return {left, right};
+}
+
+std::pair<Range, Range> split_in_half(const Range& range, Ref* refs) {
+    const Quad d = range.middles.hi - range.middles.lo;
+    const int axis = d[0] >= d[1] ? (d[0] >= d[2] ? 0 : 2) : (d[1] >= d[2] ? 1 : 2);
+    const std::size_t half = range.begin + range.size() / 2;
+    if (d[axis] > 0.0f)
+        std::nth_element(refs + range.begin, refs + half, refs + range.end,
+                         [axis](const Ref& a, const Ref& b) {
+                             const float x = a.lo[axis] * 0.5f + a.hi[axis] * 0.5f;
+                             const float y = b.lo[axis] * 0.5f + b.hi[axis] * 0.5f;
+                             return x != y ? x < y : a.id() < b.id();
+                         });
+    Range left;
+    Range right;
+    left.begin = range.begin;
+    left.end = right.begin = half;
+    right.end = range.end;
+    left.depth = right.depth = range.depth + 1;
+    for (std::size_t i = left.begin; i < left.end; ++i) left.add(refs[i]);
+    for (std::size_t i = right.begin; i < right.end; ++i) right.add(refs[i]);
+    share_room(left, right, range.limit, refs);
+    return {left, right};
+}
+
+} // namespace glint

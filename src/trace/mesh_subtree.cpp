@@ -1,0 +1,182 @@
+#include "trace/mesh_subtree.h"
+
+#include "trace/mesh_pack.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace glint {
+namespace {
+
+/// Prices of a leaf in steps into a node, measured: one round of eight vertices and triangles, and each more.
+constexpr float leaf_base = 0.7f;
+constexpr float leaf_triangle = 0.12f;
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/// Where a block of references would be cut.
+struct BlockCut {
+    std::array<std::uint8_t, wide_leaf> order; ///< along the axis
+    std::uint32_t left = 0;                    ///< references on the left side
+    float cost = infinite;
+    QuadBox left_box, right_box;
+};
+
+/// The order of up to eight references along an axis: each one's rank is the number of those before it.
+std::array<std::uint8_t, wide_leaf> order_along(int axis, const Ref* refs, std::uint32_t count) {
+    std::array<Quad, 2> at{quad(infinite), quad(infinite)};
+    for (std::uint32_t i = 0; i < count; ++i)
+        at[i / 4][i % 4] = refs[i].lo[axis] * 0.5f + refs[i].hi[axis] * 0.5f;
+    std::array<QuadInts, 2> rank{};
+    const std::array<QuadInts, 2> lane{QuadInts{0, 1, 2, 3}, QuadInts{4, 5, 6, 7}};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Quad x = quad(at[i / 4][i % 4]);
+        const auto n = static_cast<std::int32_t>(i);
+        const QuadInts self{n, n, n, n};
+        for (std::size_t half = 0; half < 2; ++half)
+            rank[half] -= (x < at[half]) | ((x == at[half]) & (self < lane[half]));
+    }
+    std::array<std::uint8_t, wide_leaf> order{};
+    for (std::uint32_t i = 0; i < count; ++i)
+        order[static_cast<std::size_t>(rank[i / 4][i % 4])] = static_cast<std::uint8_t>(i);
+    return order;
+}
+
+/// Tries all cuts along an axis.
+void sweep(int axis, const Ref* refs, std::uint32_t count, float scale, BlockCut& best) {
+    const auto order = order_along(axis, refs, count);
+    std::array<QuadBox, wide_leaf> right;
+    QuadBox box;
+    for (std::uint32_t i = count; --i > 0;) {
+        box.grow(refs[order[i]].box());
+        right[i] = box;
+    }
+    box = {};
+    for (std::uint32_t i = 1; i < count; ++i) {
+        box.grow(refs[order[i - 1]].box());
+        const float cost = half_area(box, scale) * static_cast<float>(i) +
+                           half_area(right[i], scale) * static_cast<float>(count - i);
+        if (cost < best.cost) best = {order, i, cost, box, right[i]};
+    }
+}
+
+/// The distinct vertices of references, as bits for each of them.
+void find_vertices(const MeshBuild& build, const Ref* refs, std::uint32_t count,
+                   std::array<std::uint32_t, wide_leaf>& bits) {
+    std::array<std::uint32_t, wide_leaf> numbers;
+    for (std::uint32_t i = 0; i < count; ++i) numbers[i] = refs[i].id();
+    const LeafDraft leaf =
+        draft_leaf(build.positions, build.triangles, std::span(numbers).first(count), Sameness::position);
+    for (std::uint32_t i = 0; i < count; ++i)
+        bits[i] = 1u << leaf.corners[3 * i] | 1u << leaf.corners[3 * i + 1] | 1u << leaf.corners[3 * i + 2];
+}
+
+} // namespace
+
+Subtree SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uint32_t root) {
+    build_ = &build;
+    nodes_.clear();
+    wide_.clear();
+    words_.clear();
+    nodes_.emplace_back();
+    nodes_[0].box = top.nodes[root].box;
+    inherit(top, root, 0);
+
+    const auto write_leaf = [&](const BinaryNode& node) {
+        std::array<std::uint32_t, wide_leaf> numbers;
+        for (std::uint32_t i = 0; i < node.count; ++i) numbers[i] = build.refs[node.first + i].id();
+        return append_leaf(draft_leaf(build.positions, build.triangles, std::span(numbers).first(node.count),
+                                      Sameness::position),
+                           words_);
+    };
+    WideWriter writer(nodes_, wide_, write_leaf);
+    Subtree subtree;
+    subtree.root = writer.run();
+    subtree.depth = writer.depth();
+    subtree.cost = nodes_[0].costs[0];
+    subtree.nodes.assign(wide_.begin(), wide_.end());
+    subtree.words.assign(words_.begin(), words_.end());
+    return subtree;
+}
+
+std::uint32_t SubtreeBuilder::add_children(const QuadBox& left, const QuadBox& right) {
+    const auto at = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back().box = left;
+    nodes_.emplace_back().box = right;
+    return at;
+}
+
+/// The top's nodes are continued below its leaves.
+void SubtreeBuilder::inherit(const MeshTop& top, std::uint32_t from, std::uint32_t at) {
+    const BinaryNode& node = top.nodes[from];
+    if (node.is_leaf) return grow(top.ranges[node.first], at);
+    const std::uint32_t children = add_children(top.nodes[node.left].box, top.nodes[node.left + 1].box);
+    inherit(top, node.left, children);
+    inherit(top, node.left + 1, children + 1);
+    price(at, children);
+}
+
+void SubtreeBuilder::price(std::uint32_t at, std::uint32_t children) {
+    nodes_[at].left = children;
+    price_split(nodes_[at], nodes_[children], nodes_[children + 1], half_area(nodes_[at].box, build_->scale),
+                infinite);
+}
+
+void SubtreeBuilder::grow(const Range& range, std::uint32_t at) {
+    if (range.size() <= wide_leaf) return grow_block(range, at);
+    const Binning binning(range.middles, bins_for(range.size(), build_->quality));
+    const auto [left, right] = split(*build_, range, binning, bins_, false);
+    const std::uint32_t children = add_children(left.box, right.box);
+    grow(left, children);
+    grow(right, children + 1);
+    price(at, children);
+}
+
+void SubtreeBuilder::grow_block(const Range& range, std::uint32_t at) {
+    block_ = range.begin;
+    const auto count = static_cast<std::uint32_t>(range.size());
+    find_vertices(*build_, build_->refs + range.begin, count, vertices_);
+    nodes_[at].first = static_cast<std::uint32_t>(range.begin);
+    nodes_[at].count = count & 0x3fffffffu;
+    cut_block(at);
+}
+
+float SubtreeBuilder::leaf_cost(const BinaryNode& node, float area) const {
+    std::uint32_t vertices = 0;
+    for (std::uint32_t i = 0; i < node.count; ++i) vertices |= vertices_[node.first - block_ + i];
+    if (std::popcount(vertices) > static_cast<int>(leaf_vertices)) return infinite;
+    return area * (leaf_base + leaf_triangle * static_cast<float>(node.count));
+}
+
+/// Cuts down to single triangles, or, for the fast quality, to what fits into leaves.
+void SubtreeBuilder::cut_block(std::uint32_t at) {
+    const std::uint32_t first = nodes_[at].first;
+    const std::uint32_t count = nodes_[at].count;
+    const float area = half_area(nodes_[at].box, build_->scale);
+    const float as_leaf = leaf_cost(nodes_[at], area);
+    if (count == 1 || (build_->quality == BuildQuality::fast && as_leaf < infinite))
+        return price_leaf(nodes_[at], as_leaf);
+
+    Ref* refs = build_->refs + first;
+    BlockCut cut;
+    for (int axis = 0; axis < 3; ++axis) sweep(axis, refs, count, build_->scale, cut);
+    std::array<Ref, wide_leaf> old_refs;
+    std::array<std::uint32_t, wide_leaf> old_vertices;
+    std::copy_n(refs, count, old_refs.begin());
+    std::copy_n(vertices_.begin() + static_cast<std::ptrdiff_t>(first - block_), count, old_vertices.begin());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        refs[i] = old_refs[cut.order[i]];
+        vertices_[first - block_ + i] = old_vertices[cut.order[i]];
+    }
+    const std::uint32_t children = add_children(cut.left_box, cut.right_box);
+    nodes_[children].first = first;
+    nodes_[children].count = cut.left & 0x3fffffffu;
+    nodes_[children + 1].first = first + cut.left;
+    nodes_[children + 1].count = (count - cut.left) & 0x3fffffffu;
+    cut_block(children);
+    cut_block(children + 1);
+    nodes_[at].left = children;
+    price_split(nodes_[at], nodes_[children], nodes_[children + 1], area, as_leaf);
+}
+
+} // namespace glint
