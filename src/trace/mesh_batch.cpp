@@ -6,7 +6,7 @@
 // node fetched once for all (Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", 2014). The answer
 // is the least (t, triangle), so neither order nor kernel nor vector width shows in it.
 
-#include "trace/mesh_tree.h"
+#include "trace/kernel_table.h"
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -22,11 +22,11 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
 void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
-                   RayHint) {
+                   BatchForm) {
     for (std::size_t i = 0; i < count; ++i) records[i] = closest_scalar(tree, rays[i]);
 }
 void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
-                    RayHint) {
+                    BatchForm) {
     for (std::size_t i = 0; i < count; ++i) blocked[i] = occluded_scalar(tree, rays[i]) ? 1 : 0;
 }
 
@@ -330,7 +330,7 @@ constexpr std::size_t batch_rays = 4096;
 
 /// Calls body(group, hits) for groups of one class, made from a batch in a stable order.
 template <bool any, class Body>
-void for_each_group(const MeshTree& tree, const Ray* rays, std::size_t count, RayHint hint, Body&& body) {
+void for_each_group(const MeshTree& tree, const Ray* rays, std::size_t count, BatchForm form, Body&& body) {
     std::uint8_t classes[batch_rays];
     std::uint32_t starts[class_count + 2] = {};
     for (std::size_t i = 0; i < count; ++i) {
@@ -350,20 +350,20 @@ void for_each_group(const MeshTree& tree, const Ray* rays, std::size_t count, Ra
         for (std::uint32_t at = starts[c]; at < starts[c + 1]; at += group_rays) {
             gather(group, rays, order + at, std::min<std::size_t>(group_rays, starts[c + 1] - at), direction);
             set_up(group, static_cast<std::uint8_t>(c), tree.bounds, direction);
-            const std::uint64_t hits = hint == RayHint::coherent ? traverse<any, true>(tree, group)
-                                                                 : traverse<any, false>(tree, group);
+            const std::uint64_t hits = form == BatchForm::packets ? traverse<any, true>(tree, group)
+                                                                  : traverse<any, false>(tree, group);
             body(group, hits);
         }
     }
 }
 
 void closest_rays(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
-                  RayHint hint) {
+                  BatchForm form) {
     for (std::size_t at = 0; at < count; at += batch_rays) {
         const std::size_t n = std::min(batch_rays, count - at);
         std::fill_n(records + at, n, TriangleRecord{});
         if (tree.nodes.empty()) continue;
-        for_each_group<false>(tree, rays + at, n, hint, [&](const Group& group, std::uint64_t hits) {
+        for_each_group<false>(tree, rays + at, n, form, [&](const Group& group, std::uint64_t hits) {
             for (; hits != 0; hits &= hits - 1) {
                 const std::size_t i = first_bit(hits);
                 records[at + group.source[i]] = {group.limit[i], group.u[i], group.v[i], group.triangle[i]};
@@ -373,12 +373,12 @@ void closest_rays(const MeshTree& tree, const Ray* rays, TriangleRecord* records
 }
 
 void occluded_rays(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
-                   RayHint hint) {
+                   BatchForm form) {
     for (std::size_t at = 0; at < count; at += batch_rays) {
         const std::size_t n = std::min(batch_rays, count - at);
         std::fill_n(blocked + at, n, std::uint8_t{0});
         if (tree.nodes.empty()) continue;
-        for_each_group<true>(tree, rays + at, n, hint, [&](const Group& group, std::uint64_t hits) {
+        for_each_group<true>(tree, rays + at, n, form, [&](const Group& group, std::uint64_t hits) {
             for (; hits != 0; hits &= hits - 1) blocked[at + group.source[first_bit(hits)]] = 1;
         });
     }
@@ -388,12 +388,12 @@ void occluded_rays(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked,
 
 // What the dispatcher calls: anonymous functions cannot be exported.
 void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
-                   RayHint hint) {
-    closest_rays(tree, rays, records, count, hint);
+                   BatchForm form) {
+    closest_rays(tree, rays, records, count, form);
 }
 void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
-                    RayHint hint) {
-    occluded_rays(tree, rays, blocked, count, hint);
+                    BatchForm form) {
+    occluded_rays(tree, rays, blocked, count, form);
 }
 
 #endif
@@ -405,18 +405,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint {
 
-HWY_EXPORT(closest_batch);
-HWY_EXPORT(occluded_batch);
-
-void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records,
-             RayHint hint) {
-    HWY_DYNAMIC_DISPATCH(closest_batch)(tree, rays.data(), records.data(), rays.size(), hint);
-}
-
-void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked,
-              RayHint hint) {
-    HWY_DYNAMIC_DISPATCH(occluded_batch)(tree, rays.data(), blocked.data(), rays.size(), hint);
-}
+const std::array<BatchKernels, kernel_targets> batch_kernels{{
+    {HWY_CHOOSE_FALLBACK(closest_batch), HWY_CHOOSE_FALLBACK(occluded_batch)},
+    {HWY_CHOOSE_SSE4(closest_batch), HWY_CHOOSE_SSE4(occluded_batch)},
+    {HWY_CHOOSE_AVX2(closest_batch), HWY_CHOOSE_AVX2(occluded_batch)},
+}};
 
 } // namespace glint
 #endif

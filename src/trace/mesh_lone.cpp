@@ -2,7 +2,7 @@
 // Box tests only have to be conservative and may fuse multiply-adds; the triangle test is that of
 // geometry/triangle.h, operation by operation.
 
-#include "trace/mesh_tree.h"
+#include "trace/kernel_table.h"
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -170,14 +170,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint {
 
-HWY_EXPORT(closest_lone);
-HWY_EXPORT(occluded_lone);
-
-TriangleRecord closest(const MeshTree& tree, const Ray& ray) {
-    return HWY_DYNAMIC_DISPATCH(closest_lone)(tree, ray);
-}
-
-bool occluded(const MeshTree& tree, const Ray& ray) { return HWY_DYNAMIC_DISPATCH(occluded_lone)(tree, ray); }
+const std::array<LoneKernels, kernel_targets> lone_kernels{{
+    {HWY_CHOOSE_FALLBACK(closest_lone), HWY_CHOOSE_FALLBACK(occluded_lone)},
+    {HWY_CHOOSE_SSE4(closest_lone), HWY_CHOOSE_SSE4(occluded_lone)},
+    {HWY_CHOOSE_AVX2(closest_lone), HWY_CHOOSE_AVX2(occluded_lone)},
+}};
 
 } // namespace glint
 #endif

@@ -7,6 +7,7 @@
 #include "math/ray.h"
 #include "math/vec.h"
 #include "parallel/task_pool.h"
+#include "trace/kernels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -78,14 +79,15 @@ TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray);
 bool occluded_scalar(const MeshTree& tree, const Ray& ray);
 
 /// The same with the machine's vectors.
-TriangleRecord closest(const MeshTree& tree, const Ray& ray);
-bool occluded(const MeshTree& tree, const Ray& ray);
+TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});
+bool occluded(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});
 
 /// The least (t, triangle) with tmin < t < tmax of each ray. rays and records have one length.
-void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records,
-             RayHint hint);
+void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records, RayHint hint,
+             const KernelChoice& choice = {});
 
 /// Whether each ray hits anything with tmin < t < tmax: 1 or 0. rays and blocked have one length.
-void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint);
+void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+              const KernelChoice& choice = {});
 
 } // namespace glint

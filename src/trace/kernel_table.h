@@ -1,0 +1,33 @@
+#pragma once
+// The kernels as compiled for each SIMD target. Private to this room.
+
+#include "trace/kernels.h"
+#include "trace/mesh_tree.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glint {
+
+/// How a batch is to be traced.
+enum class BatchForm : std::uint8_t { packets, streams, measured };
+
+/// Null where the target is not compiled.
+struct BatchKernels {
+    void (*closest)(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
+                    BatchForm form);
+    void (*occluded)(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
+                     BatchForm form);
+};
+struct LoneKernels {
+    TriangleRecord (*closest)(const MeshTree& tree, const Ray& ray);
+    bool (*occluded)(const MeshTree& tree, const Ray& ray);
+};
+
+/// Plain, SSE4, AVX2, in this order.
+inline constexpr std::size_t kernel_targets = 3;
+extern const std::array<BatchKernels, kernel_targets> batch_kernels;
+extern const std::array<LoneKernels, kernel_targets> lone_kernels;
+
+} // namespace glint

@@ -1,0 +1,32 @@
+#pragma once
+// Which of the equal ways through a MeshTree a caller wants. No choice shows in any answer.
+
+#include <cstdint>
+
+namespace glint {
+
+enum class Kernel : std::uint8_t {
+    automatic, ///< by the number of rays, their hint and what they meet
+    scalar,    ///< one ray at a time in plain C++: the oracle
+    lone,      ///< one ray at a time, eight boxes or triangles at once
+    packets,   ///< groups of neighbours within a shaft
+    streams    ///< groups of one octant, filtered ray by ray
+};
+
+enum class SimdTarget : std::uint8_t {
+    best,  ///< the widest that the machine has
+    plain, ///< what every machine of this kind has
+    sse4,
+    avx2
+};
+
+/// A kernel and the instructions it may use.
+struct KernelChoice {
+    Kernel kernel = Kernel::automatic;
+    SimdTarget target = SimdTarget::best;
+};
+
+/// Can this machine run kernels for the target? Asking for others throws std::invalid_argument.
+bool is_available(SimdTarget target);
+
+} // namespace glint
