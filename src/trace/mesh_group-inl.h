@@ -1,6 +1,5 @@
-// Up to 64 rays of one class, how they pass eight boxes, and the shaft around them, for every SIMD target.
+// Up to 64 rays side by side, and how they come there from a caller's, for every SIMD target.
 
-#include "math/offset.shared.h"
 #include "trace/mesh_tree.h"
 
 #include <algorithm>
@@ -8,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -31,14 +29,12 @@ namespace {
 constexpr std::size_t group_rays = 64;
 constexpr std::uint32_t lane_mask = (1u << lanes) - 1u;
 
-std::size_t first_bit(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
-
-/// Up to 64 rays of one class, side by side.
+/// Up to 64 rays of one octant, side by side. Places beyond the last repeat it.
 struct alignas(64) Group {
     float origin[3][group_rays];
-    float inverse[3][group_rays];     ///< 1/direction, never infinite
-    float near_offset[3][group_rays]; ///< −origin · inverse − pad · |inverse|
-    float far_offset[3][group_rays];  ///< −origin · inverse + pad · |inverse|
+    float direction[3][group_rays];
+    float inverse[3][group_rays]; ///< 1/direction, never infinite
+    float offset[3][group_rays];  ///< −origin · inverse
     float shear_x[group_rays];
     float shear_y[group_rays];
     float shear_z[group_rays];
@@ -47,228 +43,188 @@ struct alignas(64) Group {
     float u[group_rays];
     float v[group_rays];
     std::uint32_t triangle[group_rays];
-    std::uint32_t source[group_rays]; ///< number in the batch
+    std::uint64_t axis_rays[3]; ///< by dominant axis: the first of the largest, as in ShearedRay
     std::size_t count = 0;
-    std::size_t kx = 0, ky = 1, kz = 2;
     bool negative[3] = {false, false, false};
-};
+    float pad = 0; ///< how far boxes are grown on every side: see bvh/traverse.h
 
-/// What is still to be visited.
-struct Entry {
-    std::uint32_t code;
-    float key; ///< where the rays may enter it: the nearer goes first
-    std::uint64_t mask;
-};
-
-/// Which rays enter which child.
-struct Entered {
-    std::uint64_t mask[wide_children];
-    alignas(32) float key[wide_children];
-};
-
-/// The planes of a node that rays of this group's octant meet first and last.
-struct Planes {
-    const float* near[3];
-    const float* far[3];
-
-    Planes(const WideNode& node, const Group& group) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            near[axis] = group.negative[axis] ? node.hi[axis] : node.lo[axis];
-            far[axis] = group.negative[axis] ? node.lo[axis] : node.hi[axis];
-        }
+    std::uint64_t all() const {
+        return count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
     }
 };
 
-/// Each ray against eight boxes at once. `keys` asks for the nearest entry of each child.
-template <bool with_keys>
-void enter_by_ray(const Planes& planes, const Group& group, std::uint64_t mask, Entered& entered) {
-    alignas(64) std::uint8_t rows[group_rays] = {};
-    for (std::size_t i = 0; i < 8; i += lanes) {
-        const Floats nx = hn::Load(df, planes.near[0] + i), fx = hn::Load(df, planes.far[0] + i);
-        const Floats ny = hn::Load(df, planes.near[1] + i), fy = hn::Load(df, planes.far[1] + i);
-        const Floats nz = hn::Load(df, planes.near[2] + i), fz = hn::Load(df, planes.far[2] + i);
-        Floats key = hn::Set(df, infinity);
-        for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
-            const std::size_t r = first_bit(rest);
-            const Floats ix = hn::Set(df, group.inverse[0][r]);
-            const Floats iy = hn::Set(df, group.inverse[1][r]);
-            const Floats iz = hn::Set(df, group.inverse[2][r]);
-            const Floats near = hn::Max(hn::Max(hn::MulAdd(nx, ix, hn::Set(df, group.near_offset[0][r])),
-                                                hn::MulAdd(ny, iy, hn::Set(df, group.near_offset[1][r]))),
-                                        hn::Max(hn::MulAdd(nz, iz, hn::Set(df, group.near_offset[2][r])),
-                                                hn::Set(df, group.tmin[r])));
-            const Floats far = hn::Min(hn::Min(hn::MulAdd(fx, ix, hn::Set(df, group.far_offset[0][r])),
-                                               hn::MulAdd(fy, iy, hn::Set(df, group.far_offset[1][r]))),
-                                       hn::Min(hn::MulAdd(fz, iz, hn::Set(df, group.far_offset[2][r])),
-                                               hn::Set(df, group.limit[r])));
-            const auto hit = hn::Le(near, far);
-            if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, near, hn::Set(df, infinity)));
-            rows[r] = static_cast<std::uint8_t>(rows[r] | bits_of(hit) << i);
-        }
-        if (with_keys) hn::Store(key, df, entered.key + i);
-    }
+/// What all rays through one tree share.
+struct Frame {
+    Bounds bounds;
+    float corner;          ///< the largest |coordinate| of the tree
+    float greatest_reach;  ///< groups take no ray whose origin has a larger coordinate: it would make the
+                           ///< others' boxes too large
+    float greatest_length; ///< nor one whose distances might become subnormal
 
-    // Transposed: eight bits of each ray to 64 bits of each child.
-    for (int child = 0; child < wide_children; ++child) entered.mask[child] = 0;
-    const hn::CappedTag<std::uint16_t, 16> d16;
-    const hn::Repartition<std::int8_t, decltype(d16)> d8;
-    constexpr std::size_t bytes = hn::MaxLanes(d8);
-    for (std::size_t i = 0; i < group_rays; i += bytes) {
-        auto row = hn::Load(d16, reinterpret_cast<const std::uint16_t*>(rows + i));
-        for (int child = wide_children - 1; child >= 0; --child) {
-            std::uint64_t bits = 0;
-            std::uint8_t stored[8] = {};
-            hn::StoreMaskBits(d8, hn::Lt(hn::BitCast(d8, row), hn::Zero(d8)), stored);
-            std::memcpy(&bits, stored, sizeof bits);
-            entered.mask[child] |= bits << i;
-            row = hn::Add(row, row);
-        }
-    }
-}
-
-/// The rays of a mask that enter one box, a vector of rays at a time.
-std::uint64_t enter_box(const Planes& planes, std::size_t child, const Group& group, std::uint64_t mask) {
-    const Floats nx = hn::Set(df, planes.near[0][child]), fx = hn::Set(df, planes.far[0][child]);
-    const Floats ny = hn::Set(df, planes.near[1][child]), fy = hn::Set(df, planes.far[1][child]);
-    const Floats nz = hn::Set(df, planes.near[2][child]), fz = hn::Set(df, planes.far[2][child]);
-    std::uint64_t inside = 0;
-    for (std::size_t i = 0; i < group_rays; i += lanes) {
-        if ((mask >> i & lane_mask) == 0) continue;
-        const Floats ix = hn::Load(df, group.inverse[0] + i);
-        const Floats iy = hn::Load(df, group.inverse[1] + i);
-        const Floats iz = hn::Load(df, group.inverse[2] + i);
-        const Floats near = hn::Max(hn::Max(hn::MulAdd(nx, ix, hn::Load(df, group.near_offset[0] + i)),
-                                            hn::MulAdd(ny, iy, hn::Load(df, group.near_offset[1] + i))),
-                                    hn::Max(hn::MulAdd(nz, iz, hn::Load(df, group.near_offset[2] + i)),
-                                            hn::Load(df, group.tmin + i)));
-        const Floats far = hn::Min(hn::Min(hn::MulAdd(fx, ix, hn::Load(df, group.far_offset[0] + i)),
-                                           hn::MulAdd(fy, iy, hn::Load(df, group.far_offset[1] + i))),
-                                   hn::Min(hn::MulAdd(fz, iz, hn::Load(df, group.far_offset[2] + i)),
-                                           hn::Load(df, group.limit + i)));
-        inside |= std::uint64_t{bits_of(hn::Le(near, far))} << i;
-    }
-    return inside & mask;
-}
-
-/// The space that a group's rays sweep between two planes square to the dominant axis, bounded by a straight
-/// line on each of four sides. Each ray is a line there, so lines through the outermost places on both planes
-/// bound them all.
-class Shaft {
-  public:
-    Shaft(const Group& group, const Bounds& bounds) : group_(group) {
+    explicit Frame(const MeshTree& tree) : bounds(tree.bounds) {
         const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
-        const float corner = std::max(far.x, std::max(far.y, far.z));
-        const int axis = static_cast<int>(group.kz);
-        backward_ = group.negative[group.kz];
-        start_ = backward_ ? bounds.hi[axis] : bounds.lo[axis];
-        leave_ = backward_ ? bounds.lo[axis] : bounds.hi[axis];
-        // Rays that start inside begin there.
-        Floats first = hn::Set(df, backward_ ? -infinity : infinity);
-        Floats reach = hn::Zero(df);
-        for (std::size_t i = 0; i < group_rays; i += lanes) {
-            const Floats o = hn::Load(df, group.origin[group.kz] + i);
-            first = backward_ ? hn::Max(first, o) : hn::Min(first, o);
-            for (std::size_t a = 0; a < 3; ++a)
-                reach = hn::Max(reach, hn::Abs(hn::Load(df, group.origin[a] + i)));
-        }
-        const float origin =
-            backward_ ? hn::GetLane(hn::MaxOfLanes(df, first)) : hn::GetLane(hn::MinOfLanes(df, first));
-        start_ = backward_ ? std::min(start_, origin) : std::max(start_, origin);
-        slack_ = 0x1p-18f * (corner + hn::GetLane(hn::MaxOfLanes(df, reach)));
-        end_ = leave_;
-        shorten();
-        bound_sides();
+        corner = std::max(far.x, std::max(far.y, far.z));
+        greatest_reach = corner * 64.0f;
+        greatest_length = std::min(corner, 1.0f) * 1e30f;
     }
-
-    /// Moves the far end to the farthest place that any ray still wants.
-    void shorten() {
-        Floats most = hn::Set(df, backward_ ? infinity : -infinity);
-        for (std::size_t i = 0; i < group_rays; i += lanes) {
-            // direction · t, with direction = 1 / inverse.
-            const Floats way =
-                hn::Div(hn::Load(df, group_.limit + i), hn::Load(df, group_.inverse[group_.kz] + i));
-            const Floats place = hn::Add(hn::Load(df, group_.origin[group_.kz] + i), way);
-            most = backward_ ? hn::Min(most, place) : hn::Max(most, place);
-        }
-        const float place =
-            backward_ ? hn::GetLane(hn::MinOfLanes(df, most)) : hn::GetLane(hn::MaxOfLanes(df, most));
-        end_ = backward_ ? std::max(leave_, place) : std::min(leave_, place);
-    }
-
-    /// Is what begins at this depth beyond all rays?
-    bool is_beyond(float key) const { return key > (backward_ ? -end_ : end_) + slack_; }
-
-    /// The children that the shaft meets, as bits, and where they begin.
-    std::uint32_t meets(const Planes& planes, const WideNode& node, float* keys) const {
-        std::uint32_t met = 0;
-        const Floats start = hn::Set(df, backward_ ? start_ + slack_ : start_ - slack_);
-        const Floats end = hn::Set(df, backward_ ? end_ - slack_ : end_ + slack_);
-        for (std::size_t i = 0; i < 8; i += lanes) {
-            const Floats near = hn::Load(df, planes.near[group_.kz] + i);
-            const Floats far = hn::Load(df, planes.far[group_.kz] + i);
-            auto hit = backward_ ? hn::And(hn::Ge(near, end), hn::Le(far, start))
-                                 : hn::And(hn::Le(near, end), hn::Ge(far, start));
-            for (int side = 0; side < 2; ++side) {
-                const std::size_t axis = side == 0 ? group_.kx : group_.ky;
-                // A line is lowest, or highest, at one end of the box, by its slope alone.
-                const Floats low_at = (low_slope_[side] > 0) == backward_ ? far : near;
-                const Floats high_at = (high_slope_[side] > 0) == backward_ ? near : far;
-                const Floats low =
-                    hn::MulAdd(hn::Set(df, low_slope_[side]), low_at, hn::Set(df, low_base_[side]));
-                const Floats high =
-                    hn::MulAdd(hn::Set(df, high_slope_[side]), high_at, hn::Set(df, high_base_[side]));
-                hit = hn::And(hit, hn::And(hn::Ge(hn::Load(df, node.hi[axis] + i), low),
-                                           hn::Le(hn::Load(df, node.lo[axis] + i), high)));
-            }
-            met |= bits_of(hit) << i;
-            hn::Store(backward_ ? hn::Neg(near) : near, df, keys + i);
-        }
-        return met;
-    }
-
-  private:
-    void bound_sides() {
-        const float length = end_ - start_;
-        const bool sound = backward_ ? length < 0 : length > 0;
-        for (int side = 0; side < 2; ++side) {
-            float low[2], high[2];
-            for (int at = 0; at < 2; ++at) reach(side, at == 0 ? start_ : end_, low[at], high[at]);
-            const float low_slope = (low[1] - low[0]) / length;
-            const float high_slope = (high[1] - high[0]) / length;
-            const bool usable = sound && std::abs(low_slope) < 4.0f && std::abs(high_slope) < 4.0f;
-            low_slope_[side] = usable ? low_slope : 0.0f;
-            high_slope_[side] = usable ? high_slope : 0.0f;
-            low_base_[side] = (usable ? low[0] - low_slope * start_ : std::min(low[0], low[1])) - 4 * slack_;
-            high_base_[side] =
-                (usable ? high[0] - high_slope * start_ : std::max(high[0], high[1])) + 4 * slack_;
-        }
-    }
-
-    /// The outermost rays on one side where they pass a plane of the dominant axis.
-    void reach(int side, float plane, float& low, float& high) const {
-        const float* slope = side == 0 ? group_.shear_x : group_.shear_y;
-        const float* origin = group_.origin[side == 0 ? group_.kx : group_.ky];
-        Floats least = hn::Set(df, infinity);
-        Floats most = hn::Set(df, -infinity);
-        for (std::size_t i = 0; i < group_rays; i += lanes) {
-            const Floats way = hn::Sub(hn::Set(df, plane), hn::Load(df, group_.origin[group_.kz] + i));
-            const Floats place = hn::MulAdd(way, hn::Load(df, slope + i), hn::Load(df, origin + i));
-            least = hn::Min(least, place);
-            most = hn::Max(most, place);
-        }
-        low = hn::GetLane(hn::MinOfLanes(df, least));
-        high = hn::GetLane(hn::MaxOfLanes(df, most));
-    }
-
-    const Group& group_;
-    bool backward_ = false;
-    float start_ = 0; ///< along the dominant axis
-    float end_ = 0;
-    float leave_ = 0; ///< where the tree ends
-    float slack_ = 0;
-    float low_slope_[2] = {}, low_base_[2] = {};
-    float high_slope_[2] = {}, high_base_[2] = {};
 };
+
+/// Nor one with a shorter direction, of which reciprocals might overflow.
+constexpr float least_length = 1e-19f;
+
+/// The classes of 64 rays, a bit a ray.
+struct Signs {
+    std::uint64_t negative[3] = {};
+    std::uint64_t axis[2] = {}; ///< whether x, or y, is the dominant axis
+    std::uint64_t odd = 0;      ///< rays that groups do not take
+
+    /// The rays of the class of ray i. `by_axis` parts octants by dominant axis.
+    std::uint64_t alike(std::size_t i, bool by_axis) const {
+        std::uint64_t same = ~std::uint64_t{0};
+        for (const std::uint64_t bits : negative) same &= (bits >> i & 1u) != 0 ? bits : ~bits;
+        if (by_axis)
+            for (const std::uint64_t bits : axis) same &= (bits >> i & 1u) != 0 ? bits : ~bits;
+        return same;
+    }
+    std::uint32_t octant(std::size_t i) const {
+        return static_cast<std::uint32_t>((negative[0] >> i & 1u) | (negative[1] >> i & 1u) << 1 |
+                                          (negative[2] >> i & 1u) << 2);
+    }
+    std::uint32_t dominant(std::size_t i) const {
+        return (axis[0] >> i & 1u) != 0 ? 0u : ((axis[1] >> i & 1u) != 0 ? 1u : 2u);
+    }
+};
+
+/// Four floats of a ray and, in vectors of eight, of the fourth after it.
+template <class D>
+HWY_INLINE hn::Vec<D> load_blocks(D d, const Ray* const* rays, std::size_t part) {
+    const float* const one = reinterpret_cast<const float*>(rays[0]) + part;
+    if constexpr (hn::MaxLanes(D()) == 8) {
+        const hn::Half<D> half;
+        return hn::Combine(d, hn::LoadU(half, reinterpret_cast<const float*>(rays[4]) + part),
+                           hn::LoadU(half, one));
+    } else {
+        return hn::LoadU(d, one);
+    }
+}
+
+/// Four floats of each ray, from `part` on, a ray a lane: four vectors.
+HWY_INLINE void load_four(const Ray* const* rays, std::size_t part, Floats (&out)[4]) {
+    const hn::Repartition<double, decltype(df)> dd;
+    Floats row[4];
+    for (std::size_t k = 0; k < 4; ++k) row[k] = load_blocks(df, rays + k, part);
+    // Within each block of four lanes.
+    const auto low01 = hn::BitCast(dd, hn::InterleaveLower(df, row[0], row[1]));
+    const auto low23 = hn::BitCast(dd, hn::InterleaveLower(df, row[2], row[3]));
+    const auto up01 = hn::BitCast(dd, hn::InterleaveUpper(df, row[0], row[1]));
+    const auto up23 = hn::BitCast(dd, hn::InterleaveUpper(df, row[2], row[3]));
+    out[0] = hn::BitCast(df, hn::InterleaveLower(dd, low01, low23));
+    out[1] = hn::BitCast(df, hn::InterleaveUpper(dd, low01, low23));
+    out[2] = hn::BitCast(df, hn::InterleaveLower(dd, up01, up23));
+    out[3] = hn::BitCast(df, hn::InterleaveUpper(dd, up01, up23));
+}
+static_assert(sizeof(Ray) == 32 && offsetof(Ray, tmin) == 12 && offsetof(Ray, direction) == 16 &&
+              offsetof(Ray, tmax) == 28);
+
+HWY_INLINE Floats greatest(Floats x, Floats y, Floats z) { return hn::Max(x, hn::Max(y, z)); }
+
+/// Classifies `count` rays, at most 64.
+Signs classify(const Frame& frame, const Ray* rays, std::size_t count) {
+    Signs signs;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Ray* from[lanes];
+        for (std::size_t k = 0; k < lanes; ++k) from[k] = rays + std::min(i + k, count - 1);
+        Floats o[4], d[4];
+        load_four(from, 0, o);
+        load_four(from, 4, d);
+        const Floats ax = hn::Abs(d[0]), ay = hn::Abs(d[1]), az = hn::Abs(d[2]);
+        const Floats most = greatest(ax, ay, az);
+        const Floats reach = greatest(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
+        // Written so that NaN fails: its sum with anything is NaN.
+        const Floats sum = hn::Add(hn::Add(ax, ay), hn::Add(hn::Add(az, o[0]), hn::Add(hn::Add(o[1], o[2]), d[3])));
+        const Floats scale = hn::Add(reach, hn::Set(df, frame.corner));
+        const auto long_enough = hn::And(hn::Ge(most, hn::Mul(scale, hn::Set(df, least_direction))),
+                                         hn::Ge(most, hn::Set(df, least_length)));
+        const auto near_enough = hn::And(hn::Le(most, hn::Set(df, frame.greatest_length)),
+                                         hn::Le(reach, hn::Set(df, frame.greatest_reach)));
+        const auto usual = hn::And(hn::And(long_enough, near_enough),
+                                   hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
+        signs.odd |= std::uint64_t{~bits_of(usual) & lane_mask} << i;
+        signs.axis[0] |= std::uint64_t{bits_of(hn::Eq(ax, most))} << i;
+        signs.axis[1] |= std::uint64_t{bits_of(hn::AndNot(hn::Eq(ax, most), hn::Eq(ay, most)))} << i;
+        for (std::size_t k = 0; k < 3; ++k)
+            signs.negative[k] |= std::uint64_t{bits_of(hn::RebindMask(df, hn::Lt(hn::BitCast(di, d[k]), hn::Zero(di))))} << i;
+    }
+    return signs;
+}
+
+/// Fills one vector of a group.
+HWY_INLINE void set_up(Group& group, const Frame& frame, std::size_t i, const Floats (&o)[4],
+                       const Floats (&d)[4], Floats& reaches) {
+    const Floats ax = hn::Abs(d[0]), ay = hn::Abs(d[1]), az = hn::Abs(d[2]);
+    const Floats most = greatest(ax, ay, az);
+    const Floats reach = greatest(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
+    reaches = hn::Max(reaches, reach);
+    const Floats least = hn::Mul(most, hn::Set(df, least_direction));
+    Floats inverse[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        inverse[k] =
+            hn::Div(hn::Set(df, 1.0f), hn::CopySign(hn::Max(hn::Abs(d[k]), least), d[k]));
+        hn::Store(o[k], df, group.origin[k] + i);
+        hn::Store(d[k], df, group.direction[k] + i);
+        hn::Store(inverse[k], df, group.inverse[k] + i);
+        hn::Store(hn::Neg(hn::Mul(o[k], inverse[k])), df, group.offset[k] + i);
+    }
+    const auto x_first = hn::Eq(ax, most);
+    const auto y_first = hn::AndNot(x_first, hn::Eq(ay, most));
+    const auto cycle = [&](Floats for_x, Floats for_y, Floats for_z) {
+        return hn::IfThenElse(x_first, for_x, hn::IfThenElse(y_first, for_y, for_z));
+    };
+    const Floats dz = cycle(d[0], d[1], d[2]);
+    hn::Store(hn::Div(cycle(d[1], d[2], d[0]), dz), df, group.shear_x + i);
+    hn::Store(hn::Div(cycle(d[2], d[0], d[1]), dz), df, group.shear_y + i);
+    // The largest component is never clamped: this is 1/dz.
+    hn::Store(cycle(inverse[0], inverse[1], inverse[2]), df, group.shear_z + i);
+    group.axis_rays[0] |= std::uint64_t{bits_of(x_first)} << i;
+    group.axis_rays[1] |= std::uint64_t{bits_of(y_first)} << i;
+
+    // One float below tmax, as next_float() steps.
+    const hn::RebindToUnsigned<decltype(df)> du;
+    const auto bits = hn::BitCast(di, d[3]);
+    const auto one = hn::Set(di, 1);
+    const auto step = hn::Or(hn::BroadcastSignBit(hn::Not(bits)), one);
+    const auto below = hn::IfThenElse(hn::Eq(d[3], hn::Zero(df)), hn::BitCast(df, hn::Set(du, 0x80000001u)),
+                                      hn::BitCast(df, hn::Add(bits, step)));
+    hn::Store(o[3], df, group.tmin + i);
+    hn::Store(below, df, group.limit + i);
+    hn::Store(hn::Zero(df), df, group.u + i);
+    hn::Store(hn::Zero(df), df, group.v + i);
+    hn::Store(hn::Set(du, no_triangle), du, group.triangle + i);
+}
+
+/// Makes a group of `count` rays, none of them odd: those with these numbers, or the first ones.
+void gather(Group& group, const Frame& frame, const Ray* rays, const std::uint32_t* numbers,
+            std::size_t count) {
+    group.count = count;
+    for (std::uint64_t& mask : group.axis_rays) mask = 0;
+    Floats reaches = hn::Zero(df);
+    // Whole vectors, and then as many as masks of eight lanes may touch.
+    const std::size_t end = (count + 7) / 8 * 8;
+    for (std::size_t i = 0; i < end; i += lanes) {
+        const Ray* from[lanes];
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const std::size_t at = std::min(i + k, count - 1);
+            from[k] = rays + (numbers != nullptr ? numbers[at] : at);
+        }
+        Floats o[4], d[4];
+        load_four(from, 0, o);
+        load_four(from, 4, d);
+        set_up(group, frame, i, o, d, reaches);
+    }
+    group.axis_rays[2] = ~(group.axis_rays[0] | group.axis_rays[1]);
+    for (std::size_t k = 0; k < 3; ++k) group.negative[k] = std::signbit(group.direction[k][0]);
+    group.pad = 0x1p-20f * (hn::GetLane(hn::MaxOfLanes(df, reaches)) + frame.corner);
+}
 
 } // namespace
 #endif

@@ -1,5 +1,5 @@
-// A leaf of a MeshTree against one ray, for every SIMD target. Included once a target by the kernels, with
-// Highway's toggled guard.
+// A leaf of a MeshTree against rays one by one, for every SIMD target. Included once a target by the kernels,
+// with Highway's toggled guard.
 
 #include "geometry/triangle.h"
 #include "math/offset.shared.h"
@@ -36,14 +36,36 @@ constexpr float least_direction = 1e-18f;
 constexpr float least_of_scale = 1e-37f;
 
 const hn::CappedTag<float, 8> df;
+const hn::RebindToSigned<decltype(df)> di;
 using Floats = hn::Vec<decltype(df)>;
+using Integers = hn::Vec<decltype(di)>;
+using Lanes = hn::Mask<decltype(df)>;
 constexpr std::size_t lanes = hn::MaxLanes(df);
+/// Vectors that hold eight floats.
+constexpr std::size_t parts = 8 / lanes;
 
-template <class M>
-std::uint32_t bits_of(M mask) {
+/// A mask's lanes as bits; Highway's own way leads through memory.
+template <class D, class M>
+HWY_INLINE std::uint32_t bits_of(D d, M mask) {
+#if HWY_TARGET == HWY_AVX2
+    if constexpr (hn::MaxLanes(D()) == 8) {
+        return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw));
+    } else {
+        return static_cast<std::uint32_t>(_mm_movemask_ps(mask.raw)) & ((1u << hn::MaxLanes(d)) - 1u);
+    }
+#elif HWY_TARGET == HWY_SSE4
+    return static_cast<std::uint32_t>(_mm_movemask_ps(mask.raw)) & ((1u << hn::MaxLanes(d)) - 1u);
+#else
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(df, mask, bits);
+    hn::StoreMaskBits(d, mask, bits);
     return bits[0];
+#endif
+}
+HWY_INLINE std::uint32_t bits_of(Lanes mask) { return bits_of(df, mask); }
+
+/// The lowest bit's place.
+HWY_INLINE std::size_t first_bit(std::uint64_t mask) {
+    return static_cast<std::size_t>(std::countr_zero(mask));
 }
 
 /// Where a leaf's words are.
@@ -61,11 +83,39 @@ struct Leaf {
         triangles = corners + 4 + 3 * vertices;
     }
     std::uint32_t corner_word(std::uint32_t i) const { return corners[i / 2] >> (16 * (i % 2)) & 0xffffu; }
+    std::uint32_t all() const { return (1u << count) - 1u; }
 };
+
+/// The words of eight triangles' corners, a triangle a lane.
+HWY_INLINE Integers corner_words(const Leaf& leaf, std::size_t first) {
+    const hn::Rebind<std::uint16_t, decltype(df)> d16;
+    return hn::PromoteTo(di,
+                         hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners) + first));
+}
+
+/// A leaf's vertices, eight at once, in the order of a ray's axes. Lanes beyond the last hold anything.
+struct LeafVectors {
+    Floats x[parts], y[parts], z[parts];
+
+    HWY_INLINE LeafVectors(const Leaf& leaf, std::size_t kx, std::size_t ky, std::size_t kz) {
+        for (std::size_t i = 0; i < parts; ++i) {
+            x[i] = hn::LoadU(df, leaf.axis[kx] + i * lanes);
+            y[i] = hn::LoadU(df, leaf.axis[ky] + i * lanes);
+            z[i] = hn::LoadU(df, leaf.axis[kz] + i * lanes);
+        }
+    }
+};
+
+/// The triangles that lanes of three edges' values do not rule out, as in surely_outside(): the product of
+/// the least and the greatest is negative, or vanishes, where both signs occur.
+HWY_INLINE std::uint32_t not_outside(Floats u, Floats v, Floats w) {
+    const Floats least = hn::Min(u, hn::Min(v, w));
+    const Floats most = hn::Max(u, hn::Max(v, w));
+    return ~bits_of(hn::Lt(hn::Mul(least, most), hn::Zero(df)));
+}
 
 /// One ray as a leaf sees it, with what it has found.
 struct Probe {
-    std::size_t kx, ky, kz;
     float ox, oy, oz, sx, sy, sz;
     float tmin;
     float limit; ///< the greatest t still wanted, inclusive
@@ -73,49 +123,14 @@ struct Probe {
     std::uint32_t triangle = no_triangle;
 };
 
-/// Triangles of a leaf that the probe may hit, as bits: vertices are sheared eight at a time, triangles
-/// tested eight at a time. x, y and z receive the sheared vertices.
-std::uint32_t candidates_of(const Leaf& leaf, const Probe& probe, float* x, float* y, float* z) {
-    const Floats ox = hn::Set(df, probe.ox), oy = hn::Set(df, probe.oy), oz = hn::Set(df, probe.oz);
-    const Floats sx = hn::Set(df, probe.sx), sy = hn::Set(df, probe.sy);
-    std::uint32_t candidates = (1u << leaf.count) - 1u;
-    for (std::size_t i = 0; i < 8; i += lanes) {
-        const Floats vz = hn::Sub(hn::LoadU(df, leaf.axis[probe.kz] + i), oz);
-        const Floats vx = hn::Sub(hn::Sub(hn::LoadU(df, leaf.axis[probe.kx] + i), ox), hn::Mul(sx, vz));
-        const Floats vy = hn::Sub(hn::Sub(hn::LoadU(df, leaf.axis[probe.ky] + i), oy), hn::Mul(sy, vz));
-        hn::Store(vx, df, x + i);
-        hn::Store(vy, df, y + i);
-        hn::Store(vz, df, z + i);
-        if constexpr (lanes == 8) {
-            const hn::RebindToSigned<decltype(df)> di;
-            const hn::Rebind<std::uint16_t, decltype(df)> d16;
-            const auto words =
-                hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners)));
-            const auto seven = hn::Set(di, 7);
-            const auto ia = hn::IndicesFromVec(df, hn::And(words, seven));
-            const auto ib = hn::IndicesFromVec(df, hn::And(hn::ShiftRight<3>(words), seven));
-            const auto ic = hn::IndicesFromVec(df, hn::ShiftRight<6>(words));
-            const Floats ax = hn::TableLookupLanes(vx, ia), ay = hn::TableLookupLanes(vy, ia);
-            const Floats bx = hn::TableLookupLanes(vx, ib), by = hn::TableLookupLanes(vy, ib);
-            const Floats cx = hn::TableLookupLanes(vx, ic), cy = hn::TableLookupLanes(vy, ic);
-            const Floats u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-            const Floats v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-            const Floats w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-            const auto below = hn::Lt(hn::Min(u, hn::Min(v, w)), hn::Zero(df));
-            const auto above = hn::Gt(hn::Max(u, hn::Max(v, w)), hn::Zero(df));
-            candidates &= ~bits_of(hn::And(below, above));
-        }
-    }
-    return candidates;
-}
-
-/// One ray against a whole leaf. Returns whether it hit; closest hits are recorded.
+/// Tests those of a leaf's triangles whose bits are set, by sheared vertices. Returns whether one was hit;
+/// closest hits are recorded.
 template <bool any>
-bool test_ray(const Leaf& leaf, Probe& probe) {
-    alignas(32) float x[8], y[8], z[8];
+HWY_INLINE bool test_candidates(const Leaf& leaf, std::uint32_t candidates, const float* x, const float* y,
+                                const float* z, Probe& probe) {
     bool found = false;
-    for (std::uint32_t rest = candidates_of(leaf, probe, x, y, z); rest != 0; rest &= rest - 1) {
-        const auto i = static_cast<std::uint32_t>(std::countr_zero(rest));
+    for (; candidates != 0; candidates &= candidates - 1) {
+        const auto i = static_cast<std::uint32_t>(std::countr_zero(candidates));
         const std::uint32_t word = leaf.corner_word(i);
         const std::uint32_t ka = word & 7u, kb = word >> 3 & 7u, kc = word >> 6 & 7u;
         const ShearedVertex a{x[ka], y[ka], z[ka]};
@@ -133,6 +148,42 @@ bool test_ray(const Leaf& leaf, Probe& probe) {
         found = true;
     }
     return found;
+}
+
+/// One ray against those triangles of a leaf whose bits are set in `wanted`: vertices are sheared eight at a
+/// time, triangles tested eight at a time.
+template <bool any>
+HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uint32_t wanted, Probe& probe) {
+    const Floats ox = hn::Set(df, probe.ox), oy = hn::Set(df, probe.oy), oz = hn::Set(df, probe.oz);
+    const Floats sx = hn::Set(df, probe.sx), sy = hn::Set(df, probe.sy);
+    Floats vx[parts], vy[parts], vz[parts];
+    for (std::size_t i = 0; i < parts; ++i) {
+        vz[i] = hn::Sub(vertices.z[i], oz);
+        vx[i] = hn::Sub(hn::Sub(vertices.x[i], ox), hn::Mul(sx, vz[i]));
+        vy[i] = hn::Sub(hn::Sub(vertices.y[i], oy), hn::Mul(sy, vz[i]));
+    }
+    std::uint32_t candidates = wanted;
+    if constexpr (lanes == 8) {
+        const Integers words = corner_words(leaf, 0);
+        const Integers seven = hn::Set(di, 7);
+        const auto ia = hn::IndicesFromVec(df, hn::And(words, seven));
+        const auto ib = hn::IndicesFromVec(df, hn::And(hn::ShiftRight<3>(words), seven));
+        const auto ic = hn::IndicesFromVec(df, hn::ShiftRight<6>(words));
+        const Floats ax = hn::TableLookupLanes(vx[0], ia), ay = hn::TableLookupLanes(vy[0], ia);
+        const Floats bx = hn::TableLookupLanes(vx[0], ib), by = hn::TableLookupLanes(vy[0], ib);
+        const Floats cx = hn::TableLookupLanes(vx[0], ic), cy = hn::TableLookupLanes(vy[0], ic);
+        candidates &= not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)),
+                                  hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
+                                  hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)));
+        if (candidates == 0) return false;
+    }
+    alignas(32) float x[8], y[8], z[8];
+    for (std::size_t i = 0; i < parts; ++i) {
+        hn::Store(vx[i], df, x + i * lanes);
+        hn::Store(vy[i], df, y + i * lanes);
+        hn::Store(vz[i], df, z + i * lanes);
+    }
+    return test_candidates<any>(leaf, candidates, x, y, z, probe);
 }
 
 } // namespace

@@ -109,11 +109,10 @@ LoneEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entr
     return nearest;
 }
 
-Probe probe_of(const Ray& ray) {
-    const ShearedRay sheared(ray);
+Probe probe_of(const Ray& ray, const ShearedRay& sheared) {
     const float limit = next_float(ray.tmax, -1.0f);
-    return {sheared.kx, sheared.ky, sheared.kz, sheared.ox, sheared.oy, sheared.oz, sheared.sx,
-            sheared.sy, sheared.sz, ray.tmin,   limit,      0.0f,       0.0f,       no_triangle};
+    return {sheared.ox, sheared.oy, sheared.oz, sheared.sx, sheared.sy, sheared.sz,
+            ray.tmin,   limit,      0.0f,       0.0f,       no_triangle};
 }
 
 /// Follows one ray; returns whether it hit. The nearest child goes on at once, others wait on the stack.
@@ -123,13 +122,16 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
     alignas(32) float entries[8];
     std::uint32_t met = lone.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
     if (met == 0) return false;
-    Probe probe = probe_of(ray);
+    const ShearedRay sheared(ray);
+    Probe probe = probe_of(ray, sheared);
     LoneEntry stack[stack_size];
     std::size_t size = 0;
     LoneEntry at = push_sorted(tree.nodes[0], met, entries, stack, size);
     for (;;) {
         if ((at.code & leaf_bit) != 0) {
-            if (test_ray<any>(Leaf(tree, LeafCode{at.code}), probe) && any) return true;
+            const Leaf leaf(tree, LeafCode{at.code});
+            const LeafVectors vertices(leaf, sheared.kx, sheared.ky, sheared.kz);
+            if (test_ray<any>(leaf, vertices, leaf.all(), probe) && any) return true;
         } else {
             const WideNode& node = tree.nodes[at.code];
             met = lone.meets(node, probe.limit, entries);

@@ -1,0 +1,166 @@
+// A group's rays against the eight boxes of a node, for every SIMD target.
+
+#include "trace/mesh_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "trace/mesh_group-inl.h"
+
+#if defined(GLINT_TRACE_MESH_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_MESH_BOXES_INL_H
+#undef GLINT_TRACE_MESH_BOXES_INL_H
+#else
+#define GLINT_TRACE_MESH_BOXES_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR
+namespace {
+
+/// The planes of a node that rays of this group's octant meet first and last.
+struct Planes {
+    const float* near[3];
+    const float* far[3];
+
+    Planes(const WideNode& node, const Group& group) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            near[axis] = group.negative[axis] ? node.hi[axis] : node.lo[axis];
+            far[axis] = group.negative[axis] ? node.lo[axis] : node.hi[axis];
+        }
+    }
+};
+
+/// One vector of each of the six planes, grown by the group's pad.
+struct GrownPlanes {
+    Floats near[3];
+    Floats far[3];
+
+    HWY_INLINE GrownPlanes(const Group& group, const Floats (&n)[3], const Floats (&f)[3]) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Floats pad = hn::Set(df, group.negative[axis] ? -group.pad : group.pad);
+            near[axis] = hn::Sub(n[axis], pad);
+            far[axis] = hn::Add(f[axis], pad);
+        }
+    }
+};
+
+HWY_INLINE Floats entry_of(const GrownPlanes& planes, const Floats (&inverse)[3], const Floats (&offset)[3],
+                           Floats tmin) {
+    return hn::Max(hn::Max(hn::MulAdd(planes.near[0], inverse[0], offset[0]),
+                           hn::MulAdd(planes.near[1], inverse[1], offset[1])),
+                   hn::Max(hn::MulAdd(planes.near[2], inverse[2], offset[2]), tmin));
+}
+HWY_INLINE Floats exit_of(const GrownPlanes& planes, const Floats (&inverse)[3], const Floats (&offset)[3],
+                          Floats limit) {
+    return hn::Min(hn::Min(hn::MulAdd(planes.far[0], inverse[0], offset[0]),
+                           hn::MulAdd(planes.far[1], inverse[1], offset[1])),
+                   hn::Min(hn::MulAdd(planes.far[2], inverse[2], offset[2]), limit));
+}
+
+/// Which rays enter which child.
+struct Entered {
+    std::uint32_t children = 0; ///< a bit for each with a ray
+    alignas(32) float key[wide_children];
+    std::uint64_t mask[wide_children]; ///< only of those children
+};
+
+/// A bit of each of 64 bytes.
+HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
+    const hn::CappedTag<std::uint16_t, 16> d16;
+    const hn::Repartition<std::int8_t, decltype(d16)> d8;
+    constexpr std::size_t bytes = hn::MaxLanes(d8);
+    std::uint64_t all = 0;
+    for (std::size_t i = 0; i < group_rays; i += bytes) {
+        const auto row = hn::Load(d16, reinterpret_cast<const std::uint16_t*>(rows + i));
+        const auto shifted = hn::BitCast(d8, hn::ShiftLeftSame(row, static_cast<int>(7 - bit)));
+#if HWY_TARGET == HWY_AVX2
+        const auto bits = static_cast<std::uint32_t>(_mm256_movemask_epi8(shifted.raw));
+#elif HWY_TARGET == HWY_SSE4
+        const auto bits = static_cast<std::uint32_t>(_mm_movemask_epi8(shifted.raw));
+#else
+        std::uint8_t stored[8] = {};
+        hn::StoreMaskBits(d8, hn::Lt(shifted, hn::Zero(d8)), stored);
+        const std::uint32_t bits = stored[0] | std::uint32_t{stored[1]} << 8;
+#endif
+        all |= std::uint64_t{bits} << i;
+    }
+    return all;
+}
+
+/// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
+template <bool with_keys>
+HWY_INLINE void enter_by_ray(const Planes& from, const Group& group, std::uint64_t mask, Entered& entered) {
+    alignas(64) std::uint8_t rows[group_rays] = {};
+    std::uint32_t children = 0;
+    for (std::size_t i = 0; i < 8; i += lanes) {
+        const Floats near[3] = {hn::Load(df, from.near[0] + i), hn::Load(df, from.near[1] + i),
+                                hn::Load(df, from.near[2] + i)};
+        const Floats far[3] = {hn::Load(df, from.far[0] + i), hn::Load(df, from.far[1] + i),
+                               hn::Load(df, from.far[2] + i)};
+        const GrownPlanes planes(group, near, far);
+        Floats key = hn::Set(df, infinity);
+        for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
+            const std::size_t r = first_bit(rest);
+            const Floats inverse[3] = {hn::Set(df, group.inverse[0][r]), hn::Set(df, group.inverse[1][r]),
+                                       hn::Set(df, group.inverse[2][r])};
+            const Floats offset[3] = {hn::Set(df, group.offset[0][r]), hn::Set(df, group.offset[1][r]),
+                                      hn::Set(df, group.offset[2][r])};
+            const Floats entry = entry_of(planes, inverse, offset, hn::Set(df, group.tmin[r]));
+            const Floats exit = exit_of(planes, inverse, offset, hn::Set(df, group.limit[r]));
+            const auto hit = hn::Le(entry, exit);
+            if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
+            const std::uint32_t bits = bits_of(hit) << i;
+            children |= bits;
+            rows[r] = static_cast<std::uint8_t>(rows[r] | bits);
+        }
+        if (with_keys) hn::Store(key, df, entered.key + i);
+    }
+    entered.children = children;
+    for (; children != 0; children &= children - 1) {
+        const auto child = static_cast<std::uint32_t>(std::countr_zero(children));
+        entered.mask[child] = column(rows, child);
+    }
+}
+
+/// The rays of a mask that enter one box, a vector of rays at a time.
+HWY_INLINE std::uint64_t enter_box(const Planes& from, std::size_t child, const Group& group,
+                                   std::uint64_t mask) {
+    const Floats near[3] = {hn::Set(df, from.near[0][child]), hn::Set(df, from.near[1][child]),
+                            hn::Set(df, from.near[2][child])};
+    const Floats far[3] = {hn::Set(df, from.far[0][child]), hn::Set(df, from.far[1][child]),
+                           hn::Set(df, from.far[2][child])};
+    const GrownPlanes planes(group, near, far);
+    std::uint64_t inside = 0;
+    for (std::uint64_t rest = mask; rest != 0;) {
+        const std::size_t i = first_bit(rest) / lanes * lanes;
+        rest &= ~(std::uint64_t{lane_mask} << i);
+        const Floats inverse[3] = {hn::Load(df, group.inverse[0] + i), hn::Load(df, group.inverse[1] + i),
+                                   hn::Load(df, group.inverse[2] + i)};
+        const Floats offset[3] = {hn::Load(df, group.offset[0] + i), hn::Load(df, group.offset[1] + i),
+                                  hn::Load(df, group.offset[2] + i)};
+        const Floats entry = entry_of(planes, inverse, offset, hn::Load(df, group.tmin + i));
+        const Floats exit = exit_of(planes, inverse, offset, hn::Load(df, group.limit + i));
+        inside |= std::uint64_t{bits_of(hn::Le(entry, exit))} << i;
+    }
+    return inside & mask;
+}
+
+/// The vectors of a group that hold rays of a mask.
+HWY_INLINE int live_vectors(std::uint64_t mask) {
+    for (std::size_t i = 1; i < lanes; i *= 2) mask |= mask >> i;
+    constexpr std::uint64_t firsts = lanes == 8 ? 0x0101010101010101u : 0x1111111111111111u;
+    return std::popcount(mask & firsts);
+}
+
+} // namespace
+#endif
+} // namespace HWY_NAMESPACE
+} // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

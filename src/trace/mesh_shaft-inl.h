@@ -1,0 +1,181 @@
+// The space that a group's rays sweep, for every SIMD target.
+
+#include "trace/mesh_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "trace/mesh_boxes-inl.h"
+
+#if defined(GLINT_TRACE_MESH_SHAFT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_MESH_SHAFT_INL_H
+#undef GLINT_TRACE_MESH_SHAFT_INL_H
+#else
+#define GLINT_TRACE_MESH_SHAFT_INL_H
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR
+namespace {
+
+/// The space that a group's rays sweep between two planes square to their dominant axis, bounded by a straight
+/// line on each of four sides. Each ray is a line there, so lines through the outermost places on both planes
+/// bound them all. The group must be of one dominant axis.
+class Shaft {
+  public:
+    Shaft(const Group& group, const Frame& frame, std::size_t kz)
+        : kx((kz + 1) % 3), ky((kz + 2) % 3), kz(kz), end_of_rays_((group.count + 7) / 8 * 8),
+          backward_(group.negative[kz]) {
+        const int axis = static_cast<int>(kz);
+        start_ = backward_ ? frame.bounds.hi[axis] : frame.bounds.lo[axis];
+        leave_ = backward_ ? frame.bounds.lo[axis] : frame.bounds.hi[axis];
+        // Rays that start inside begin there.
+        Floats first = hn::Set(df, backward_ ? -infinity : infinity);
+        for (std::size_t i = 0; i < end_of_rays_; i += lanes) {
+            const Floats o = hn::Load(df, group.origin[kz] + i);
+            first = backward_ ? hn::Max(first, o) : hn::Min(first, o);
+        }
+        start_ = backward_ ? std::min(start_, hn::GetLane(hn::MaxOfLanes(df, first)))
+                           : std::max(start_, hn::GetLane(hn::MinOfLanes(df, first)));
+        slack_ = 4.0f * group.pad;
+        shorten(group);
+        bound_sides(group);
+    }
+
+    /// Moves the far end to the farthest place that any ray still wants.
+    void shorten(const Group& group) {
+        Floats most = hn::Set(df, backward_ ? infinity : -infinity);
+        for (std::size_t i = 0; i < end_of_rays_; i += lanes) {
+            const Floats place =
+                hn::MulAdd(hn::Load(df, group.limit + i), hn::Load(df, group.direction[kz] + i),
+                           hn::Load(df, group.origin[kz] + i));
+            most = backward_ ? hn::Min(most, place) : hn::Max(most, place);
+        }
+        end_ = backward_ ? std::max(leave_, hn::GetLane(hn::MinOfLanes(df, most)))
+                         : std::min(leave_, hn::GetLane(hn::MaxOfLanes(df, most)));
+    }
+
+    /// Is what begins at this depth beyond all rays?
+    bool is_beyond(float key) const { return key > (backward_ ? -end_ : end_) + slack_; }
+
+    /// The children that the shaft meets, as bits, and where they begin.
+    HWY_INLINE std::uint32_t meets(const Planes& planes, const WideNode& node, float* keys) const {
+        std::uint32_t met = 0;
+        const Floats start = hn::Set(df, backward_ ? start_ + slack_ : start_ - slack_);
+        const Floats end = hn::Set(df, backward_ ? end_ - slack_ : end_ + slack_);
+        for (std::size_t i = 0; i < 8; i += lanes) {
+            const Floats near = hn::Load(df, planes.near[kz] + i);
+            const Floats far = hn::Load(df, planes.far[kz] + i);
+            auto hit = backward_ ? hn::And(hn::Ge(near, end), hn::Le(far, start))
+                                 : hn::And(hn::Le(near, end), hn::Ge(far, start));
+            for (std::size_t side = 0; side < 2; ++side) {
+                const std::size_t axis = side == 0 ? kx : ky;
+                // A line is lowest, or highest, at one end of the box, by its slope alone.
+                const Floats low_at = (low_slope_[side] > 0) == backward_ ? far : near;
+                const Floats high_at = (high_slope_[side] > 0) == backward_ ? near : far;
+                hit = hn::And(hit, hn::And(hn::Ge(hn::Load(df, node.hi[axis] + i), low(side, low_at)),
+                                           hn::Le(hn::Load(df, node.lo[axis] + i), high(side, high_at))));
+            }
+            met |= bits_of(hit) << i;
+            hn::Store(backward_ ? hn::Neg(near) : near, df, keys + i);
+        }
+        return met;
+    }
+
+    /// The triangles of a leaf that do not lie beyond one of the four sides, as bits: which of the vertices do
+    /// is one byte a side, looked up for three vertices a triangle.
+    HWY_INLINE std::uint32_t keeps(const Leaf& leaf, const LeafVectors& vertices) const {
+        std::uint32_t outside = 0;
+        for (std::size_t i = 0; i < parts; ++i) {
+            const std::size_t at = i * lanes;
+            const Floats z = vertices.z[i];
+            outside |= bits_of(hn::Lt(vertices.x[i], low(0, z))) << at |
+                       bits_of(hn::Gt(vertices.x[i], high(0, z))) << (8 + at) |
+                       bits_of(hn::Lt(vertices.y[i], low(1, z))) << (16 + at) |
+                       bits_of(hn::Gt(vertices.y[i], high(1, z))) << (24 + at);
+        }
+        const hn::RebindToUnsigned<decltype(df)> du;
+        const auto sides = hn::Set(du, outside);
+        const auto seven = hn::Set(du, 7);
+        std::uint32_t culled = 0;
+        for (std::size_t i = 0; i < 8; i += lanes) {
+            const auto words = hn::BitCast(du, corner_words(leaf, i));
+            const auto a = hn::Shr(sides, hn::And(words, seven));
+            const auto b = hn::Shr(sides, hn::And(hn::ShiftRight<3>(words), seven));
+            const auto c = hn::Shr(sides, hn::ShiftRight<6>(words));
+            const auto all = hn::And(hn::And(a, b), hn::And(c, hn::Set(du, 0x01010101u)));
+            culled |= bits_of(hn::RebindMask(df, hn::Ne(all, hn::Zero(du)))) << i;
+        }
+        return ~culled & leaf.all();
+    }
+
+    const std::size_t kx, ky, kz;
+
+  private:
+    HWY_INLINE Floats low(std::size_t side, Floats at) const {
+        return hn::MulAdd(hn::Set(df, low_slope_[side]), at, hn::Set(df, low_base_[side]));
+    }
+    HWY_INLINE Floats high(std::size_t side, Floats at) const {
+        return hn::MulAdd(hn::Set(df, high_slope_[side]), at, hn::Set(df, high_base_[side]));
+    }
+
+    void bound_sides(const Group& group) {
+        const float length = end_ - start_;
+        const bool sound = backward_ ? length < 0 : length > 0;
+        for (std::size_t side = 0; side < 2; ++side) {
+            float low[2], high[2];
+            reach(group, side, low, high);
+            const float low_slope = (low[1] - low[0]) / length;
+            const float high_slope = (high[1] - high[0]) / length;
+            const bool usable = sound && std::abs(low_slope) < 4.0f && std::abs(high_slope) < 4.0f;
+            low_slope_[side] = usable ? low_slope : 0.0f;
+            high_slope_[side] = usable ? high_slope : 0.0f;
+            low_base_[side] = (usable ? low[0] - low_slope * start_ : std::min(low[0], low[1])) - 4 * slack_;
+            high_base_[side] =
+                (usable ? high[0] - high_slope * start_ : std::max(high[0], high[1])) + 4 * slack_;
+        }
+    }
+
+    /// The outermost rays on one side where they pass the two planes.
+    void reach(const Group& group, std::size_t side, float (&low)[2], float (&high)[2]) const {
+        const float* slope = side == 0 ? group.shear_x : group.shear_y;
+        const float* origin = group.origin[side == 0 ? kx : ky];
+        const Floats planes[2] = {hn::Set(df, start_), hn::Set(df, end_)};
+        Floats least[2] = {hn::Set(df, infinity), hn::Set(df, infinity)};
+        Floats most[2] = {hn::Set(df, -infinity), hn::Set(df, -infinity)};
+        for (std::size_t i = 0; i < end_of_rays_; i += lanes)
+            for (std::size_t at = 0; at < 2; ++at) {
+                const Floats way = hn::Sub(planes[at], hn::Load(df, group.origin[kz] + i));
+                const Floats place = hn::MulAdd(way, hn::Load(df, slope + i), hn::Load(df, origin + i));
+                least[at] = hn::Min(least[at], place);
+                most[at] = hn::Max(most[at], place);
+            }
+        for (std::size_t at = 0; at < 2; ++at) {
+            low[at] = hn::GetLane(hn::MinOfLanes(df, least[at]));
+            high[at] = hn::GetLane(hn::MaxOfLanes(df, most[at]));
+        }
+    }
+
+    std::size_t end_of_rays_;
+    bool backward_;
+    float start_ = 0; ///< along the dominant axis
+    float end_ = 0;
+    float leave_ = 0; ///< where the tree ends
+    float slack_ = 0;
+    float low_slope_[2] = {}, low_base_[2] = {};
+    float high_slope_[2] = {}, high_base_[2] = {};
+};
+
+} // namespace
+#endif
+} // namespace HWY_NAMESPACE
+} // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
