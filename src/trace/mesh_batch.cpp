@@ -1,11 +1,11 @@
 // Batches of rays through a MeshTree, for every SIMD target: groups of up to 64 rays of one octant go down
 // together, a 64-bit mask for each node telling which of them are there.
 //
-// Coherent groups are bounded by a shaft that culls eight children, or the triangles of a leaf, at once before
-// any ray is looked at (after Reshetov, Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008); incoherent ones
-// are filtered ray by ray, each node fetched once for all (Barringer and Akenine-Möller, "Dynamic Ray Stream
-// Traversal", 2014). The answer is the least (t, triangle), so neither order nor kernel nor vector width shows
-// in it.
+// Coherent groups are bounded by a shaft that culls eight children, or the triangles of a leaf, at once
+// before any ray is looked at (after Reshetov, Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008);
+// incoherent ones are filtered ray by ray, each node fetched once for all (Barringer and Akenine-Möller,
+// "Dynamic Ray Stream Traversal", 2014). The answer is the least (t, triangle), so neither order nor kernel
+// nor vector width shows in it.
 
 #include "trace/kernel_table.h"
 
@@ -148,8 +148,7 @@ std::uint64_t trace_stream(const MeshTree& tree, Group& group) {
         const std::uint64_t mask = any ? entry.mask & alive : wanting(group, entry.mask, entry.key);
         if (mask == 0) continue;
         if ((entry.code & leaf_bit) != 0) {
-            const std::uint64_t found =
-                test_one_by_one<any>(Leaf(tree, LeafCode{entry.code}), group, mask);
+            const std::uint64_t found = test_one_by_one<any>(Leaf(tree, LeafCode{entry.code}), group, mask);
             hits |= found;
             if (any) alive &= ~found;
             if (any && alive == 0) break;
@@ -207,8 +206,7 @@ class Batch {
 
     void tile(std::size_t at, std::size_t count) {
         const Signs signs = classify(frame_, rays_ + at, count);
-        const std::uint64_t live =
-            count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+        const std::uint64_t live = count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
         if ((live & ~signs.alike(0, by_axis_)) == 0 && (signs.odd & live) == 0) {
             trace_tile(at, count);
             return;

@@ -141,19 +141,21 @@ Signs classify(const Frame& frame, const Ray* rays, std::size_t count) {
         const Floats most = greatest(ax, ay, az);
         const Floats reach = greatest(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
         // Written so that NaN fails: its sum with anything is NaN.
-        const Floats sum = hn::Add(hn::Add(ax, ay), hn::Add(hn::Add(az, o[0]), hn::Add(hn::Add(o[1], o[2]), d[3])));
+        const Floats sum =
+            hn::Add(hn::Add(ax, ay), hn::Add(hn::Add(az, o[0]), hn::Add(hn::Add(o[1], o[2]), d[3])));
         const Floats scale = hn::Add(reach, hn::Set(df, frame.corner));
         const auto long_enough = hn::And(hn::Ge(most, hn::Mul(scale, hn::Set(df, least_direction))),
                                          hn::Ge(most, hn::Set(df, least_length)));
         const auto near_enough = hn::And(hn::Le(most, hn::Set(df, frame.greatest_length)),
                                          hn::Le(reach, hn::Set(df, frame.greatest_reach)));
-        const auto usual = hn::And(hn::And(long_enough, near_enough),
-                                   hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
+        const auto usual =
+            hn::And(hn::And(long_enough, near_enough), hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
         signs.odd |= std::uint64_t{~bits_of(usual) & lane_mask} << i;
         signs.axis[0] |= std::uint64_t{bits_of(hn::Eq(ax, most))} << i;
         signs.axis[1] |= std::uint64_t{bits_of(hn::AndNot(hn::Eq(ax, most), hn::Eq(ay, most)))} << i;
         for (std::size_t k = 0; k < 3; ++k)
-            signs.negative[k] |= std::uint64_t{bits_of(hn::RebindMask(df, hn::Lt(hn::BitCast(di, d[k]), hn::Zero(di))))} << i;
+            signs.negative[k] |=
+                std::uint64_t{bits_of(hn::RebindMask(df, hn::Lt(hn::BitCast(di, d[k]), hn::Zero(di))))} << i;
     }
     return signs;
 }
@@ -168,8 +170,7 @@ HWY_INLINE void set_up(Group& group, const Frame& frame, std::size_t i, const Fl
     const Floats least = hn::Mul(most, hn::Set(df, least_direction));
     Floats inverse[3];
     for (std::size_t k = 0; k < 3; ++k) {
-        inverse[k] =
-            hn::Div(hn::Set(df, 1.0f), hn::CopySign(hn::Max(hn::Abs(d[k]), least), d[k]));
+        inverse[k] = hn::Div(hn::Set(df, 1.0f), hn::CopySign(hn::Max(hn::Abs(d[k]), least), d[k]));
         hn::Store(o[k], df, group.origin[k] + i);
         hn::Store(d[k], df, group.direction[k] + i);
         hn::Store(inverse[k], df, group.inverse[k] + i);

@@ -89,8 +89,7 @@ struct Leaf {
 /// The words of eight triangles' corners, a triangle a lane.
 HWY_INLINE Integers corner_words(const Leaf& leaf, std::size_t first) {
     const hn::Rebind<std::uint16_t, decltype(df)> d16;
-    return hn::PromoteTo(di,
-                         hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners) + first));
+    return hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners) + first));
 }
 
 /// A leaf's vertices, eight at once, in the order of a ray's axes. Lanes beyond the last hold anything.
@@ -172,9 +171,9 @@ HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uin
         const Floats ax = hn::TableLookupLanes(vx[0], ia), ay = hn::TableLookupLanes(vy[0], ia);
         const Floats bx = hn::TableLookupLanes(vx[0], ib), by = hn::TableLookupLanes(vy[0], ib);
         const Floats cx = hn::TableLookupLanes(vx[0], ic), cy = hn::TableLookupLanes(vy[0], ic);
-        candidates &= not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)),
-                                  hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
-                                  hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)));
+        candidates &=
+            not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)), hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
+                        hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)));
         if (candidates == 0) return false;
     }
     alignas(32) float x[8], y[8], z[8];

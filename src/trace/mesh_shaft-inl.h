@@ -24,9 +24,9 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 namespace {
 
-/// The space that a group's rays sweep between two planes square to their dominant axis, bounded by a straight
-/// line on each of four sides. Each ray is a line there, so lines through the outermost places on both planes
-/// bound them all. The group must be of one dominant axis.
+/// The space that a group's rays sweep between two planes square to their dominant axis, bounded by a
+/// straight line on each of four sides. Each ray is a line there, so lines through the outermost places on
+/// both planes bound them all. The group must be of one dominant axis.
 class Shaft {
   public:
     Shaft(const Group& group, const Frame& frame, std::size_t kz)
@@ -88,8 +88,8 @@ class Shaft {
         return met;
     }
 
-    /// The triangles of a leaf that do not lie beyond one of the four sides, as bits: which of the vertices do
-    /// is one byte a side, looked up for three vertices a triangle.
+    /// The triangles of a leaf that do not lie beyond one of the four sides, as bits: which of the vertices
+    /// do is one byte a side, looked up for three vertices a triangle.
     HWY_INLINE std::uint32_t keeps(const Leaf& leaf, const LeafVectors& vertices) const {
         std::uint32_t outside = 0;
         for (std::size_t i = 0; i < parts; ++i) {

@@ -40,9 +40,17 @@ HWY_INLINE std::uint64_t test_rays(const Leaf& leaf, Group& group, std::size_t k
     std::uint64_t hits = 0;
     for (; mask != 0; mask &= mask - 1) {
         const std::size_t r = first_bit(mask);
-        Probe probe{group.origin[kx][r], group.origin[ky][r], group.origin[kz][r], group.shear_x[r],
-                    group.shear_y[r],    group.shear_z[r],    group.tmin[r],       group.limit[r],
-                    0.0f,                0.0f,                group.triangle[r]};
+        Probe probe{group.origin[kx][r],
+                    group.origin[ky][r],
+                    group.origin[kz][r],
+                    group.shear_x[r],
+                    group.shear_y[r],
+                    group.shear_z[r],
+                    group.tmin[r],
+                    group.limit[r],
+                    0.0f,
+                    0.0f,
+                    group.triangle[r]};
         if (!test_ray<any>(leaf, vertices, wanted, probe)) continue;
         hits |= std::uint64_t{1} << r;
         if (any) continue;
@@ -133,10 +141,10 @@ HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::
         const Floats ax = hn::Load(df, x[ka]), ay = hn::Load(df, y[ka]);
         const Floats bx = hn::Load(df, x[kb]), by = hn::Load(df, y[kb]);
         const Floats cx = hn::Load(df, x[kc]), cy = hn::Load(df, y[kc]);
-        const std::uint32_t candidates = not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)),
-                                                     hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
-                                                     hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax))) &
-                                         lane_mask;
+        const std::uint32_t candidates =
+            not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)), hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
+                        hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax))) &
+            lane_mask;
         if (candidates == 0) continue;
         for (std::size_t h = 0; h < lanes; h += half_lanes) {
             if ((candidates >> h & half_mask) == 0) continue;
@@ -161,7 +169,8 @@ HWY_INLINE std::uint32_t vertices_of(const Leaf& leaf, std::uint32_t wanted) {
 
 /// A leaf for the rays of a mask within a shaft; returns those that hit.
 template <bool any>
-HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Group& group, std::uint64_t mask) {
+HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Group& group,
+                                       std::uint64_t mask) {
     const LeafVectors vertices(leaf, shaft.kx, shaft.ky, shaft.kz);
     const std::uint32_t wanted = shaft.keeps(leaf, vertices);
     if (wanted == 0) return 0;
