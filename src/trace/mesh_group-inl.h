@@ -161,8 +161,8 @@ Signs classify(const Frame& frame, const Ray* rays, std::size_t count) {
 }
 
 /// Fills one vector of a group.
-HWY_INLINE void set_up(Group& group, const Frame& frame, std::size_t i, const Floats (&o)[4],
-                       const Floats (&d)[4], Floats& reaches) {
+HWY_INLINE void set_up(Group& group, std::size_t i, const Floats (&o)[4], const Floats (&d)[4],
+                       Floats& reaches) {
     const Floats ax = hn::Abs(d[0]), ay = hn::Abs(d[1]), az = hn::Abs(d[2]);
     const Floats most = greatest(ax, ay, az);
     const Floats reach = greatest(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
@@ -220,7 +220,7 @@ void gather(Group& group, const Frame& frame, const Ray* rays, const std::uint32
         Floats o[4], d[4];
         load_four(from, 0, o);
         load_four(from, 4, d);
-        set_up(group, frame, i, o, d, reaches);
+        set_up(group, i, o, d, reaches);
     }
     group.axis_rays[2] = ~(group.axis_rays[0] | group.axis_rays[1]);
     for (std::size_t k = 0; k < 3; ++k) group.negative[k] = std::signbit(group.direction[k][0]);

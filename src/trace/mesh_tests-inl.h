@@ -86,12 +86,14 @@ HWY_INLINE std::uint32_t intersect_half(const HalfVertex& a, const HalfVertex& b
     const Doubles az = hn::PromoteTo(dd, hn::Mul(sz, a.z));
     const Doubles bz = hn::PromoteTo(dd, hn::Mul(sz, b.z));
     const Doubles cz = hn::PromoteTo(dd, hn::Mul(sz, c.z));
-    // Where det is 0, t is NaN or infinite and no float limit lets it pass.
     const Doubles exact = hn::Div(hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz)), det);
     const Doubles tmin = hn::PromoteTo(dd, hn::Load(dfh, group.tmin + first));
-    const Doubles far = hn::Set(dd, std::numeric_limits<double>::infinity());
-    const HalfFloats t =
-        hn::DemoteTo(dfh, hn::IfThenElse(hn::AndNot(mixed, hn::Gt(exact, tmin)), exact, far));
+    // Where det is 0, t is NaN or infinite. What rounds to infinity is left out before: without vectors
+    // Highway would take it to the greatest float.
+    const auto good =
+        hn::AndNot(mixed, hn::And(hn::Gt(exact, tmin), hn::Lt(exact, hn::Set(dd, 0x1.ffffffp127))));
+    const Doubles none = hn::Set(dd, std::numeric_limits<double>::quiet_NaN());
+    const HalfFloats t = hn::DemoteTo(dfh, hn::IfThenElse(good, exact, none));
     const HalfFloats limit = hn::Load(dfh, group.limit + first);
     if (any) return bits_of(dfh, hn::Le(t, limit));
 
