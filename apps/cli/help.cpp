@@ -34,7 +34,7 @@ std::string line(const Row& row) {
     }
     // Names line up, whether a letter stands before them or not.
     const char* indent = row.front()->letter ? "  " : "      ";
-    return fmt::format("{:<{}}{}\n", indent + left, help_column, right);
+    return fmt::format("{:<{}} {}\n", indent + left, help_column - 1, right);
 }
 
 } // namespace

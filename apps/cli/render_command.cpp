@@ -65,8 +65,9 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
 void print_details(Console& console, const Scene& scene, const RenderRecord& record,
                    const RenderStats& stats) {
     const SceneStats sizes = scene.stats();
-    console.detail(fmt::format("read in {}, tree of {} with depth {} built in {}, {} held",
-                               duration(record.load_seconds), counted(sizes.tree_nodes, "node"),
+    const std::string quality = sizes.tree_quality.empty() ? "" : sizes.tree_quality + " ";
+    console.detail(fmt::format("read in {}, {}tree of {} with depth {} built in {}, {} held",
+                               duration(record.load_seconds), quality, counted(sizes.tree_nodes, "node"),
                                sizes.tree_depth, duration(record.build_seconds),
                                bytes(static_cast<double>(sizes.bytes))));
     console.detail(fmt::format("rays: {} primary, {} reflected, {} refracted, {} shadow; {}",

@@ -42,6 +42,27 @@ void require_apart(const RenderRequest& request) {
                     "name a file with -o, or redirect stdout");
 }
 
+Kernel kernel(const Arguments& arguments) {
+    const std::string name = arguments.text("kernel").value_or("auto");
+    if (name == "scalar") return Kernel::scalar;
+    if (name == "single") return Kernel::lone;
+    if (name == "packet") return Kernel::packets;
+    if (name == "stream") return Kernel::streams;
+    return Kernel::automatic;
+}
+
+SimdTarget simd_target(const Arguments& arguments) {
+    const std::string name = arguments.text("simd").value_or("auto");
+    const SimdTarget target = name == "plain"  ? SimdTarget::plain
+                              : name == "sse4" ? SimdTarget::sse4
+                              : name == "avx2" ? SimdTarget::avx2
+                                               : SimdTarget::best;
+    if (!is_available(target))
+        throw Error(ErrorKind::usage, "--simd " + name + ": this machine or this build has no such vectors",
+                    "leave --simd away for the widest there are");
+    return target;
+}
+
 RenderOptions render_options(const Arguments& arguments) {
     RenderOptions options;
     options.threads = threads(arguments);
@@ -52,6 +73,7 @@ RenderOptions render_options(const Arguments& arguments) {
         const auto at = [&](std::size_t i) { return static_cast<int>((*crop)[i]); };
         options.crop = Rect{at(0), at(1), at(2), at(3)};
     }
+    options.kernel = {kernel(arguments), simd_target(arguments)};
     options.terms = arguments.has("layers");
     options.coverage = arguments.has("alpha");
     return options;

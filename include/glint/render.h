@@ -2,6 +2,7 @@
 // From a frozen scene to a picture.
 
 #include "glint/image.h"
+#include "glint/kernels.h"
 #include "glint/scene.h"
 
 #include <array>
@@ -37,8 +38,10 @@ struct RenderOptions {
     int threads = 0;    ///< 0: one for each core
     int tile_size = 16; ///< pixels; changes the order of the work, never the picture
     std::optional<Rect> crop;
-    bool terms = false;                            ///< keep a picture of each term
-    bool coverage = false;                         ///< keep the share of samples that hit something
+    KernelChoice kernel;   ///< how rays are traced; changes the time, never the picture. Throws where the
+                           ///< machine lacks the SIMD target
+    bool terms = false;    ///< keep a picture of each term
+    bool coverage = false; ///< keep the share of samples that hit something
     std::function<void(const Progress&)> progress; ///< called from rendering threads, one at a time
     const CancelFlag* cancel = nullptr;
 };

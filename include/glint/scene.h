@@ -196,8 +196,9 @@ struct SceneStats {
     std::uint64_t lights = 0;
     std::uint64_t tree_nodes = 0;
     int tree_depth = 0;
-    std::uint64_t bytes = 0; ///< held by geometry and trees
-    Vec3 bounds_min{0};      ///< of everything finite; min > max where there is nothing
+    std::string tree_quality; ///< "fast", "high", or empty without triangles
+    std::uint64_t bytes = 0;  ///< held by geometry and trees
+    Vec3 bounds_min{0};       ///< of everything finite; min > max where there is nothing
     Vec3 bounds_max{0};
 };
 

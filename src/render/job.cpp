@@ -95,7 +95,7 @@ class Job {
         TaskPool pool(options_.threads);
         start_ = wall;
         for (int i = 0; i < pool.threads(); ++i)
-            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel), {}});
+            workers_.push_back(Worker{WhittedTracer(scene_, options_.cancel, options_.kernel), {}});
         pool.run(tile_count(), [this](std::size_t tile, int worker) {
             render_tile(tile, workers_[static_cast<std::size_t>(worker)]);
         });

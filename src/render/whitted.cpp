@@ -7,8 +7,8 @@
 
 namespace glint {
 
-WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel)
-    : scene_(scene), settings_(scene.description.whitted), cancel_(cancel) {}
+WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel, const KernelChoice& kernel)
+    : scene_(scene), settings_(scene.description.whitted), cancel_(cancel), kernel_(kernel) {}
 
 void WhittedTracer::start_primary(const vec3& origin, const vec3& direction, Path& path) {
     path = Path{};
@@ -35,7 +35,7 @@ Terms WhittedTracer::follow(Path path, bool* covered) {
     Ray ray;
     ray.origin = path.origin;
     ray.direction = path.direction;
-    Hit hit = scene_.world.closest(ray);
+    Hit hit = scene_.world.closest(ray, kernel_);
     pass_hidden(ray, hit, path.media);
     if (covered != nullptr) *covered = static_cast<bool>(hit);
     if (!hit) return missed(path, node);
@@ -58,7 +58,7 @@ void WhittedTracer::light_surface(const Surface& surface, const Media* media, Te
         if (reaches(i, surface, light)) {
             Ray ray;
             aim(surface, light, ray);
-            if (scene_.world.occluded(ray)) light.shadow = behind_blockers(ray, surface, media);
+            if (scene_.world.occluded(ray, kernel_)) light.shadow = behind_blockers(ray, surface, media);
             add_light(light, surface, terms);
         }
         if (RayNode* record = node_at(node)) record->lights.push_back(light);

@@ -29,7 +29,8 @@ struct Sample {
 /// Follows rays through one scene. Holds scratch memory: one tracer for each thread.
 class WhittedTracer {
   public:
-    explicit WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel = nullptr);
+    explicit WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel = nullptr,
+                           const KernelChoice& kernel = {});
 
     /// The light that comes back along a camera ray (unit direction), by term. `record`, if given, receives
     /// the whole ray tree; the arithmetic is the same with and without. `covered` says whether the ray hit
@@ -37,6 +38,7 @@ class WhittedTracer {
     Terms trace(const vec3& origin, const vec3& direction, RayTree* record = nullptr,
                 bool* covered = nullptr);
     /// The same for many, to the bit, level by level: all primary rays, their shadow rays, their branches …
+    /// With Kernel::scalar one after another.
     void trace(std::span<Sample> samples);
 
     const RayCounts& counts() const { return counts_; }
@@ -97,6 +99,7 @@ class WhittedTracer {
     void branch(const Path& path, const Surface& surface, Terms& terms, int node);
 
     // A batch of rays, level by level (whitted_batch.cpp).
+    void trace_alone(std::span<Sample> samples);
     void find_hits(std::span<Flight> level);
     void light(std::span<Flight> level, std::uint32_t index);
     void grow(Flight& flight);
@@ -139,6 +142,7 @@ class WhittedTracer {
     const FrozenScene& scene_;
     const WhittedSettings settings_;
     const CancelFlag* cancel_;
+    const KernelChoice kernel_;
     MediaArena arena_;
     std::vector<Hit> crossings_;
     RayCounts counts_;

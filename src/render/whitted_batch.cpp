@@ -28,6 +28,7 @@ WhittedTracer::Flight& WhittedTracer::launch() {
 void WhittedTracer::trace(std::span<Sample> samples) {
     for (; samples.size() > most_flights; samples = samples.subspan(most_flights))
         trace(samples.first(most_flights));
+    if (kernel_.kernel == Kernel::scalar) return trace_alone(samples);
     arena_.clear();
     record_ = nullptr;
     if (flights_.empty()) {
@@ -57,6 +58,11 @@ void WhittedTracer::trace(std::span<Sample> samples) {
     }
 }
 
+void WhittedTracer::trace_alone(std::span<Sample> samples) {
+    for (Sample& sample : samples)
+        sample.terms = trace(sample.origin, sample.direction, nullptr, &sample.covered);
+}
+
 void WhittedTracer::find_hits(std::span<Flight> level) {
     for (std::size_t i = 0; i < level.size(); ++i) {
         rays_[i] = Ray{};
@@ -64,7 +70,7 @@ void WhittedTracer::find_hits(std::span<Flight> level) {
         rays_[i].direction = level[i].path.direction;
     }
     scene_.world.closest({rays_.data(), level.size()}, {hits_.data(), level.size()}, RayHint::coherent,
-                         scratch_);
+                         scratch_, kernel_);
     for (std::size_t i = 0; i < level.size(); ++i) {
         Flight& flight = level[i];
         flight.hit = hits_[i];
@@ -87,7 +93,8 @@ void WhittedTracer::light(std::span<Flight> level, std::uint32_t index) {
         aim(flight.surface, pending_[count].light, rays_[count]);
         ++count;
     }
-    scene_.world.occluded({rays_.data(), count}, {blocked_.data(), count}, RayHint::coherent, scratch_);
+    scene_.world.occluded({rays_.data(), count}, {blocked_.data(), count}, RayHint::coherent, scratch_,
+                          kernel_);
     for (std::size_t i = 0; i < count; ++i) {
         Flight& flight = *pending_[i].flight;
         LightNode& light = pending_[i].light;

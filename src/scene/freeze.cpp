@@ -120,6 +120,22 @@ std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& 
     return around;
 }
 
+namespace {
+
+/// A better tree is worth its time where many rays will use it: some twenty for each triangle, judged by the
+/// times of both builders and of rays in both trees (docs/performance.md).
+BuildQuality quality_for(const SceneDescription& description, const WorldInput& input) {
+    constexpr double rays_a_triangle = 20;
+    double triangles = 0;
+    for (const auto& mesh : input.meshes) triangles += static_cast<double>(mesh.triangles.size());
+    const RenderSettings& r = description.render;
+    const double samples = double(r.width) * double(r.height) * double(r.spp);
+    const double rays = samples * (1.0 + static_cast<double>(description.lights.size()));
+    return rays < rays_a_triangle * triangles ? BuildQuality::fast : BuildQuality::high;
+}
+
+} // namespace
+
 Scene freeze(const SceneDescription& description, const FreezeOptions& options) {
     std::vector<Diagnostic> errors = find_errors(description);
     if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
@@ -139,6 +155,7 @@ Scene freeze(const SceneDescription& description, const FreezeOptions& options) 
     for (const WorldInput::Plane& plane : baked.input.planes)
         if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
     TaskPool pool(options.threads);
+    baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
     find_camera_media(*scene);
     return Scene(std::move(scene));
@@ -156,6 +173,7 @@ SceneStats Scene::stats() const {
     stats.lights = frozen_->description.lights.size();
     stats.tree_nodes = world.nodes;
     stats.tree_depth = world.depth;
+    if (world.triangles > 0) stats.tree_quality = world.quality == BuildQuality::fast ? "fast" : "high";
     stats.bytes = world.bytes;
     stats.bounds_min = Vec3(bounds.lo);
     stats.bounds_max = Vec3(bounds.hi);

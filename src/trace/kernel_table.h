@@ -1,7 +1,7 @@
 #pragma once
 // The kernels as compiled for each SIMD target. Private to this room.
 
-#include "trace/kernels.h"
+#include "glint/kernels.h"
 #include "trace/mesh_tree.h"
 
 #include <array>
@@ -29,5 +29,8 @@ struct LoneKernels {
 inline constexpr std::size_t kernel_targets = 3;
 extern const std::array<BatchKernels, kernel_targets> batch_kernels;
 extern const std::array<LoneKernels, kernel_targets> lone_kernels;
+
+/// The row of such a table. Throws std::invalid_argument where the machine lacks the target.
+std::size_t row_of(SimdTarget target);
 
 } // namespace glint

@@ -27,12 +27,6 @@ std::size_t best_row() {
     return best;
 }
 
-std::size_t row_of(SimdTarget target) {
-    if (target == SimdTarget::best) return best_row();
-    if (!is_available(target)) throw std::invalid_argument("this machine lacks the SIMD target asked for");
-    return target == SimdTarget::plain ? plain : (target == SimdTarget::sse4 ? sse4 : avx2);
-}
-
 BatchForm form_of(Kernel kernel, RayHint hint) {
     if (kernel == Kernel::streams) return BatchForm::streams;
     if (kernel == Kernel::packets || hint == RayHint::coherent) return BatchForm::packets;
@@ -40,6 +34,12 @@ BatchForm form_of(Kernel kernel, RayHint hint) {
 }
 
 } // namespace
+
+std::size_t row_of(SimdTarget target) {
+    if (target == SimdTarget::best) return best_row();
+    if (!is_available(target)) throw std::invalid_argument("this machine lacks the SIMD target asked for");
+    return target == SimdTarget::plain ? plain : (target == SimdTarget::sse4 ? sse4 : avx2);
+}
 
 bool is_available(SimdTarget target) {
     const std::int64_t machine = hwy::SupportedTargets();

@@ -3,11 +3,11 @@
 
 #include "bvh/tree.h"
 #include "bvh/wide.h"
+#include "glint/kernels.h"
 #include "math/bounds.h"
 #include "math/ray.h"
 #include "math/vec.h"
 #include "parallel/task_pool.h"
-#include "trace/kernels.h"
 
 #include <cstddef>
 #include <cstdint>

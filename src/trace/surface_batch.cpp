@@ -298,17 +298,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint {
 
-HWY_EXPORT(closest_in_vectors);
-HWY_EXPORT(occluded_in_vectors);
-
-void closest_surfaces(const WorldData& world, std::span<const Ray> rays, Hit* hits,
-                      std::uint8_t* mesh_ahead) {
-    HWY_DYNAMIC_DISPATCH(closest_in_vectors)(world, rays.data(), rays.size(), hits, mesh_ahead);
-}
-void occluded_surfaces(const WorldData& world, std::span<const Ray> rays, std::uint8_t* blocked,
-                       std::uint8_t* mesh_ahead) {
-    HWY_DYNAMIC_DISPATCH(occluded_in_vectors)(world, rays.data(), rays.size(), blocked, mesh_ahead);
-}
+const std::array<SurfaceKernels, kernel_targets> surface_kernels{{
+    {HWY_CHOOSE_FALLBACK(closest_in_vectors), HWY_CHOOSE_FALLBACK(occluded_in_vectors)},
+    {HWY_CHOOSE_SSE4(closest_in_vectors), HWY_CHOOSE_SSE4(occluded_in_vectors)},
+    {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
+}};
 
 } // namespace glint
 #endif

@@ -124,11 +124,11 @@ void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& r
     if (precedes(triangle, hit)) hit = with_edge(world, ray, triangle);
 }
 
-Hit World::closest(const Ray& ray) const {
+Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
     Hit hit = closest_surface(*data_, ray);
     Ray limited = ray;
     if (hit) limited.tmax = next_float(hit.t, 1.0f);
-    const TriangleRecord record = glint::closest(data_->mesh_tree, limited);
+    const TriangleRecord record = glint::closest(data_->mesh_tree, limited, choice);
     if (record.triangle != no_triangle) keep_closer(*data_, ray, record, hit);
     return hit;
 }
@@ -139,8 +139,8 @@ Hit World::closest_brute_force(const Ray& ray) const {
     return sink.best;
 }
 
-bool World::occluded(const Ray& ray) const {
-    return occluded_surface(*data_, ray) || glint::occluded(data_->mesh_tree, ray);
+bool World::occluded(const Ray& ray, const KernelChoice& choice) const {
+    return occluded_surface(*data_, ray) || glint::occluded(data_->mesh_tree, ray, choice);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {

@@ -79,6 +79,7 @@ struct WorldInput {
     std::vector<Cylinder> cylinders;
     std::vector<Plane> planes;
     std::vector<dmat4> world_from_local; ///< affine and regular
+    BuildQuality quality = BuildQuality::high;
 };
 
 struct WorldStats {
@@ -89,6 +90,7 @@ struct WorldStats {
     std::uint64_t nodes = 0;
     int depth = 0;
     std::uint64_t bytes = 0;
+    BuildQuality quality = BuildQuality::high;
 };
 
 class World {
@@ -103,12 +105,12 @@ class World {
     World& operator=(World&&) noexcept;
 
     /// The least (t, object, prim) with tmin < t < tmax; kind `none` if there is none.
-    Hit closest(const Ray& ray) const;
+    Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;
     /// The least one after `previous` on the same ray: surfaces passed over one by one, without new origins.
     /// Two hits of one mesh on a shared edge are one crossing, and it is not given twice.
     Hit next(const Ray& ray, const Hit& previous) const;
     /// Is there any hit with tmin < t < tmax?
-    bool occluded(const Ray& ray) const;
+    bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
     /// Memory that questions for many rays work in; one for each thread.
     struct Scratch {
         std::vector<Ray> rays;
@@ -117,10 +119,11 @@ class World {
         std::vector<std::uint8_t> flags;
     };
     /// The same for many rays at once; both spans have one length.
-    void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch) const;
+    void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch,
+                 const KernelChoice& choice = {}) const;
     /// 1 for every ray that meets something, else 0; both spans have one length.
-    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
-                  Scratch& scratch) const;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint, Scratch& scratch,
+                  const KernelChoice& choice = {}) const;
     /// All crossings with tmin < t < tmax in order; those on a shared edge of one mesh once.
     void crossings(const Ray& ray, std::vector<Hit>& out) const;
     /// The same as closest(), by testing every primitive: the oracle of the trees.

@@ -24,11 +24,12 @@ T* room_for(std::vector<T>& v, std::size_t count) {
 
 } // namespace
 
-void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch) const {
+void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch,
+                    const KernelChoice& choice) const {
     const std::size_t count = rays.size();
     std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
     if (are_few(*data_)) {
-        closest_surfaces(*data_, rays, hits.data(), mesh_ahead);
+        surface_kernels[row_of(choice.target)].closest(*data_, rays.data(), count, hits.data(), mesh_ahead);
     } else {
         for (std::size_t i = 0; i < count; ++i) hits[i] = closest_surface(*data_, rays[i]);
         std::fill_n(mesh_ahead, count, std::uint8_t{1});
@@ -45,18 +46,19 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
         left += mesh_ahead[i];
     }
     TriangleRecord* records = room_for(scratch.records, left);
-    glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint);
+    glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
     for (std::size_t i = 0; i < left; ++i)
         if (records[i].triangle != no_triangle)
             keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
 }
 
 void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
-                     Scratch& scratch) const {
+                     Scratch& scratch, const KernelChoice& choice) const {
     const std::size_t count = rays.size();
     std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
     if (are_few(*data_)) {
-        occluded_surfaces(*data_, rays, blocked.data(), mesh_ahead);
+        surface_kernels[row_of(choice.target)].occluded(*data_, rays.data(), count, blocked.data(),
+                                                        mesh_ahead);
     } else {
         for (std::size_t i = 0; i < count; ++i) {
             blocked[i] = occluded_surface(*data_, rays[i]) ? 1 : 0;
@@ -74,7 +76,7 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
         left += mesh_ahead[i];
     }
     // The flags are read: their place is free for the answers.
-    glint::occluded(data_->mesh_tree, {open, left}, {mesh_ahead, left}, hint);
+    glint::occluded(data_->mesh_tree, {open, left}, {mesh_ahead, left}, hint, choice);
     for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = mesh_ahead[i];
 }
 

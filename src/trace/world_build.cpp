@@ -48,7 +48,7 @@ WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
     return all;
 }
 
-void build_triangles(WorldData& world, TaskPool& pool) {
+void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
     std::size_t triangles = 0;
     std::size_t positions = 0;
     for (const auto& mesh : world.meshes) {
@@ -61,7 +61,7 @@ void build_triangles(WorldData& world, TaskPool& pool) {
     const WorldInput::Triangles all =
         world.meshes.size() == 1 ? WorldInput::Triangles{} : joined(world.meshes);
     const WorldInput::Triangles& source = world.meshes.size() == 1 ? world.meshes.front() : all;
-    world.mesh_tree = build_mesh_tree(source.positions, source.triangles, pool);
+    world.mesh_tree = build_mesh_tree(source.positions, source.triangles, pool, quality);
 }
 
 /// The float box around a quadric: each side the exact one, one float further out.
@@ -142,6 +142,7 @@ void count(WorldData& world, const WorldInput& input) {
     stats.spheres = input.spheres.size();
     stats.cylinders = input.cylinders.size();
     stats.planes = input.planes.size();
+    stats.quality = world.mesh_tree.quality;
     stats.nodes = world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
     stats.depth = std::max(world.mesh_tree.depth, world.quadric_tree.depth);
     stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
@@ -169,7 +170,7 @@ World::World(WorldInput input, TaskPool& pool) {
     std::sort(world->planes.begin(), world->planes.end(),
               [](auto& a, auto& b) { return a.object < b.object; });
 
-    build_triangles(*world, pool);
+    build_triangles(*world, input.quality, pool);
     build_quadrics(*world, input, pool);
     number_surfaces(*world);
     count(*world, input);

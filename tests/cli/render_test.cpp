@@ -55,6 +55,14 @@ TEST_F(Render, ClosesWithOneLineThatSaysWhatWasDone) {
     EXPECT_EQ(measured.rfind("a.png: 16×12, 4 spp, 1 object, ", 0), 0u) << outcome.err;
 }
 
+TEST_F(Render, KernelsAndVectorsShowInNoBit) {
+    const std::string hash = hash_of(glint("good.toml -o a.png"));
+    EXPECT_EQ(hash.size(), 32u);
+    for (const std::string option : {"--kernel scalar", "--kernel single", "--kernel stream", "--simd plain",
+                                     "--kernel packet --simd plain"})
+        EXPECT_EQ(hash_of(glint("good.toml " + option + " -o a.png")), hash) << option;
+}
+
 TEST_F(Render, CountsTheTrianglesOfAMesh) {
     const Outcome outcome = glint("mesh.ply --size 8x8 --spp 1");
     EXPECT_EQ(outcome.exit, 0) << outcome.err;

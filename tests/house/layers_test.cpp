@@ -28,7 +28,9 @@ TEST(Layers, EveryIncludeIsOneThatTheTableAllows) {
 }
 
 TEST(Layers, NoFilesIncludeEachOtherInARing) {
-    EXPECT_EQ(joined(include_ring(sources_under({"src", "include", "apps", "tests", "tools", "bench"})), " -> "), "");
+    EXPECT_EQ(
+        joined(include_ring(sources_under({"src", "include", "apps", "tests", "tools", "bench"})), " -> "),
+        "");
 }
 
 TEST(Layers, EveryRoomStandsAboveAllThatItMayInclude) {

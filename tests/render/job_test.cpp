@@ -44,6 +44,19 @@ TEST_P(Rendering, ThreadsAndTilesChangeNoBit) {
         }
 }
 
+TEST_P(Rendering, KernelsAndSimdTargetsChangeNoBit) {
+    const Scene frozen = freeze(scene(2));
+    const std::string expected = picture_hash(render(frozen, with(1, 16)).image);
+    for (const Kernel kernel : {Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
+        for (const SimdTarget target : {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2}) {
+            if (!is_available(target)) continue;
+            RenderOptions options = with(2, 16);
+            options.kernel = {kernel, target};
+            EXPECT_EQ(picture_hash(render(frozen, options).image), expected)
+                << "kernel " << static_cast<int>(kernel) << ", target " << static_cast<int>(target);
+        }
+}
+
 TEST_P(Rendering, TheNumberOfThreadsThatFreezeChangesNoBit) {
     FreezeOptions one, seven;
     one.threads = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Which of the equal ways through a MeshTree a caller wants. No choice shows in any answer.
+// Which of the equal ways through a mesh rays shall take. No choice shows in any answer, only in the time.
 
 #include <cstdint>
 
