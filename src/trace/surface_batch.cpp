@@ -82,28 +82,44 @@ struct Rays {
     }
 };
 
-/// May the rays meet the box between tmin and limit? With the slack that bvh/traverse.h derives.
-Mask may_meet(const Rays& rays, const Bounds& box, Doubles limit) {
-    const Vec& o = rays.line.origin;
-    const Vec& d = rays.line.direction;
-    const Doubles reach = hn::Max(hn::Abs(o.x), hn::Max(hn::Abs(o.y), hn::Abs(o.z)));
-    const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
-    const vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-    const Doubles pad = hn::Mul(all(0x1p-20), hn::Add(reach, all(std::max({far.x, far.y, far.z}))));
-    const Doubles least = hn::Mul(most, all(1e-18));
-    Doubles enter = rays.tmin, leave = limit;
-    const auto slab = [&](Doubles from, Doubles along, double lo, double hi) {
-        const Doubles inverse = hn::Div(all(1.0), hn::CopySign(hn::Max(hn::Abs(along), least), along));
-        const Doubles one = hn::Mul(hn::Sub(hn::Sub(all(lo), pad), from), inverse);
-        const Doubles other = hn::Mul(hn::Sub(hn::Add(all(hi), pad), from), inverse);
+/// Rays against boxes that lie within `bounds`, with the slack that bvh/traverse.h derives.
+class BoxRays {
+  public:
+    BoxRays(const Rays& rays, const Bounds& bounds) : origin_(rays.line.origin), tmin_(rays.tmin) {
+        const Vec& d = rays.line.direction;
+        const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
+        const Doubles least = hn::Mul(most, all(1e-18));
+        const auto inverse = [&](Doubles along) {
+            return hn::Div(all(1.0), hn::CopySign(hn::Max(hn::Abs(along), least), along));
+        };
+        inverse_ = {inverse(d.x), inverse(d.y), inverse(d.z)};
+        const Vec& o = origin_;
+        const Doubles reach = hn::Max(hn::Abs(o.x), hn::Max(hn::Abs(o.y), hn::Abs(o.z)));
+        const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
+        pad_ = hn::Mul(all(0x1p-20), hn::Add(reach, all(std::max({far.x, far.y, far.z}))));
+    }
+
+    /// Which rays may meet the box between their tmin and `limit`; `enter` says where.
+    Mask meet(const vec3& lo, const vec3& hi, Doubles limit, Doubles& enter) const {
+        Doubles leave = limit;
+        enter = tmin_;
+        slab(origin_.x, inverse_.x, lo.x, hi.x, enter, leave);
+        slab(origin_.y, inverse_.y, lo.y, hi.y, enter, leave);
+        slab(origin_.z, inverse_.z, lo.z, hi.z, enter, leave);
+        return hn::Le(enter, leave);
+    }
+
+  private:
+    void slab(Doubles from, Doubles inverse, float lo, float hi, Doubles& enter, Doubles& leave) const {
+        const Doubles one = hn::Mul(hn::Sub(hn::Sub(all(double(lo)), pad_), from), inverse);
+        const Doubles other = hn::Mul(hn::Sub(hn::Add(all(double(hi)), pad_), from), inverse);
         enter = hn::Max(enter, hn::Min(one, other));
         leave = hn::Min(leave, hn::Max(one, other));
-    };
-    slab(o.x, d.x, double(box.lo.x), double(box.hi.x));
-    slab(o.y, d.y, double(box.lo.y), double(box.hi.y));
-    slab(o.z, d.z, double(box.lo.z), double(box.hi.z));
-    return hn::Le(enter, leave);
-}
+    }
+
+    Vec origin_, inverse_;
+    Doubles tmin_, pad_;
+};
 
 /// Where lines are inside a convex solid, and which are.
 struct Inside {
@@ -193,6 +209,7 @@ struct Least {
         root = hn::IfThenElse(better, it, root);
     }
     bool done() const { return false; }
+    Doubles limit() const { return hn::Min(t, rays.limit); } ///< beyond it nothing counts
 };
 
 /// Finds which rays meet anything.
@@ -204,26 +221,69 @@ struct AnyHit {
         found = hn::Or(found, takes(rays, met, exact, rounded(exact)));
     }
     bool done() const { return hn::AllTrue(dd, found); }
+    Doubles limit() const {
+        return hn::IfThenElse(found, all(-std::numeric_limits<double>::infinity()), rays.limit);
+    }
 };
 
-/// Every plane and quadric against one vector of rays.
 template <class Sink>
-void meet_all(const WorldData& world, const Lines& line, Sink& sink) {
-    const Doubles zero = hn::Zero(dd);
-    for (const NumberedPlane& numbered : world.planes) {
-        const Vec normal = all(numbered.plane.normal);
-        const Doubles fall = dot(normal, line.direction);
-        const Doubles t = hn::Div(hn::Sub(all(numbered.plane.offset), dot(normal, line.origin)), fall);
-        sink.add(hn::Ne(fall, zero), t, 2.0 * numbered.surface);
-        if (sink.done()) return;
-    }
-    for (const Quadric& quadric : world.quadrics) {
+void meet_plane(const NumberedPlane& numbered, const Lines& line, Sink& sink) {
+    const Vec normal = all(numbered.plane.normal);
+    const Doubles fall = dot(normal, line.direction);
+    const Doubles t = hn::Div(hn::Sub(all(numbered.plane.offset), dot(normal, line.origin)), fall);
+    sink.add(hn::Ne(fall, hn::Zero(dd)), t, 2.0 * numbered.surface);
+}
+
+template <class Sink>
+void meet_quadrics(const WorldData& world, std::size_t first, std::size_t count, const Lines& line,
+                   Sink& sink) {
+    for (std::size_t i = first; i < first + count && !sink.done(); ++i) {
+        const Quadric& quadric = world.quadrics[i];
         Inside in;
         if (!in_quadric(world, quadric, line, in)) continue;
         sink.add(in.met, in.enter, 2.0 * quadric.surface);
         sink.add(in.met, in.leave, 2.0 * quadric.surface + 1.0);
-        if (sink.done()) return;
     }
+}
+
+/// The quadrics whose boxes any of the rays meets, roughly nearest first: neighbours go nearly the same way.
+template <class Sink>
+void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
+    const Tree& tree = world.quadric_tree;
+    const BoxRays boxes(rays, tree.bounds);
+    TreeRef stack[max_tree_depth + 1];
+    std::size_t size = 0;
+    stack[size++] = tree.root;
+    while (size > 0 && !sink.done()) {
+        const TreeRef at = stack[--size];
+        if (at.count > 0) {
+            meet_quadrics(world, at.first, at.count, rays.line, sink);
+            continue;
+        }
+        const TreeNode& node = tree.nodes[at.first];
+        Doubles enter[2];
+        Mask met[2];
+        for (int k = 0; k < 2; ++k)
+            met[k] = boxes.meet(vec3(node.lo[0][k], node.lo[1][k], node.lo[2][k]),
+                                vec3(node.hi[0][k], node.hi[1][k], node.hi[2][k]), sink.limit(), enter[k]);
+        // What the first ray meets first is looked at first.
+        const int near = hn::GetLane(enter[1]) < hn::GetLane(enter[0]) ? 1 : 0;
+        for (const int k : {1 - near, near})
+            if (!hn::AllFalse(dd, met[k])) stack[size++] = node.child[k];
+    }
+}
+
+/// Quadrics that are tested one after another rather than through their tree.
+constexpr std::size_t few_quadrics = 8;
+
+/// Every plane, and what quadrics lie in the way of one vector of rays.
+template <class Sink>
+void meet_all(const WorldData& world, const Rays& rays, Sink& sink) {
+    for (const NumberedPlane& plane : world.planes) meet_plane(plane, rays.line, sink);
+    if (world.quadrics.size() <= few_quadrics)
+        meet_quadrics(world, 0, world.quadrics.size(), rays.line, sink);
+    else
+        meet_tree(world, rays, sink);
 }
 
 /// Hands each vector of rays to `use(first, count, rays)`; the last ray fills what is left of the last
@@ -245,7 +305,10 @@ std::uint32_t bits_of(Mask mask) {
 }
 
 std::uint32_t mesh_ahead_of(const WorldData& world, const Rays& rays, Doubles limit) {
-    return world.mesh_tree.nodes.empty() ? 0u : bits_of(may_meet(rays, world.mesh_tree.bounds, limit));
+    if (world.mesh_tree.nodes.empty()) return 0u;
+    const Bounds& box = world.mesh_tree.bounds;
+    Doubles enter;
+    return bits_of(BoxRays(rays, box).meet(box.lo, box.hi, limit, enter));
 }
 
 } // namespace
@@ -255,8 +318,8 @@ void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t cou
                         std::uint8_t* mesh_ahead) {
     for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
         Least sink{vector};
-        meet_all(world, vector.line, sink);
-        const std::uint32_t ahead = mesh_ahead_of(world, vector, hn::Min(sink.t, vector.limit));
+        meet_all(world, vector, sink);
+        const std::uint32_t ahead = mesh_ahead_of(world, vector, sink.limit());
         alignas(64) double t[lanes], root[lanes];
         hn::Store(sink.t, dd, t);
         hn::Store(sink.root, dd, root);
@@ -281,9 +344,9 @@ void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t co
                          std::uint8_t* mesh_ahead) {
     for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
         AnyHit sink{vector};
-        meet_all(world, vector.line, sink);
+        meet_all(world, vector, sink);
         const std::uint32_t found = bits_of(sink.found);
-        const std::uint32_t ahead = ~found & mesh_ahead_of(world, vector, vector.limit);
+        const std::uint32_t ahead = mesh_ahead_of(world, vector, sink.limit());
         for (std::size_t k = 0; k < n; ++k) {
             blocked[first + k] = found >> k & 1u;
             mesh_ahead[first + k] = ahead >> k & 1u;

@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// The kernels as compiled for each SIMD target. They test every plane and quadric: meant for few of them.
+/// The kernels as compiled for each SIMD target. Rays that are neighbours should go nearly the same way.
 struct SurfaceKernels {
     /// The closest plane, sphere or cylinder of each ray, with the bits of closest_surface(). mesh_ahead[i]
     /// is 0 where ray i surely meets no triangle before that.

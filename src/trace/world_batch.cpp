@@ -10,11 +10,6 @@ namespace glint {
 
 namespace {
 
-/// Few enough to be tested one after another rather than through their tree.
-constexpr std::size_t few_surfaces = 16;
-
-bool are_few(const WorldData& world) { return world.surfaces.size() <= few_surfaces; }
-
 /// Grows, and never clears what is there.
 template <class T>
 T* room_for(std::vector<T>& v, std::size_t count) {
@@ -28,12 +23,7 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
                     const KernelChoice& choice) const {
     const std::size_t count = rays.size();
     std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
-    if (are_few(*data_)) {
-        surface_kernels[row_of(choice.target)].closest(*data_, rays.data(), count, hits.data(), mesh_ahead);
-    } else {
-        for (std::size_t i = 0; i < count; ++i) hits[i] = closest_surface(*data_, rays[i]);
-        std::fill_n(mesh_ahead, count, std::uint8_t{1});
-    }
+    surface_kernels[row_of(choice.target)].closest(*data_, rays.data(), count, hits.data(), mesh_ahead);
     if (data_->mesh_tree.nodes.empty()) return;
 
     Ray* open = room_for(scratch.rays, count);
@@ -56,15 +46,7 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
                      Scratch& scratch, const KernelChoice& choice) const {
     const std::size_t count = rays.size();
     std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
-    if (are_few(*data_)) {
-        surface_kernels[row_of(choice.target)].occluded(*data_, rays.data(), count, blocked.data(),
-                                                        mesh_ahead);
-    } else {
-        for (std::size_t i = 0; i < count; ++i) {
-            blocked[i] = occluded_surface(*data_, rays[i]) ? 1 : 0;
-            mesh_ahead[i] = blocked[i] ^ 1u;
-        }
-    }
+    surface_kernels[row_of(choice.target)].occluded(*data_, rays.data(), count, blocked.data(), mesh_ahead);
     if (data_->mesh_tree.nodes.empty()) return;
 
     Ray* open = room_for(scratch.rays, count);
