@@ -179,6 +179,36 @@ TEST(Instances, SqueezedOnesAreHitAsBruteForceHitsThem) {
     expect_brute_force(instances, rays_at(instances, 6, 3000, 6));
 }
 
+TEST(Instances, BoxesLetThroughWhatRoundingBringsToTheirEdges) {
+    // A cube, turned and then squeezed along the world's z: what its own space rounds is rounded by as many
+    // times more along the world's x and y. One of its corners reaches furthest along x.
+    constexpr float turn[3][3] = {
+        {2.0f / 3, -1.0f / 3, 2.0f / 3}, {2.0f / 3, 2.0f / 3, -1.0f / 3}, {-1.0f / 3, 2.0f / 3, 2.0f / 3}};
+    constexpr float squeeze[3] = {1, 1, 1e-5f};
+    const std::vector<float> xyz{-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1,
+                                 -1, -1, 1,  1, -1, 1,  1, 1, 1,  -1, 1, 1};
+    const std::vector<std::uint32_t> corners{0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                             1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+    Instance cube{Mesh(xyz, corners), {}};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            cube.world_from_local.m[row][column] = squeeze[row] * turn[row][column];
+    const std::array<float, 2> furthest{5.0f / 3, -1.0f / 3};
+    // Behind it another, so that there is a tree.
+    Instance behind = cube;
+    behind.world_from_local.m[2][3] = -50;
+    std::vector<Ray> rays;
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+        Ray ray;
+        ray.origin = {3 * around_zero(1, 5 * i), 3 * around_zero(1, 5 * i + 1), 10};
+        for (std::uint32_t axis = 0; axis < 2; ++axis)
+            ray.direction[axis] = furthest[axis] + 0.1f * around_zero(1, 5 * i + 2 + axis) - ray.origin[axis];
+        ray.direction[2] = -10;
+        rays.push_back(ray);
+    }
+    expect_brute_force({cube, behind}, rays);
+}
+
 TEST(Instances, OfEqualOnesTheFirstIsHit) {
     const Soup soup = make_soup(3, 50);
     const std::vector<Instance> instances(500, Instance{Mesh(soup.xyz, soup.corners), {}});
