@@ -5,26 +5,30 @@
 #                                                              labelled NAME
 #   glint_find_openexr()                                       imports OpenEXR::OpenEXR
 
+# Of all this an installed glint passes only C++20 and its folder of headers on.
 add_library(glint_flags INTERFACE)
 target_compile_features(glint_flags INTERFACE cxx_std_20)
+target_include_directories(glint_flags INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # -ffp-contract=off: a fused multiply-add rounds once where the code says twice, so the picture would
 # depend on the compiler and the triangle test would leak (docs/design.md, "One picture, one hash").
-target_compile_options(glint_flags INTERFACE -ffp-contract=off -fno-fast-math
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+target_compile_options(glint_flags INTERFACE
+    "$<BUILD_INTERFACE:-ffp-contract=off;-fno-fast-math;-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>")
 # g++ 12 vectorises a double rounded to float and taken back to double as no change at all: other bits than
 # clang's, and wrong ones.
-target_compile_options(glint_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>)
+target_compile_options(glint_flags INTERFACE
+    $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>>)
 target_include_directories(glint_flags INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
-target_compile_definitions(glint_flags INTERFACE GLM_FORCE_PURE GLM_FORCE_XYZW_ONLY GLM_FORCE_SILENT_WARNINGS)
+set(glint_definitions GLM_FORCE_PURE GLM_FORCE_XYZW_ONLY GLM_FORCE_SILENT_WARNINGS)
+target_compile_definitions(glint_flags INTERFACE "$<BUILD_INTERFACE:${glint_definitions}>")
 if(GLINT_SANITIZE)
     # Without recovery a finding ends the program, and so fails the test that made it.
-    target_compile_options(glint_flags INTERFACE -fsanitize=${GLINT_SANITIZE} -fno-sanitize-recover=all
-        -fno-omit-frame-pointer -g1)
-    target_link_options(glint_flags INTERFACE -fsanitize=${GLINT_SANITIZE})
+    target_compile_options(glint_flags INTERFACE
+        "$<BUILD_INTERFACE:-fsanitize=${GLINT_SANITIZE};-fno-sanitize-recover=all;-fno-omit-frame-pointer;-g1>")
+    target_link_options(glint_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${GLINT_SANITIZE}>)
 endif()
 if(GLINT_WERROR)
-    target_compile_options(glint_flags INTERFACE -Werror)
+    target_compile_options(glint_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 
 function(glint_room name)
@@ -33,11 +37,11 @@ function(glint_room name)
     if(ROOM_SOURCES)
         add_library(glint_${name} STATIC ${ROOM_SOURCES})
         target_link_libraries(glint_${name} PUBLIC glint_flags ${ROOM_DEPS} PRIVATE ${ROOM_LIBS})
-        install(TARGETS glint_${name})
     else()
         add_library(glint_${name} INTERFACE)
         target_link_libraries(glint_${name} INTERFACE glint_flags ${ROOM_DEPS} ${ROOM_LIBS})
     endif()
+    set_target_properties(glint_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
 function(glint_test name)

@@ -9,7 +9,7 @@
 namespace glint::house {
 namespace {
 
-const std::vector<std::string> everywhere = {"include", "src", "apps", "tools", "tests", "bench"};
+const std::vector<std::string> everywhere = {"include", "src", "apps", "tools", "tests", "bench", "examples"};
 
 struct Placed {
     std::string path;
