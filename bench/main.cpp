@@ -12,13 +12,12 @@
 namespace glint::bench {
 namespace {
 
-SetResult measure_set(const Job& job, const std::vector<Peer>& peers, const tracing::Mesh& mesh,
+SetResult measure_set(const Job& job, const std::vector<Peer>& peers, const std::vector<Peer>& other_ways,
                       const Options& options) {
     SetResult result{job.name, job.rays, peers, time_rounds(job, peers, options.rounds), {}, 0, {}};
     if (options.threads > 1) result.threads = time_threads(job, peers.front(), options.rounds);
     const Answers ours = answers_of(job, peers.front());
-    for (const Peer& way : our_other_ways(mesh))
-        result.our_differences += different_bits(ours, answers_of(job, way));
+    for (const Peer& way : other_ways) result.our_differences += different_bits(ours, answers_of(job, way));
     for (const Peer& peer : peers)
         result.peer_differences.push_back(different_answers(ours, answers_of(job, peer)));
     return result;
@@ -40,15 +39,17 @@ std::vector<BuildResult> measure_builds(const Model& model, int rounds) {
 ModelResult measure(const Model& model, const Options& options) {
     std::cerr << model.name << ": " << model.mesh->triangles.size() << " triangles\n";
     ModelResult result{model.name, model.mesh->triangles.size(), {}, {}};
-    const tracing::Mesh mesh = build_ours(model, 1);
+    const tracing::Mesh mesh = build_ours(model, tracing::BuildQuality::high, 1);
     std::vector<Peer> peers{our_peer(mesh)};
     for (const Group group : {Group::embree, Group::robust}) {
         if (group == Group::robust && !options.robust) continue;
         for (Peer& peer : embree_peers(model, group, options.isa)) peers.push_back(std::move(peer));
     }
+    const std::vector<Peer> other_ways = our_other_ways(model, mesh);
     for (const std::string& set : options.sets) {
         std::cerr << "  " << set << '\n';
-        result.sets.push_back(measure_set(make_job(set, model, mesh, options.jobs), peers, mesh, options));
+        result.sets.push_back(
+            measure_set(make_job(set, model, mesh, options.jobs), peers, other_ways, options));
     }
     if (options.builds) {
         std::cerr << "  builds\n";

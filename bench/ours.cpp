@@ -1,44 +1,53 @@
 #include "peer.h"
 
+#include <stdexcept>
+
 namespace glint::bench {
 namespace {
 
-RayHint other(RayHint hint) { return hint == RayHint::coherent ? RayHint::incoherent : RayHint::coherent; }
-
-} // namespace
-
-tracing::Mesh build_ours(const Model& model, int threads) {
-    const Mesh& mesh = *model.mesh;
-    return {tracing::Vertices(&mesh.positions.data()->x, mesh.positions.size(), sizeof(vec3)),
-            tracing::Triangles(&mesh.triangles.data()->x, mesh.triangles.size(), sizeof(uvec3)),
-            {.threads = threads}};
-}
-
-Peer our_peer(const tracing::Mesh& mesh) {
-    return {"glint", Group::ours,
-            [mesh](std::span<const Ray> rays, std::span<Hit> hits, RayHint hint) {
-                mesh.closest(rays, hits, hint);
+Peer way(const std::string& name, const tracing::Mesh& mesh, const tracing::KernelChoice& choice) {
+    return {name, Group::ours,
+            [=](std::span<const Ray> rays, std::span<Hit> hits, RayHint hint) {
+                mesh.closest(rays, hits, hint, choice);
             },
-            [mesh](std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) {
-                mesh.occluded(rays, blocked, hint);
+            [=](std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) {
+                mesh.occluded(rays, blocked, hint, choice);
             }};
 }
 
-std::vector<Peer> our_other_ways(const tracing::Mesh& mesh) {
-    return {{"glint, the other hint", Group::ours,
-             [mesh](std::span<const Ray> rays, std::span<Hit> hits, RayHint hint) {
-                 mesh.closest(rays, hits, other(hint));
-             },
-             [mesh](std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) {
-                 mesh.occluded(rays, blocked, other(hint));
-             }},
-            {"glint, ray by ray", Group::ours,
-             [mesh](std::span<const Ray> rays, std::span<Hit> hits, RayHint) {
-                 for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = mesh.closest(rays[i]);
-             },
-             [mesh](std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint) {
-                 for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = mesh.occluded(rays[i]) ? 1 : 0;
-             }}};
+bool is_available(const tracing::Mesh& mesh, tracing::Simd simd) {
+    try {
+        mesh.closest(Ray{}, {tracing::Kernel::lone, simd});
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+    return true;
+}
+
+} // namespace
+
+tracing::Mesh build_ours(const Model& model, tracing::BuildQuality quality, int threads) {
+    const Mesh& mesh = *model.mesh;
+    return {tracing::Vertices(&mesh.positions.data()->x, mesh.positions.size(), sizeof(vec3)),
+            tracing::Triangles(&mesh.triangles.data()->x, mesh.triangles.size(), sizeof(uvec3)),
+            {quality, threads}};
+}
+
+Peer our_peer(const tracing::Mesh& mesh) { return way("glint", mesh, {}); }
+
+std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh) {
+    using tracing::Kernel;
+    using tracing::Simd;
+    std::vector<Peer> ways;
+    ways.push_back(way("glint, scalar", mesh, {Kernel::scalar, Simd::best}));
+    for (const Simd simd : {Simd::plain, Simd::sse4, Simd::avx2}) {
+        if (!is_available(mesh, simd)) continue;
+        ways.push_back(way("glint, lone", mesh, {Kernel::lone, simd}));
+        ways.push_back(way("glint, packets", mesh, {Kernel::packets, simd}));
+        ways.push_back(way("glint, streams", mesh, {Kernel::streams, simd}));
+    }
+    ways.push_back(way("glint, fast", build_ours(model, tracing::BuildQuality::fast, 1), {}));
+    return ways;
 }
 
 } // namespace glint::bench

@@ -29,12 +29,13 @@ struct Peer {
     std::function<void(std::span<const Ray>, std::span<std::uint8_t>, RayHint)> occluded;
 };
 
-tracing::Mesh build_ours(const Model& model, int threads);
+tracing::Mesh build_ours(const Model& model, tracing::BuildQuality quality, int threads);
 
 Peer our_peer(const tracing::Mesh& mesh);
 
-/// The other ways to the same answers, to be compared bit by bit and not measured.
-std::vector<Peer> our_other_ways(const tracing::Mesh& mesh);
+/// The other ways to the same answers, to be compared bit by bit and not measured: each kernel, each SIMD
+/// target that the machine has, and a tree of the other quality.
+std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh);
 
 /// Single rays, packets of eight and streams; none where the program was built without Embree. `isa` is the
 /// most that Embree may use, empty for all. `model` must outlive them.

@@ -130,7 +130,7 @@ std::string tables(const Report& report) {
     }
     if (options.builds)
         text += "\nBuilds on one thread, each in a new process; own: tree and leaves by the library's count, "
-                "held and peak: resident memory; ratio: to the builder of Embree below it:\n\n" +
+                "held and peak: resident memory; ratio: fast to MEDIUM, high to HIGH:\n\n" +
                 build_table(report);
     return text;
 }

@@ -57,6 +57,28 @@ enum class RayHint {
     incoherent ///< they do not: bounces, ambient occlusion
 };
 
+/// The ways to an answer, to be compared with each other; callers who only want answers need not choose.
+enum class Kernel {
+    automatic, ///< by the number of rays, their hint and what they meet
+    scalar,    ///< one ray at a time in plain C++: what all others must equal
+    lone,      ///< one ray at a time, eight boxes or triangles at once
+    packets,   ///< groups of neighbours within a shaft
+    streams    ///< groups filtered ray by ray
+};
+
+enum class Simd {
+    best,  ///< the widest instructions that the machine has
+    plain, ///< those of every machine of its kind
+    sse4,
+    avx2
+};
+
+/// Queries throw std::invalid_argument for instructions that the machine does not have.
+struct KernelChoice {
+    Kernel kernel = Kernel::automatic;
+    Simd simd = Simd::best;
+};
+
 /// Vertices in the caller's memory: x, y, z as three floats, `stride` bytes from one vertex to the next.
 struct Vertices {
     const float* first;
@@ -77,7 +99,14 @@ struct Triangles {
         : first(first_triangle), count(triangle_count), stride(bytes_apart) {}
 };
 
+/// What a build strives for. It decides the speed of rays, never their answers.
+enum class BuildQuality {
+    fast, ///< soon: to be built often, or for few rays
+    high  ///< for many rays
+};
+
 struct BuildOptions {
+    BuildQuality quality = BuildQuality::high;
     int threads = 0; ///< 0 or less: one for each core; the tree does not depend on it
 };
 
@@ -93,6 +122,7 @@ struct MeshStats {
     std::size_t nodes = 0;     ///< of eight children each
     std::size_t bytes = 0;     ///< held by the tree and its leaves; the caller's arrays are not needed
     int depth = 0;             ///< nodes on the longest way to a leaf
+    BuildQuality quality = BuildQuality::high;
 };
 
 /// Triangles ready for rays. Copies share one tree.
@@ -113,15 +143,25 @@ class Mesh {
     Mesh(const Mesh&) = default;
     Mesh& operator=(const Mesh&) = default;
 
+    /// Follows vertices that moved: the same triangles, in the same order, over new positions. Much cheaper
+    /// than a new mesh, and answers as one; slower to trace the more the shape has changed. Copies and scenes
+    /// made before keep the old positions: while there are any, the tree is copied first. Throws as the
+    /// constructor does, and std::invalid_argument where the number of triangles is another. Not to be called
+    /// while other threads use this object.
+    void refit(std::span<const float> vertices, std::span<const std::uint32_t> triangles, int threads = 0);
+    void refit(const Vertices& vertices, const Triangles& triangles, int threads = 0);
+
     /// The least (t, triangle) of each ray; Hit{} where there is none. Throws std::invalid_argument unless
     /// rays and hits have one length.
-    void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint) const;
-    Hit closest(const Ray& ray) const;
+    void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
+                 const KernelChoice& choice = {}) const;
+    Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;
 
     /// 1 where the ray meets any triangle, else 0. Throws std::invalid_argument unless rays and blocked have
     /// one length.
-    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const;
-    bool occluded(const Ray& ray) const;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                  const KernelChoice& choice = {}) const;
+    bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
 
     /// Around all triangles that can be hit.
     Box bounds() const;
@@ -179,13 +219,15 @@ class Scene {
 
     /// The least (t, instance, triangle) of each ray; InstanceHit{} where there is none. Throws
     /// std::invalid_argument unless rays and hits have one length.
-    void closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint) const;
-    InstanceHit closest(const Ray& ray) const;
+    void closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint,
+                 const KernelChoice& choice = {}) const;
+    InstanceHit closest(const Ray& ray, const KernelChoice& choice = {}) const;
 
     /// 1 where the ray meets any triangle, else 0. Throws std::invalid_argument unless rays and blocked have
     /// one length.
-    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const;
-    bool occluded(const Ray& ray) const;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                  const KernelChoice& choice = {}) const;
+    bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
 
     /// Around all that can be hit, and a little more.
     Box bounds() const;

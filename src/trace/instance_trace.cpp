@@ -48,6 +48,7 @@ struct Active {
 struct InstanceTree::Batch {
     std::span<const Ray> rays;
     RayHint hint = RayHint::coherent;
+    KernelChoice choice;
     InstanceRecord* records = nullptr; ///< of closest hits
     std::uint8_t* blocked = nullptr;   ///< of any hits
     std::vector<Query> queries;        ///< by ray; those that can hit nothing have one too
@@ -67,7 +68,8 @@ struct InstanceTree::Batch {
     std::vector<TriangleRecord> local_records;
     std::vector<std::uint8_t> local_blocked;
 
-    Batch(std::span<const Ray> all, RayHint ray_hint, const InstanceTree& tree) : rays(all), hint(ray_hint) {
+    Batch(std::span<const Ray> all, RayHint ray_hint, const KernelChoice& kernel, const InstanceTree& tree)
+        : rays(all), hint(ray_hint), choice(kernel) {
         queries.reserve(rays.size());
         limits.reserve(rays.size());
         for (std::uint32_t i = 0; i < rays.size(); ++i) {
@@ -108,9 +110,9 @@ void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
         batch.local_blocked.resize(count);
         if (count < few_rays)
             for (std::size_t i = 0; i < count; ++i)
-                batch.local_blocked[i] = glint::occluded(mesh, batch.local_rays[i]) ? 1 : 0;
+                batch.local_blocked[i] = glint::occluded(mesh, batch.local_rays[i], batch.choice) ? 1 : 0;
         else
-            glint::occluded(mesh, batch.local_rays, batch.local_blocked, batch.hint);
+            glint::occluded(mesh, batch.local_rays, batch.local_blocked, batch.hint, batch.choice);
         for (std::size_t i = 0; i < count; ++i) {
             if (batch.local_blocked[i] == 0) continue;
             batch.blocked[batch.active[i].ray] = 1;
@@ -120,9 +122,9 @@ void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
         batch.local_records.resize(count);
         if (count < few_rays)
             for (std::size_t i = 0; i < count; ++i)
-                batch.local_records[i] = glint::closest(mesh, batch.local_rays[i]);
+                batch.local_records[i] = glint::closest(mesh, batch.local_rays[i], batch.choice);
         else
-            glint::closest(mesh, batch.local_rays, batch.local_records, batch.hint);
+            glint::closest(mesh, batch.local_rays, batch.local_records, batch.hint, batch.choice);
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t ray = batch.active[i].ray;
             keep(batch.local_records[i], instance, batch.records[ray], batch.limits[ray]);
@@ -158,44 +160,47 @@ void InstanceTree::trace(Batch& batch) const {
     }
 }
 
-InstanceRecord InstanceTree::closest(const Ray& ray) const {
+InstanceRecord InstanceTree::closest(const Ray& ray, const KernelChoice& choice) const {
     InstanceRecord best;
     float limit = limit_below(ray.tmax);
     if (!is_traceable(ray)) return best;
     visit(ray, limit, [&](std::uint32_t instance) {
-        keep(glint::closest(mesh(instance), to_local(instance, limited(ray, limit))), instance, best, limit);
+        keep(glint::closest(mesh(instance), to_local(instance, limited(ray, limit)), choice), instance, best,
+             limit);
         return false;
     });
     return best;
 }
 
-bool InstanceTree::occluded(const Ray& ray) const {
+bool InstanceTree::occluded(const Ray& ray, const KernelChoice& choice) const {
     if (!is_traceable(ray)) return false;
     bool found = false;
     const float limit = limit_below(ray.tmax);
     visit(ray, limit, [&](std::uint32_t instance) {
-        return found = glint::occluded(mesh(instance), to_local(instance, ray));
+        return found = glint::occluded(mesh(instance), to_local(instance, ray), choice);
     });
     return found;
 }
 
-void InstanceTree::closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint) const {
+void InstanceTree::closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint,
+                           const KernelChoice& choice) const {
     for (std::size_t at = 0; at < rays.size(); at += batch_rays) {
         const std::size_t count = std::min(batch_rays, rays.size() - at);
         std::fill_n(records.data() + at, count, InstanceRecord{});
         if (tree_.empty()) continue;
-        Batch batch(rays.subspan(at, count), hint, *this);
+        Batch batch(rays.subspan(at, count), hint, choice, *this);
         batch.records = records.data() + at;
         trace<false>(batch);
     }
 }
 
-void InstanceTree::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const {
+void InstanceTree::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                            const KernelChoice& choice) const {
     for (std::size_t at = 0; at < rays.size(); at += batch_rays) {
         const std::size_t count = std::min(batch_rays, rays.size() - at);
         std::fill_n(blocked.data() + at, count, std::uint8_t{0});
         if (tree_.empty()) continue;
-        Batch batch(rays.subspan(at, count), hint, *this);
+        Batch batch(rays.subspan(at, count), hint, choice, *this);
         batch.blocked = blocked.data() + at;
         trace<true>(batch);
     }

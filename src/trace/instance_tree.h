@@ -53,13 +53,15 @@ class InstanceTree {
     InstanceTree(std::span<const MeshInstance> instances, TaskPool& pool);
 
     /// One ray.
-    InstanceRecord closest(const Ray& ray) const;
-    bool occluded(const Ray& ray) const;
+    InstanceRecord closest(const Ray& ray, const KernelChoice& choice = {}) const;
+    bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
 
     /// The least (t, instance, triangle) with tmin < t < tmax of each ray. rays and records have one length.
-    void closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint) const;
+    void closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint,
+                 const KernelChoice& choice = {}) const;
     /// Whether each ray hits anything with tmin < t < tmax: 1 or 0. rays and blocked have one length.
-    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                  const KernelChoice& choice = {}) const;
 
     /// Calls visit(number) for every instance whose box meets the finite ray in [tmin, limit], roughly
     /// nearest first. `visit` may lower `limit` and ends the search by returning true.

@@ -4,7 +4,7 @@
 
 #include "trace/tracing.h"
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -36,17 +36,35 @@ std::span<const V> packed(const View& view, std::vector<V>& copy) {
     return copy;
 }
 
-bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-/// Checks that all corners are there, and counts the triangles that nothing can hit.
-std::size_t count_skipped(std::span<const vec3> positions, std::span<const uvec3> triangles) {
-    std::size_t skipped = 0;
-    for (const uvec3& t : triangles) {
-        if (t.x >= positions.size() || t.y >= positions.size() || t.z >= positions.size())
-            throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
-        if (!is_finite(positions[t.x]) || !is_finite(positions[t.y]) || !is_finite(positions[t.z])) ++skipped;
+/// What callers gave, as the builders want it.
+class Source {
+  public:
+    Source(const Vertices& vertices, const Triangles& triangles)
+        : positions_(packed(vertices, positions_copy_)), corners_(packed(triangles, corners_copy_)) {
+        if (corners_.size() >= none) throw std::length_error("a mesh has too many triangles");
+        for (const uvec3& t : corners_)
+            if (std::max({t.x, t.y, t.z}) >= positions_.size())
+                throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
     }
-    return skipped;
+    Source(const Source&) = delete;
+    Source& operator=(const Source&) = delete;
+
+    std::span<const vec3> positions() const { return positions_; }
+    std::span<const uvec3> triangles() const { return corners_; }
+
+  private:
+    std::vector<vec3> positions_copy_; ///< empty where the caller's own could be used
+    std::vector<uvec3> corners_copy_;
+    std::span<const vec3> positions_;
+    std::span<const uvec3> corners_;
+};
+
+Vertices viewed(std::span<const float> vertices) {
+    return {vertices.data(), threes(vertices, "the vertices are not three floats each"), 12};
+}
+
+Triangles viewed(std::span<const std::uint32_t> triangles) {
+    return {triangles.data(), threes(triangles, "the triangles are not three numbers each"), 12};
 }
 
 } // namespace
@@ -55,47 +73,63 @@ Mesh::Mesh() : data_(std::make_shared<Data>()) {}
 
 Mesh::Mesh(std::span<const float> vertices, std::span<const std::uint32_t> triangles,
            const BuildOptions& options)
-    : Mesh(Vertices(vertices.data(), threes(vertices, "the vertices are not three floats each"), 12),
-           Triangles(triangles.data(), threes(triangles, "the triangles are not three numbers each"), 12),
-           options) {}
+    : Mesh(viewed(vertices), viewed(triangles), options) {}
 
 Mesh::Mesh(const Vertices& vertices, const Triangles& triangles, const BuildOptions& options) {
-    std::vector<vec3> positions_copy;
-    std::vector<uvec3> triangles_copy;
-    const std::span<const vec3> positions = packed(vertices, positions_copy);
-    const std::span<const uvec3> corners = packed(triangles, triangles_copy);
-    if (corners.size() >= none) throw std::length_error("a mesh has too many triangles");
-
-    auto data = std::make_shared<Data>();
-    data->skipped = count_skipped(positions, corners);
+    const Source source(vertices, triangles);
+    const auto quality =
+        options.quality == BuildQuality::fast ? glint::BuildQuality::fast : glint::BuildQuality::high;
     TaskPool pool(options.threads);
-    data->tree = build_mesh_tree(positions, corners, pool);
-    data_ = std::move(data);
+    data_ =
+        std::make_shared<Data>(Data{build_mesh_tree(source.positions(), source.triangles(), pool, quality)});
 }
 
-void Mesh::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint) const {
+void Mesh::refit(std::span<const float> vertices, std::span<const std::uint32_t> triangles, int threads) {
+    refit(viewed(vertices), viewed(triangles), threads);
+}
+
+void Mesh::refit(const Vertices& vertices, const Triangles& triangles, int threads) {
+    const Source source(vertices, triangles);
+    if (source.triangles().size() != data_->tree.triangles)
+        throw std::invalid_argument("the number of triangles is not that of the mesh");
+    // Nobody but the callers of non-const members may change what they alone hold.
+    const bool alone = data_.use_count() == 1;
+    const auto data =
+        alone ? std::const_pointer_cast<Data>(data_) : std::make_shared<Data>(Data{data_->tree});
+    TaskPool pool(threads);
+    glint::refit(data->tree, source.positions(), source.triangles(), pool);
+    data_ = data;
+}
+
+void Mesh::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
+                   const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
     const std::span records(reinterpret_cast<TriangleRecord*>(hits.data()), hits.size());
-    glint::closest(data_->tree, inner(rays), records, inner(hint));
+    glint::closest(data_->tree, inner(rays), records, inner(hint), inner(choice));
 }
 
-Hit Mesh::closest(const Ray& ray) const {
-    const TriangleRecord record = glint::closest(data_->tree, inner(ray));
+Hit Mesh::closest(const Ray& ray, const KernelChoice& choice) const {
+    const TriangleRecord record = glint::closest(data_->tree, inner(ray), inner(choice));
     return {record.t, record.u, record.v, record.triangle};
 }
 
-void Mesh::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const {
+void Mesh::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                    const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    glint::occluded(data_->tree, inner(rays), blocked, inner(hint));
+    glint::occluded(data_->tree, inner(rays), blocked, inner(hint), inner(choice));
 }
 
-bool Mesh::occluded(const Ray& ray) const { return glint::occluded(data_->tree, inner(ray)); }
+bool Mesh::occluded(const Ray& ray, const KernelChoice& choice) const {
+    return glint::occluded(data_->tree, inner(ray), inner(choice));
+}
 
 Box Mesh::bounds() const { return outer(data_->tree.bounds); }
 
 MeshStats Mesh::stats() const {
     const MeshTree& tree = data_->tree;
-    return {tree.triangles, data_->skipped, tree.nodes.size(), tree.bytes(), tree.depth};
+    const bool fast = tree.quality == glint::BuildQuality::fast;
+    return {tree.triangles, tree.left_out, tree.nodes.size(),
+            tree.bytes(),   tree.depth,    fast ? BuildQuality::fast : BuildQuality::high};
 }
 
 } // namespace glint::tracing

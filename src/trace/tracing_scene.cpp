@@ -58,23 +58,27 @@ Scene::Scene(std::span<const Instance> instances, const BuildOptions& options) {
     data_ = std::move(data);
 }
 
-void Scene::closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint) const {
+void Scene::closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint,
+                    const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
     const std::span records(reinterpret_cast<InstanceRecord*>(hits.data()), hits.size());
-    data_->tree.closest(tracing::inner(rays), records, tracing::inner(hint));
+    data_->tree.closest(tracing::inner(rays), records, tracing::inner(hint), tracing::inner(choice));
 }
 
-InstanceHit Scene::closest(const Ray& ray) const {
-    const InstanceRecord record = data_->tree.closest(tracing::inner(ray));
+InstanceHit Scene::closest(const Ray& ray, const KernelChoice& choice) const {
+    const InstanceRecord record = data_->tree.closest(tracing::inner(ray), tracing::inner(choice));
     return {record.t, record.u, record.v, record.triangle, record.instance};
 }
 
-void Scene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) const {
+void Scene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                     const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    data_->tree.occluded(tracing::inner(rays), blocked, tracing::inner(hint));
+    data_->tree.occluded(tracing::inner(rays), blocked, tracing::inner(hint), tracing::inner(choice));
 }
 
-bool Scene::occluded(const Ray& ray) const { return data_->tree.occluded(tracing::inner(ray)); }
+bool Scene::occluded(const Ray& ray, const KernelChoice& choice) const {
+    return data_->tree.occluded(tracing::inner(ray), tracing::inner(choice));
+}
 
 Box Scene::bounds() const { return outer(data_->tree.bounds()); }
 

@@ -96,7 +96,8 @@ TEST(Words, NothingSaysOfItselfThatItIsUnfinished) {
     // Written in halves, so that this file does not name what it looks for.
     const std::vector<std::string> marks = {std::string("TO") + "DO", std::string("FIX") + "ME",
                                             std::string("not imple") + "mented"};
-    for (const Source& source : sources_under({"include", "src", "apps", "tools", "tests", "bench", "examples"}))
+    for (const Source& source :
+         sources_under({"include", "src", "apps", "tools", "tests", "bench", "examples"}))
         for (const std::string& mark : marks) {
             const std::size_t at = source.text.find(mark);
             EXPECT_EQ(at, std::string::npos)
@@ -105,7 +106,8 @@ TEST(Words, NothingSaysOfItselfThatItIsUnfinished) {
 }
 
 TEST(Words, NothingNamesAPlaceOnOneMachine) {
-    for (const Source& source : sources_under({"include", "src", "apps", "tools", "tests", "bench", "examples"}))
+    for (const Source& source :
+         sources_under({"include", "src", "apps", "tools", "tests", "bench", "examples"}))
         for (const std::string folder : {"home", "root", "work", "Users"}) {
             const std::string path = "/" + folder + "/";
             const std::size_t at = source.text.find("\"" + path);
@@ -115,7 +117,8 @@ TEST(Words, NothingNamesAPlaceOnOneMachine) {
 }
 
 TEST(Words, EveryHeaderIsGuarded) {
-    for (const Source& source : sources_under({"include", "src", "apps", "tools", "tests", "bench", "examples"})) {
+    for (const Source& source :
+         sources_under({"include", "src", "apps", "tools", "tests", "bench", "examples"})) {
         if (source.path.substr(source.path.size() - 2) != ".h") continue;
         // Headers that GLSL reads too have no #pragma, and those compiled once a SIMD target toggle their
         // guard.

@@ -40,6 +40,55 @@ TEST(Tracing, MeshesGiveTheBitsOfBruteForce) {
     }
 }
 
+TEST(Tracing, EveryKernelAndTargetGivesTheBitsOfBruteForce) {
+    const Soup soup = make_soup(6, 300);
+    const Mesh mesh(soup.xyz, soup.corners);
+    const std::vector<Ray> rays = make_rays(soup, 6, 1000);
+    for (const Kernel kernel :
+         {Kernel::automatic, Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
+        for (const Simd simd : {Simd::best, Simd::plain, Simd::sse4, Simd::avx2}) {
+            const KernelChoice choice{kernel, simd};
+            std::vector<Hit> hits(rays.size());
+            std::vector<std::uint8_t> blocked(rays.size());
+            try {
+                mesh.closest(rays, hits, RayHint::incoherent, choice);
+                mesh.occluded(rays, blocked, RayHint::incoherent, choice);
+            } catch (const std::invalid_argument&) {
+                // Instructions that this machine lacks are refused, those that every one has never.
+                EXPECT_TRUE(simd == Simd::sse4 || simd == Simd::avx2);
+                continue;
+            }
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const Hit wanted = brute_force(soup, rays[i]);
+                EXPECT_TRUE(same_bits(hits[i], wanted)) << "ray " << i;
+                EXPECT_EQ(blocked[i], wanted ? 1 : 0) << "ray " << i;
+            }
+        }
+}
+
+TEST(Tracing, QualitiesDifferInNoBit) {
+    const Soup soup = make_soup(8, 3000);
+    const Mesh fast(soup.xyz, soup.corners, {.quality = BuildQuality::fast});
+    const Mesh high(soup.xyz, soup.corners, {.quality = BuildQuality::high});
+    EXPECT_EQ(fast.stats().quality, BuildQuality::fast);
+    EXPECT_EQ(high.stats().quality, BuildQuality::high);
+    for (const Ray& ray : make_rays(soup, 8, 2000))
+        EXPECT_TRUE(same_bits(fast.closest(ray), high.closest(ray)));
+}
+
+TEST(Tracing, AMeshFollowsItsVertices) {
+    const Soup before = make_soup(11, 300);
+    Soup after = before;
+    for (std::uint32_t i = 0; i < after.xyz.size(); ++i) after.xyz[i] += 0.4f * draw(12, i);
+    Mesh mesh(before.xyz, before.corners);
+    const Mesh copy = mesh;
+    mesh.refit(after.xyz, after.corners);
+    expect_brute_force(mesh, after, make_rays(after, 11, 1000));
+    expect_brute_force(copy, before, make_rays(before, 11, 1000));
+    mesh.refit(before.xyz, before.corners);
+    expect_brute_force(mesh, before, make_rays(before, 11, 1000));
+}
+
 TEST(Tracing, ArraysOfStructuresAreReadByTheirStride) {
     const Soup soup = make_soup(7, 200);
     struct Vertex {
@@ -161,6 +210,19 @@ TEST(Tracing, WrongInputIsRefusedWithItsReason) {
         EXPECT_EQ(refusal([&] { Mesh(Vertices(xyz.data(), 3, 12), Triangles(good.data(), 1, stride)); }),
                   "a stride is no multiple of 4 bytes or below 12");
     }
+}
+
+TEST(Tracing, OtherTrianglesThanTheMeshHasAreRefused) {
+    const Soup soup = make_soup(1, 20);
+    Mesh mesh(soup.xyz, soup.corners);
+    std::vector<std::uint32_t> corners = soup.corners;
+    corners[3] = 1000;
+    EXPECT_EQ(refusal([&] { mesh.refit(soup.xyz, corners); }),
+              "a triangle names a vertex that its mesh does not have");
+    corners = {soup.corners.begin(), soup.corners.begin() + 30};
+    EXPECT_EQ(refusal([&] { mesh.refit(soup.xyz, corners); }),
+              "the number of triangles is not that of the mesh");
+    expect_brute_force(mesh, soup, make_rays(soup, 1, 500));
 }
 
 TEST(Tracing, BatchesOfDifferentLengthsAreRefused) {
