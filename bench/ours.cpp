@@ -1,7 +1,5 @@
 #include "peer.h"
 
-#include <stdexcept>
-
 namespace glint::bench {
 namespace {
 
@@ -13,15 +11,6 @@ Peer way(const std::string& name, const tracing::Mesh& mesh, const tracing::Kern
             [=](std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint) {
                 mesh.occluded(rays, blocked, hint, choice);
             }};
-}
-
-bool is_available(const tracing::Mesh& mesh, tracing::Simd simd) {
-    try {
-        mesh.closest(Ray{}, {tracing::Kernel::lone, simd});
-    } catch (const std::invalid_argument&) {
-        return false;
-    }
-    return true;
 }
 
 } // namespace
@@ -37,14 +26,14 @@ Peer our_peer(const tracing::Mesh& mesh) { return way("glint", mesh, {}); }
 
 std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh) {
     using tracing::Kernel;
-    using tracing::Simd;
+    using tracing::SimdTarget;
     std::vector<Peer> ways;
-    ways.push_back(way("glint, scalar", mesh, {Kernel::scalar, Simd::best}));
-    for (const Simd simd : {Simd::plain, Simd::sse4, Simd::avx2}) {
-        if (!is_available(mesh, simd)) continue;
-        ways.push_back(way("glint, lone", mesh, {Kernel::lone, simd}));
-        ways.push_back(way("glint, packets", mesh, {Kernel::packets, simd}));
-        ways.push_back(way("glint, streams", mesh, {Kernel::streams, simd}));
+    ways.push_back(way("glint, scalar", mesh, {Kernel::scalar, SimdTarget::best}));
+    for (const SimdTarget target : {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2}) {
+        if (!is_available(target)) continue;
+        ways.push_back(way("glint, lone", mesh, {Kernel::lone, target}));
+        ways.push_back(way("glint, packets", mesh, {Kernel::packets, target}));
+        ways.push_back(way("glint, streams", mesh, {Kernel::streams, target}));
     }
     ways.push_back(way("glint, fast", build_ours(model, tracing::BuildQuality::fast, 1), {}));
     return ways;

@@ -1,6 +1,6 @@
 # What find_package(glint) finds, in two parts that can be installed apart (cmake --install … --component trace):
 #
-#   trace   glint::trace, tracing alone: glint/trace.h and the rooms below it
+#   trace   glint::trace, tracing alone: glint/trace.h, glint/kernels.h and the rooms below it
 #   glint   glint::glint, all of the library
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/glint)
@@ -9,7 +9,7 @@ set_target_properties(glint_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS glint_flags glint_math glint_parallel glint_geometry glint_bvh glint_trace
     EXPORT glint-trace ARCHIVE COMPONENT trace)
 install(EXPORT glint-trace NAMESPACE glint:: DESTINATION ${package} COMPONENT trace)
-install(FILES include/glint/trace.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glint COMPONENT trace)
+install(FILES include/glint/kernels.h include/glint/trace.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/glint COMPONENT trace)
 
 # GLM stands in the headers of scenes: with the same settings as here.
 add_library(glint_glint INTERFACE)
@@ -19,7 +19,8 @@ set_target_properties(glint_glint PROPERTIES EXPORT_NAME glint)
 install(TARGETS glint_glint glint_imaging glint_shading glint_scene glint_render glint_formats
     EXPORT glint-glint ARCHIVE COMPONENT glint)
 install(EXPORT glint-glint NAMESPACE glint:: DESTINATION ${package} COMPONENT glint)
-install(DIRECTORY include/glint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT glint PATTERN trace.h EXCLUDE)
+install(DIRECTORY include/glint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT glint PATTERN kernels.h EXCLUDE
+    PATTERN trace.h EXCLUDE)
 
 configure_package_config_file(cmake/glint-config.cmake.in glint-config.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(glint-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -20,6 +20,8 @@
 // Batches pay from a few dozen rays on and are best with 64 to 4096. Units are those of the vertices; t
 // counts in lengths of the ray's direction, which need not be 1.
 
+#include "glint/kernels.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -57,27 +59,10 @@ enum class RayHint {
     incoherent ///< they do not: bounces, ambient occlusion
 };
 
-/// The ways to an answer, to be compared with each other; callers who only want answers need not choose.
-enum class Kernel {
-    automatic, ///< by the number of rays, their hint and what they meet
-    scalar,    ///< one ray at a time in plain C++: what all others must equal
-    lone,      ///< one ray at a time, eight boxes or triangles at once
-    packets,   ///< groups of neighbours within a shaft
-    streams    ///< groups filtered ray by ray
-};
-
-enum class Simd {
-    best,  ///< the widest instructions that the machine has
-    plain, ///< those of every machine of its kind
-    sse4,
-    avx2
-};
-
-/// Queries throw std::invalid_argument for instructions that the machine does not have.
-struct KernelChoice {
-    Kernel kernel = Kernel::automatic;
-    Simd simd = Simd::best;
-};
+/// Callers who want answers alone need not choose.
+using glint::Kernel;
+using glint::KernelChoice;
+using glint::SimdTarget;
 
 /// Vertices in the caller's memory: x, y, z as three floats, `stride` bytes from one vertex to the next.
 struct Vertices {
@@ -152,7 +137,7 @@ class Mesh {
     void refit(const Vertices& vertices, const Triangles& triangles, int threads = 0);
 
     /// The least (t, triangle) of each ray; Hit{} where there is none. Throws std::invalid_argument unless
-    /// rays and hits have one length.
+    /// rays and hits have one length, and for a SIMD target that the machine does not have.
     void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
                  const KernelChoice& choice = {}) const;
     Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;

@@ -105,22 +105,22 @@ void Mesh::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
                    const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
     const std::span records(reinterpret_cast<TriangleRecord*>(hits.data()), hits.size());
-    glint::closest(data_->tree, inner(rays), records, inner(hint), inner(choice));
+    glint::closest(data_->tree, inner(rays), records, inner(hint), choice);
 }
 
 Hit Mesh::closest(const Ray& ray, const KernelChoice& choice) const {
-    const TriangleRecord record = glint::closest(data_->tree, inner(ray), inner(choice));
+    const TriangleRecord record = glint::closest(data_->tree, inner(ray), choice);
     return {record.t, record.u, record.v, record.triangle};
 }
 
 void Mesh::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                     const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    glint::occluded(data_->tree, inner(rays), blocked, inner(hint), inner(choice));
+    glint::occluded(data_->tree, inner(rays), blocked, inner(hint), choice);
 }
 
 bool Mesh::occluded(const Ray& ray, const KernelChoice& choice) const {
-    return glint::occluded(data_->tree, inner(ray), inner(choice));
+    return glint::occluded(data_->tree, inner(ray), choice);
 }
 
 Box Mesh::bounds() const { return outer(data_->tree.bounds); }

@@ -21,15 +21,6 @@ static_assert(sizeof(Ray) == sizeof(glint::Ray) && std::is_standard_layout_v<gli
 static_assert(offsetof(Ray, tmin) == offsetof(glint::Ray, tmin));
 static_assert(offsetof(Ray, direction) == offsetof(glint::Ray, direction));
 static_assert(offsetof(Ray, tmax) == offsetof(glint::Ray, tmax));
-static_assert(static_cast<int>(Kernel::automatic) == static_cast<int>(glint::Kernel::automatic) &&
-              static_cast<int>(Kernel::scalar) == static_cast<int>(glint::Kernel::scalar) &&
-              static_cast<int>(Kernel::lone) == static_cast<int>(glint::Kernel::lone) &&
-              static_cast<int>(Kernel::packets) == static_cast<int>(glint::Kernel::packets) &&
-              static_cast<int>(Kernel::streams) == static_cast<int>(glint::Kernel::streams));
-static_assert(static_cast<int>(Simd::best) == static_cast<int>(SimdTarget::best) &&
-              static_cast<int>(Simd::plain) == static_cast<int>(SimdTarget::plain) &&
-              static_cast<int>(Simd::sse4) == static_cast<int>(SimdTarget::sse4) &&
-              static_cast<int>(Simd::avx2) == static_cast<int>(SimdTarget::avx2));
 static_assert(sizeof(Hit) == sizeof(TriangleRecord) && std::is_standard_layout_v<TriangleRecord>);
 static_assert(offsetof(Hit, u) == offsetof(TriangleRecord, u));
 static_assert(offsetof(Hit, v) == offsetof(TriangleRecord, v));
@@ -46,10 +37,6 @@ inline glint::Ray inner(const Ray& ray) {
 
 inline glint::RayHint inner(RayHint hint) {
     return hint == RayHint::coherent ? glint::RayHint::coherent : glint::RayHint::incoherent;
-}
-
-inline glint::KernelChoice inner(const KernelChoice& choice) {
-    return {static_cast<glint::Kernel>(choice.kernel), static_cast<SimdTarget>(choice.simd)};
 }
 
 inline Box outer(const Bounds& b) { return {{b.lo.x, b.lo.y, b.lo.z}, {b.hi.x, b.hi.y, b.hi.z}}; }

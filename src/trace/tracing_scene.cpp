@@ -62,22 +62,22 @@ void Scene::closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayH
                     const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
     const std::span records(reinterpret_cast<InstanceRecord*>(hits.data()), hits.size());
-    data_->tree.closest(tracing::inner(rays), records, tracing::inner(hint), tracing::inner(choice));
+    data_->tree.closest(tracing::inner(rays), records, tracing::inner(hint), choice);
 }
 
 InstanceHit Scene::closest(const Ray& ray, const KernelChoice& choice) const {
-    const InstanceRecord record = data_->tree.closest(tracing::inner(ray), tracing::inner(choice));
+    const InstanceRecord record = data_->tree.closest(tracing::inner(ray), choice);
     return {record.t, record.u, record.v, record.triangle, record.instance};
 }
 
 void Scene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                      const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    data_->tree.occluded(tracing::inner(rays), blocked, tracing::inner(hint), tracing::inner(choice));
+    data_->tree.occluded(tracing::inner(rays), blocked, tracing::inner(hint), choice);
 }
 
 bool Scene::occluded(const Ray& ray, const KernelChoice& choice) const {
-    return data_->tree.occluded(tracing::inner(ray), tracing::inner(choice));
+    return data_->tree.occluded(tracing::inner(ray), choice);
 }
 
 Box Scene::bounds() const { return outer(data_->tree.bounds()); }

@@ -46,18 +46,18 @@ TEST(Tracing, EveryKernelAndTargetGivesTheBitsOfBruteForce) {
     const std::vector<Ray> rays = make_rays(soup, 6, 1000);
     for (const Kernel kernel :
          {Kernel::automatic, Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
-        for (const Simd simd : {Simd::best, Simd::plain, Simd::sse4, Simd::avx2}) {
-            const KernelChoice choice{kernel, simd};
+        for (const SimdTarget target :
+             {SimdTarget::best, SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2}) {
+            const KernelChoice choice{kernel, target};
             std::vector<Hit> hits(rays.size());
             std::vector<std::uint8_t> blocked(rays.size());
-            try {
-                mesh.closest(rays, hits, RayHint::incoherent, choice);
-                mesh.occluded(rays, blocked, RayHint::incoherent, choice);
-            } catch (const std::invalid_argument&) {
-                // Instructions that this machine lacks are refused, those that every one has never.
-                EXPECT_TRUE(simd == Simd::sse4 || simd == Simd::avx2);
+            if (!is_available(target)) {
+                EXPECT_THROW(mesh.closest(rays, hits, RayHint::incoherent, {Kernel::lone, target}),
+                             std::invalid_argument);
                 continue;
             }
+            mesh.closest(rays, hits, RayHint::incoherent, choice);
+            mesh.occluded(rays, blocked, RayHint::incoherent, choice);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const Hit wanted = brute_force(soup, rays[i]);
                 EXPECT_TRUE(same_bits(hits[i], wanted)) << "ray " << i;
