@@ -39,10 +39,9 @@ struct QuadBox {
     Bounds bounds() const { return {vector(lo), vector(hi)}; }
 };
 
-/// Half the surface of a box, its sides multiplied by `scale`. The scale, a power of two, keeps the product
-/// of any two float coordinates finite.
+/// Half the surface of a box, its sides multiplied by `scale`: a power of two that keeps products finite.
 inline float half_area(const QuadBox& box, float scale) {
-    const Quad d = box.hi * quad(scale) - box.lo * quad(scale);
+    const Quad d = (box.hi - box.lo) * quad(scale);
     return d[0] * d[1] + (d[0] + d[1]) * d[2];
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace glint {
 
@@ -35,11 +36,13 @@ void Bins::clear(int bins) {
 void Bins::fill(const Binning& binning, const Ref* begin, const Ref* end) {
     for (const Ref* ref = begin; ref != end; ++ref) {
         const QuadInts at = binning(ref->middle());
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto bin = static_cast<std::size_t>(at[axis]);
-            boxes[axis][bin].grow(ref->box());
-            ++counts[axis][bin];
-        }
+        const auto add = [&](std::size_t axis, std::int32_t bin) {
+            boxes[axis][static_cast<std::size_t>(bin)].grow(ref->box());
+            ++counts[axis][static_cast<std::size_t>(bin)];
+        };
+        add(0, at[0]);
+        add(1, at[1]);
+        add(2, at[2]);
     }
 }
 
@@ -109,6 +112,38 @@ void share_room(Range& left, Range& right, std::size_t limit, Ref* refs) {
     right.end += share;
 }
 
+namespace {
+
+/// Sorts [begin, end) to either side of a cut, bounds the centres of both, returns where the right begins.
+template <int axis>
+Ref* partition(Ref* begin, Ref* end, const Binning& binning, int bin, QuadBox& left, QuadBox& right) {
+    // The same arithmetic as in the bins: below the cut's number is below its bin.
+    const float lo = binning.lo[axis];
+    const float scale = binning.scale[axis];
+    const auto bound = static_cast<float>(bin);
+    QuadBox left_middles;
+    QuadBox right_middles;
+    for (;;) {
+        for (; begin < end; ++begin) {
+            const Quad middle = begin->middle();
+            if (!((middle[axis] - lo) * scale < bound)) break;
+            left_middles.grow(middle);
+        }
+        for (; begin < end; --end) {
+            const Quad middle = end[-1].middle();
+            if ((middle[axis] - lo) * scale < bound) break;
+            right_middles.grow(middle);
+        }
+        if (begin >= end) break;
+        std::swap(*begin, end[-1]);
+    }
+    left = left_middles;
+    right = right_middles;
+    return begin;
+}
+
+} // namespace
+
 std::pair<Range, Range> split_by(const Range& range, const Bins& bins, const Binning& binning, const Cut& cut,
                                  Ref* refs) {
     Range left;
@@ -116,23 +151,11 @@ std::pair<Range, Range> split_by(const Range& range, const Bins& bins, const Bin
     std::tie(left.box, right.box) = boxes_of(bins, binning, cut);
     left.depth = right.depth = range.depth + 1;
 
-    // The same arithmetic as in the bins: below the cut's number is below its bin.
-    const float lo = binning.lo[cut.axis];
-    const float scale = binning.scale[cut.axis];
-    const float bound = static_cast<float>(cut.bin);
-    const auto is_left = [&](const Ref& ref) {
-        return (ref.lo[cut.axis] * 0.5f + ref.hi[cut.axis] * 0.5f - lo) * scale < bound;
-    };
-    Ref* i = refs + range.begin;
-    Ref* j = refs + range.end;
-    for (;;) {
-        for (; i < j && is_left(*i); ++i) left.middles.grow(i->middle());
-        for (; i < j && !is_left(*(j - 1)); --j) right.middles.grow((j - 1)->middle());
-        if (i >= j) break;
-        std::swap(*i, *(j - 1));
-    }
+    const auto sort = cut.axis == 0 ? partition<0> : cut.axis == 1 ? partition<1> : partition<2>;
+    const Ref* middle =
+        sort(refs + range.begin, refs + range.end, binning, cut.bin, left.middles, right.middles);
     left.begin = range.begin;
-    left.end = right.begin = static_cast<std::size_t>(i - refs);
+    left.end = right.begin = static_cast<std::size_t>(middle - refs);
     right.end = range.end;
     share_room(left, right, range.limit, refs);
     return {left, right};

@@ -1,14 +1,82 @@
 #include "trace/mesh_pack.h"
 
+#include "bvh/quad.h"
+
+#include <algorithm>
 #include <bit>
+#include <cstring>
 #include <stdexcept>
 
 namespace glint {
 namespace {
 
-bool same_bits(const vec3& a, const vec3& b) {
-    return std::bit_cast<std::array<std::uint32_t, 3>>(a) == std::bit_cast<std::array<std::uint32_t, 3>>(b);
+using Row = std::array<QuadInts, LeafDraft::most / 4>;
+
+QuadInts all_lanes(std::uint32_t x) {
+    const auto i = static_cast<std::int32_t>(x);
+    return QuadInts{i, i, i, i};
 }
+
+/// Lane numbers from 1 where the mask is set. At most one lane is, so that all can be joined.
+QuadInts numbered(QuadInts mask, std::size_t first) {
+    const auto n = static_cast<std::int32_t>(first);
+    return mask & QuadInts{n + 1, n + 2, n + 3, n + 4};
+}
+
+std::uint32_t only(QuadInts q) { return static_cast<std::uint32_t>(q[0] | q[1] | q[2] | q[3]); }
+
+/// Finds vertices among those of a leaf, four at a time.
+class VertexFinder {
+  public:
+    explicit VertexFinder(LeafDraft& leaf) : leaf_(leaf) {}
+
+    std::uint32_t find_or_add(std::uint32_t index, const vec3& p, Sameness sameness) {
+        std::uint32_t at = find(index);
+        const auto bits = std::bit_cast<std::array<std::uint32_t, 3>>(p);
+        if (at == 0 && sameness == Sameness::position) at = find(bits);
+        if (at == 0) at = add(index, bits);
+        return at - 1;
+    }
+
+  private:
+    /// Where it is, plus one; 0: nowhere.
+    std::uint32_t find(std::uint32_t index) const {
+        QuadInts found{};
+        for (std::size_t i = 0; i < leaf_.vertices; i += 4)
+            found |= numbered(indices_[i / 4] == all_lanes(index), i);
+        return only(found);
+    }
+
+    std::uint32_t find(const std::array<std::uint32_t, 3>& bits) const {
+        const auto& rows = leaf_.positions;
+        QuadInts found{};
+        for (std::size_t i = 0; i < leaf_.vertices; i += 4)
+            found |=
+                numbered((rows[0][i / 4] == all_lanes(bits[0])) & (rows[1][i / 4] == all_lanes(bits[1])) &
+                             (rows[2][i / 4] == all_lanes(bits[2])),
+                         i);
+        return only(found);
+    }
+
+    std::uint32_t add(std::uint32_t index, const std::array<std::uint32_t, 3>& bits) {
+        const std::size_t at = leaf_.vertices;
+        set(indices_, at, index);
+        for (std::size_t axis = 0; axis < 3; ++axis) set(leaf_.positions[axis], at, bits[axis]);
+        return ++leaf_.vertices;
+    }
+
+    /// Lanes behind the last one must equal nothing: no vertex has such a number, none is NaN.
+    static void set(Row& row, std::size_t at, std::uint32_t value) {
+        const auto lane = static_cast<std::int32_t>(at % 4);
+        const QuadInts behind = QuadInts{0, 1, 2, 3} > QuadInts{lane, lane, lane, lane};
+        const QuadInts here = QuadInts{0, 1, 2, 3} == QuadInts{lane, lane, lane, lane};
+        const QuadInts before = lane > 0 ? row[at / 4] & ~behind & ~here : QuadInts{};
+        row[at / 4] = before | behind | (all_lanes(value) & here);
+    }
+
+    LeafDraft& leaf_;
+    Row indices_;
+};
 
 } // namespace
 
@@ -17,38 +85,61 @@ void throw_too_many_leaves() { throw std::length_error("the leaves of a mesh exc
 LeafDraft draft_leaf(std::span<const vec3> positions, std::span<const uvec3> triangles,
                      std::span<const std::uint32_t> numbers, Sameness sameness) {
     LeafDraft leaf;
-    std::array<std::uint32_t, 3 * wide_leaf> indices;
+    VertexFinder finder(leaf);
+    // What lies scattered is asked for all at once.
+    std::array<std::uint32_t, LeafDraft::most> indices;
+    std::size_t corner = 0;
     for (const std::uint32_t number : numbers) {
         for (int k = 0; k < 3; ++k) {
-            const std::uint32_t index = triangles[number][k];
-            const vec3& p = positions[index];
-            std::uint32_t i = 0;
-            while (i < leaf.vertices && indices[i] != index &&
-                   (sameness == Sameness::index || !same_bits(leaf.positions[i], p)))
-                ++i;
-            leaf.corners[3 * leaf.triangles + static_cast<std::uint32_t>(k)] = i;
-            if (i < leaf.vertices) continue;
-            indices[i] = index;
-            leaf.positions[i] = p;
-            ++leaf.vertices;
+            indices[corner] = triangles[number][k];
+            __builtin_prefetch(&positions[indices[corner++]]);
         }
         leaf.numbers[leaf.triangles++] = number;
     }
+    for (std::size_t i = 0; i < corner; ++i)
+        leaf.corners[i] =
+            static_cast<std::uint8_t>(finder.find_or_add(indices[i], positions[indices[i]], sameness));
     return leaf;
+}
+
+LeafDraft part_of(const LeafDraft& whole, std::span<const std::uint8_t> triangles) {
+    LeafDraft part;
+    std::array<std::uint8_t, LeafDraft::most> places;
+    places.fill(0xff);
+    std::size_t corner = 0;
+    for (const std::size_t triangle : triangles) {
+        part.numbers[part.triangles++] = whole.numbers[triangle];
+        for (std::size_t k = 3 * triangle; k < 3 * triangle + 3; ++k) {
+            const std::size_t vertex = whole.corners[k];
+            if (places[vertex] == 0xff) {
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    part.positions[axis][part.vertices / 4][part.vertices % 4] =
+                        whole.positions[axis][vertex / 4][vertex % 4];
+                places[vertex] = static_cast<std::uint8_t>(part.vertices++);
+            }
+            part.corners[corner++] = places[vertex];
+        }
+    }
+    return part;
 }
 
 std::uint32_t append_leaf(const LeafDraft& leaf, std::vector<std::uint32_t>& words) {
     const std::size_t offset = words.size() / 4;
     if (offset >= most_leaf_blocks) throw_too_many_leaves();
-    std::array<std::uint32_t, wide_leaf> corners{};
-    for (std::uint32_t i = 0; i < leaf.triangles; ++i)
-        corners[i] = leaf.corners[3 * i] | leaf.corners[3 * i + 1] << 3 | leaf.corners[3 * i + 2] << 6;
-    for (std::size_t i = 0; i < wide_leaf; i += 2) words.push_back(corners[i] | corners[i + 1] << 16);
-    for (int axis = 0; axis < 3; ++axis)
-        for (std::uint32_t i = 0; i < leaf.vertices; ++i)
-            words.push_back(std::bit_cast<std::uint32_t>(leaf.positions[i][axis]));
-    words.insert(words.end(), leaf.numbers.begin(), leaf.numbers.begin() + leaf.triangles);
-    words.resize((words.size() + 3) / 4 * 4);
+    words.resize(words.size() + (4 + 3 * leaf.vertices + leaf.triangles + 3) / 4 * 4);
+    std::uint32_t* out = words.data() + 4 * offset;
+    for (std::size_t i = 0; i < leaf.triangles; ++i) {
+        const std::uint8_t* corners = leaf.corners.data() + 3 * i;
+        const std::uint32_t packed =
+            std::uint32_t(corners[0]) | std::uint32_t(corners[1]) << 3 | std::uint32_t(corners[2]) << 6;
+        out[i / 2] |= packed << (16 * (i % 2));
+    }
+    out += 4;
+    for (const Row& row : leaf.positions) {
+        std::memcpy(out, row.data(), leaf.vertices * sizeof(std::uint32_t));
+        out += leaf.vertices;
+    }
+    std::copy_n(leaf.numbers.begin(), leaf.triangles, out);
     return leaf_bit | (leaf.triangles - 1) << 28 | (leaf.vertices - 1) << 25 |
            static_cast<std::uint32_t>(offset);
 }

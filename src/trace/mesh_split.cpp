@@ -5,7 +5,7 @@
 namespace glint {
 
 int bins_for(std::size_t size, BuildQuality quality) {
-    if (quality == BuildQuality::fast) return size > 256 ? 16 : 8;
+    if (quality == BuildQuality::fast) return size > 1024 ? 16 : 8;
     return size > 256 ? most_bins : size > 16 ? 16 : 8;
 }
 

@@ -3,7 +3,6 @@
 #include "trace/mesh_pack.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 namespace glint {
@@ -12,6 +11,8 @@ namespace {
 /// Prices of a leaf in steps into a node, measured: one round of eight vertices and triangles, and each more.
 constexpr float leaf_base = 0.7f;
 constexpr float leaf_triangle = 0.12f;
+/// Ranges of this size will soon be leaves.
+constexpr std::size_t soon_wanted = 24;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Where a block of references would be cut.
@@ -60,15 +61,17 @@ void sweep(int axis, const Ref* refs, std::uint32_t count, float scale, BlockCut
     }
 }
 
-/// The distinct vertices of references, as bits for each of them.
-void find_vertices(const MeshBuild& build, const Ref* refs, std::uint32_t count,
-                   std::array<std::uint32_t, wide_leaf>& bits) {
+/// Without a call, as the oldest machines have no instruction for it.
+std::uint32_t count_bits(std::uint32_t x) {
+    x -= x >> 1 & 0x55555555u;
+    x = (x & 0x33333333u) + (x >> 2 & 0x33333333u);
+    return ((x + (x >> 4)) & 0x0f0f0f0fu) * 0x01010101u >> 24;
+}
+
+LeafDraft draft_of(const MeshBuild& build, const Ref* refs, std::uint32_t count) {
     std::array<std::uint32_t, wide_leaf> numbers;
     for (std::uint32_t i = 0; i < count; ++i) numbers[i] = refs[i].id();
-    const LeafDraft leaf =
-        draft_leaf(build.positions, build.triangles, std::span(numbers).first(count), Sameness::position);
-    for (std::uint32_t i = 0; i < count; ++i)
-        bits[i] = 1u << leaf.corners[3 * i] | 1u << leaf.corners[3 * i + 1] | 1u << leaf.corners[3 * i + 2];
+    return draft_leaf(build.positions, build.triangles, std::span(numbers).first(count), Sameness::position);
 }
 
 } // namespace
@@ -83,11 +86,8 @@ Subtree SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uin
     inherit(top, root, 0);
 
     const auto write_leaf = [&](const BinaryNode& node) {
-        std::array<std::uint32_t, wide_leaf> numbers;
-        for (std::uint32_t i = 0; i < node.count; ++i) numbers[i] = build.refs[node.first + i].id();
-        return append_leaf(draft_leaf(build.positions, build.triangles, std::span(numbers).first(node.count),
-                                      Sameness::position),
-                           words_);
+        if (build.quality == BuildQuality::fast) return node.first;
+        return append_leaf(draft_of(build, build.refs + node.first, node.count), words_);
     };
     WideWriter writer(nodes_, wide_, write_leaf);
     Subtree subtree;
@@ -124,6 +124,9 @@ void SubtreeBuilder::price(std::uint32_t at, std::uint32_t children) {
 
 void SubtreeBuilder::grow(const Range& range, std::uint32_t at) {
     if (range.size() <= wide_leaf) return grow_block(range, at);
+    if (range.size() <= soon_wanted)
+        for (std::size_t i = range.begin; i < range.end; ++i)
+            __builtin_prefetch(&build_->triangles[build_->refs[i].id()]);
     const Binning binning(range.middles, bins_for(range.size(), build_->quality));
     const auto [left, right] = split(*build_, range, binning, bins_, false);
     const std::uint32_t children = add_children(left.box, right.box);
@@ -135,7 +138,11 @@ void SubtreeBuilder::grow(const Range& range, std::uint32_t at) {
 void SubtreeBuilder::grow_block(const Range& range, std::uint32_t at) {
     block_ = range.begin;
     const auto count = static_cast<std::uint32_t>(range.size());
-    find_vertices(*build_, build_->refs + range.begin, count, vertices_);
+    draft_ = draft_of(*build_, build_->refs + range.begin, count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        order_[i] = static_cast<std::uint8_t>(i);
+        vertices_[i] = draft_.vertices_of(i);
+    }
     nodes_[at].first = static_cast<std::uint32_t>(range.begin);
     nodes_[at].count = count & 0x3fffffffu;
     cut_block(at);
@@ -144,7 +151,7 @@ void SubtreeBuilder::grow_block(const Range& range, std::uint32_t at) {
 float SubtreeBuilder::leaf_cost(const BinaryNode& node, float area) const {
     std::uint32_t vertices = 0;
     for (std::uint32_t i = 0; i < node.count; ++i) vertices |= vertices_[node.first - block_ + i];
-    if (std::popcount(vertices) > static_cast<int>(leaf_vertices)) return infinite;
+    if (count_bits(vertices) > leaf_vertices) return infinite;
     return area * (leaf_base + leaf_triangle * static_cast<float>(node.count));
 }
 
@@ -154,19 +161,29 @@ void SubtreeBuilder::cut_block(std::uint32_t at) {
     const std::uint32_t count = nodes_[at].count;
     const float area = half_area(nodes_[at].box, build_->scale);
     const float as_leaf = leaf_cost(nodes_[at], area);
-    if (count == 1 || (build_->quality == BuildQuality::fast && as_leaf < infinite))
+    if (build_->quality == BuildQuality::fast && as_leaf < infinite) {
+        // It is a leaf for good, and can be written now.
+        nodes_[at].first = append_leaf(
+            count == draft_.triangles ? draft_
+                                      : part_of(draft_, std::span(order_).subspan(first - block_, count)),
+            words_);
         return price_leaf(nodes_[at], as_leaf);
+    }
+    if (count == 1) return price_leaf(nodes_[at], as_leaf);
 
     Ref* refs = build_->refs + first;
     BlockCut cut;
     for (int axis = 0; axis < 3; ++axis) sweep(axis, refs, count, build_->scale, cut);
     std::array<Ref, wide_leaf> old_refs;
     std::array<std::uint32_t, wide_leaf> old_vertices;
+    std::array<std::uint8_t, wide_leaf> old_order;
     std::copy_n(refs, count, old_refs.begin());
     std::copy_n(vertices_.begin() + static_cast<std::ptrdiff_t>(first - block_), count, old_vertices.begin());
+    std::copy_n(order_.begin() + static_cast<std::ptrdiff_t>(first - block_), count, old_order.begin());
     for (std::uint32_t i = 0; i < count; ++i) {
         refs[i] = old_refs[cut.order[i]];
         vertices_[first - block_ + i] = old_vertices[cut.order[i]];
+        order_[first - block_ + i] = old_order[cut.order[i]];
     }
     const std::uint32_t children = add_children(cut.left_box, cut.right_box);
     nodes_[children].first = first;

@@ -2,6 +2,7 @@
 // Parts of a MeshTree that are built for themselves, each by one thread. Private to this room.
 
 #include "bvh/wide.h"
+#include "trace/mesh_pack.h"
 #include "trace/mesh_split.h"
 #include "trace/mesh_top.h"
 
@@ -82,8 +83,11 @@ class SubtreeBuilder {
     std::vector<std::uint32_t> words_;
     Bins bins_;
 
-    // The block being cut: a run of a few references, and the vertices of each as bits.
+    // The block being cut: a run of a few references, the place of each in the draft, and its vertices as
+    // bits.
     std::size_t block_ = 0;
+    LeafDraft draft_;
+    std::array<std::uint8_t, wide_leaf> order_;
     std::array<std::uint32_t, wide_leaf> vertices_;
 };
 
