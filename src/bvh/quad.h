@@ -39,9 +39,10 @@ struct QuadBox {
     Bounds bounds() const { return {vector(lo), vector(hi)}; }
 };
 
-/// Half the surface of a box, its sides multiplied by `scale`: a power of two that keeps products finite.
+/// Half the surface of a box, its coordinates multiplied by `scale`: a power of two that keeps sides and
+/// products finite.
 inline float half_area(const QuadBox& box, float scale) {
-    const Quad d = (box.hi - box.lo) * quad(scale);
+    const Quad d = box.hi * quad(scale) - box.lo * quad(scale);
     return d[0] * d[1] + (d[0] + d[1]) * d[2];
 }
 

@@ -15,14 +15,15 @@ float area_scale(const QuadBox& box) {
     return std::ldexp(1.0f, std::clamp(-exponent, -120, 120));
 }
 
-Binning::Binning(const QuadBox& middles, int count) : lo(middles.lo), scale(quad(0.0f)), bins(count) {
-    lo[3] = 0.0f;
+Binning::Binning(const QuadBox& middles, int count) : lo(quad(0.0f)), scale(quad(0.0f)), bins(count) {
     // Just below the number of bins, so that the last centre falls into the last bin.
     const float most = static_cast<float>(bins) * (1.0f - 0x1p-20f);
     for (int axis = 0; axis < 3; ++axis) {
         const float extent = middles.hi[axis] - middles.lo[axis];
         const float factor = most / extent;
-        if (extent > 0.0f && std::isfinite(factor) && std::isfinite(extent)) scale[axis] = factor;
+        if (!(extent > 0.0f && std::isfinite(factor) && std::isfinite(extent))) continue;
+        lo[axis] = middles.lo[axis];
+        scale[axis] = factor;
     }
 }
 
@@ -150,6 +151,7 @@ std::pair<Range, Range> split_by(const Range& range, const Bins& bins, const Bin
     Range right;
     std::tie(left.box, right.box) = boxes_of(bins, binning, cut);
     left.depth = right.depth = range.depth + 1;
+    left.misses = right.misses = range.misses;
 
     const auto sort = cut.axis == 0 ? partition<0> : cut.axis == 1 ? partition<1> : partition<2>;
     const Ref* middle =
@@ -178,6 +180,7 @@ std::pair<Range, Range> split_in_half(const Range& range, Ref* refs) {
     left.end = right.begin = half;
     right.end = range.end;
     left.depth = right.depth = range.depth + 1;
+    left.misses = right.misses = range.misses;
     for (std::size_t i = left.begin; i < left.end; ++i) left.add(refs[i]);
     for (std::size_t i = right.begin; i < right.end; ++i) right.add(refs[i]);
     share_room(left, right, range.limit, refs);

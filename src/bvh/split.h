@@ -37,6 +37,7 @@ struct Range {
     QuadBox box;           ///< of the references
     QuadBox middles;       ///< of their centres
     int depth = 0;
+    int misses = 0; ///< of searches for more than a cut between bins, in a row
 
     std::size_t size() const { return end - begin; }
     std::size_t room() const { return limit - begin; }
@@ -52,8 +53,8 @@ inline constexpr int most_bins = 32;
 
 /// Which bin a centre falls into, along each axis.
 struct Binning {
-    Quad lo;
-    Quad scale; ///< 0 along an axis without extent
+    Quad lo;    ///< 0 along an axis without (finite) extent
+    Quad scale; ///< 0 likewise
     int bins;
 
     Binning(const QuadBox& middles, int count);

@@ -14,7 +14,8 @@ struct MeshBuild {
     std::span<const vec3> positions;
     std::span<const uvec3> triangles;
     BuildQuality quality;
-    float scale; ///< of areas, see half_area()
+    float scale;     ///< of areas, see half_area()
+    float root_area; ///< of everything
     Ref* refs;
 };
 

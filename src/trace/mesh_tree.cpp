@@ -21,6 +21,11 @@ constexpr std::size_t piece = 32768;
 
 bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// How many references a tree may have: cut triangles count for each part.
+std::size_t room_for(std::size_t triangles, BuildQuality quality) {
+    return quality == BuildQuality::high ? triangles + triangles * 15 / 100 : triangles;
+}
+
 /// References to all triangles whose vertices are finite, in order.
 Range fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, Ref* refs,
                 TaskPool& pool) {
@@ -172,13 +177,16 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
     MeshTree tree;
     tree.triangles = triangles.size();
     tree.quality = quality;
-    auto refs = std::make_unique_for_overwrite<Ref[]>(triangles.size());
-    const Range all = fill_refs(positions, triangles, refs.get(), pool);
+    const std::size_t limit = room_for(triangles.size(), quality);
+    auto refs = std::make_unique_for_overwrite<Ref[]>(limit);
+    Range all = fill_refs(positions, triangles, refs.get(), pool);
     tree.left_out = triangles.size() - all.size();
     tree.bounds = all.box.bounds();
     if (all.size() == 0) return tree;
 
-    const MeshBuild build{positions, triangles, quality, area_scale(all.box), refs.get()};
+    all.limit = limit;
+    const float scale = area_scale(all.box);
+    const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.get()};
     MeshTop top = build_top(build, all, pool);
     const std::vector<std::uint32_t> parts = choose_parts(top, build.scale);
     std::vector<Subtree> subtrees = build_subtrees(build, top, parts, pool);

@@ -5,6 +5,7 @@
 #include "trace/world_data.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace glint {
 
@@ -74,6 +75,12 @@ bool same_crossing(const FacedHit& earlier, const FacedHit& later) {
     return earlier.hit.on_edge && later.hit.on_edge && earlier.hit.object == later.hit.object &&
            earlier.positive == later.positive && earlier.hit.t >= lowest_same(later.hit.t) &&
            precedes(earlier.hit, later.hit);
+}
+
+/// The same triangle, met in another leaf.
+bool same_hit(const Hit& a, const Hit& b) {
+    return a.kind == PrimKind::triangle && b.kind == PrimKind::triangle && a.t == b.t &&
+           a.object == b.object && a.prim == b.prim;
 }
 
 /// Finds out whether a hit was reported by an earlier one.
@@ -171,7 +178,7 @@ void World::crossings(const Ray& ray, std::vector<Hit>& out) const {
     std::sort(sink.hits.begin(), sink.hits.end(),
               [](const FacedHit& a, const FacedHit& b) { return precedes(a.hit, b.hit); });
     for (auto hit = sink.hits.begin(); hit != sink.hits.end(); ++hit) {
-        bool repeated = false;
+        bool repeated = hit != sink.hits.begin() && same_hit(std::prev(hit)->hit, hit->hit);
         for (auto earlier = hit; hit->hit.on_edge && !repeated && earlier-- != sink.hits.begin();) {
             if (earlier->hit.t < lowest_same(hit->hit.t)) break;
             repeated = same_crossing(*earlier, *hit);

@@ -151,23 +151,6 @@ TEST(MeshTree, RefitTakesVerticesThatBecomeOrWereNotFinite) {
     EXPECT_THROW(refit(tree, s.positions, std::span(s.triangles).first(10), pool), std::invalid_argument);
 }
 
-TEST(MeshTree, IsTheSameOnAnyNumberOfThreads) {
-    const Soup s = soup(13, 90'000, 1.0f);
-    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::high}) {
-        TaskPool alone(1);
-        const MeshTree one = build_mesh_tree(s.positions, s.triangles, alone, quality);
-        for (const int threads : {2, 7}) {
-            TaskPool pool(threads);
-            const MeshTree many = build_mesh_tree(s.positions, s.triangles, pool, quality);
-            EXPECT_EQ(many.leaf_words, one.leaf_words);
-            ASSERT_EQ(many.nodes.size(), one.nodes.size());
-            EXPECT_EQ(std::memcmp(many.nodes.data(), one.nodes.data(), one.nodes.size() * sizeof(WideNode)),
-                      0);
-            EXPECT_EQ(many.depth, one.depth);
-        }
-    }
-}
-
 TEST(MeshTree, HoldsNothingAndHitsNothing) {
     TaskPool pool(1);
     const MeshTree tree = build_mesh_tree({}, {}, pool);
@@ -196,24 +179,6 @@ TEST(MeshTree, OfEqualTrianglesTheFirstIsHit) {
         for (const TriangleRecord& record : records) EXPECT_EQ(record.triangle, 0u);
     }
     EXPECT_EQ(closest(tree, ray).triangle, 0u);
-}
-
-TEST(MeshTree, TakesLittleMemoryWhereVerticesAreShared) {
-    std::vector<vec3> positions;
-    std::vector<uvec3> triangles;
-    constexpr uint side = 200;
-    for (uint y = 0; y < side; ++y)
-        for (uint x = 0; x < side; ++x)
-            positions.push_back(vec3(float(x), float(y), 0.1f * draw(1, y * side + x)));
-    for (uint y = 0; y + 1 < side; ++y)
-        for (uint x = 0; x + 1 < side; ++x) {
-            const uint at = y * side + x;
-            triangles.push_back(uvec3(at, at + 1, at + side));
-            triangles.push_back(uvec3(at + 1, at + side + 1, at + side));
-        }
-    TaskPool pool(2);
-    const MeshTree tree = build_mesh_tree(positions, triangles, pool);
-    EXPECT_LE(static_cast<double>(tree.bytes()) / static_cast<double>(triangles.size()), 52.0);
 }
 
 } // namespace
