@@ -9,8 +9,10 @@ namespace glint {
 namespace {
 
 constexpr std::size_t batch_rays = 4096;
-/// From here on a sub-batch is traced as one.
-constexpr std::size_t few_rays = 4;
+/// Fewer rays at a node go on one by one.
+constexpr std::size_t few_rays = 8;
+/// Incoherent rays spread over all instances: with fewer for each, lists of them do not pay.
+constexpr std::size_t rays_an_instance = 16;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -91,6 +93,11 @@ struct InstanceTree::Batch {
         return top.ref;
     }
 
+    void block(std::uint32_t ray) {
+        blocked[ray] = 1;
+        limits[ray] = -infinity;
+    }
+
     void push(const TreeRef& ref, std::size_t child) {
         const std::size_t first = waiting.size();
         for (std::size_t i = 0; i < active.size(); ++i)
@@ -99,6 +106,7 @@ struct InstanceTree::Batch {
     }
 };
 
+/// One instance for all rays at its box.
 template <bool any>
 void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
     const MeshTree& mesh = *places_[instance].mesh;
@@ -108,23 +116,12 @@ void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
     const std::size_t count = batch.active.size();
     if constexpr (any) {
         batch.local_blocked.resize(count);
-        if (count < few_rays)
-            for (std::size_t i = 0; i < count; ++i)
-                batch.local_blocked[i] = glint::occluded(mesh, batch.local_rays[i], batch.choice) ? 1 : 0;
-        else
-            glint::occluded(mesh, batch.local_rays, batch.local_blocked, batch.hint, batch.choice);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (batch.local_blocked[i] == 0) continue;
-            batch.blocked[batch.active[i].ray] = 1;
-            batch.limits[batch.active[i].ray] = -infinity;
-        }
+        glint::occluded(mesh, batch.local_rays, batch.local_blocked, batch.hint, batch.choice);
+        for (std::size_t i = 0; i < count; ++i)
+            if (batch.local_blocked[i] != 0) batch.block(batch.active[i].ray);
     } else {
         batch.local_records.resize(count);
-        if (count < few_rays)
-            for (std::size_t i = 0; i < count; ++i)
-                batch.local_records[i] = glint::closest(mesh, batch.local_rays[i], batch.choice);
-        else
-            glint::closest(mesh, batch.local_rays, batch.local_records, batch.hint, batch.choice);
+        glint::closest(mesh, batch.local_rays, batch.local_records, batch.hint, batch.choice);
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t ray = batch.active[i].ray;
             keep(batch.local_records[i], instance, batch.records[ray], batch.limits[ray]);
@@ -132,11 +129,37 @@ void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
     }
 }
 
+/// All below a node for each ray alone.
+template <bool any>
+void InstanceTree::ask_one_by_one(TreeRef from, Batch& batch) const {
+    for (const Active& at : batch.active) {
+        float& limit = batch.limits[at.ray];
+        visit_below(from, batch.queries[at.ray], limit, [&](std::uint32_t instance) {
+            const Ray local = to_local(instance, limited(batch.rays[at.ray], limit));
+            if constexpr (any) {
+                const bool found = glint::occluded(mesh(instance), local, batch.choice);
+                if (found) batch.block(at.ray);
+                return found;
+            } else {
+                keep(glint::closest(mesh(instance), local, batch.choice), instance, batch.records[at.ray],
+                     limit);
+                return false;
+            }
+        });
+    }
+}
+
 template <bool any>
 void InstanceTree::trace(Batch& batch) const {
+    const bool spread =
+        batch.hint == RayHint::incoherent && batch.rays.size() < rays_an_instance * places_.size();
+    const std::size_t few = spread ? batch_rays + 1 : few_rays;
     while (!batch.stack.empty()) {
         const TreeRef at = batch.pop();
-        if (batch.active.empty()) continue;
+        if (batch.active.size() < few) {
+            ask_one_by_one<any>(at, batch);
+            continue;
+        }
         if (at.count > 0) {
             ask<any>(tree_.order[at.first], batch);
             continue;

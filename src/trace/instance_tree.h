@@ -119,10 +119,16 @@ class InstanceTree {
         return first <= last ? first : std::numeric_limits<float>::infinity();
     }
 
+    /// visit() below a node, for a ray that may enter it.
+    template <class Visit>
+    void visit_below(TreeRef from, const Query& query, const float& limit, Visit&& visit) const;
+
     template <bool any>
     void trace(Batch& batch) const;
     template <bool any>
     void ask(std::uint32_t instance, Batch& batch) const;
+    template <bool any>
+    void ask_one_by_one(TreeRef from, Batch& batch) const;
 
     std::vector<Place> places_;
     Tree tree_;
@@ -131,15 +137,18 @@ class InstanceTree {
 
 template <class Visit>
 void InstanceTree::visit(const Ray& ray, const float& limit, Visit&& visit) const {
+    if (!tree_.empty()) visit_below(tree_.root, Query(ray, tree_.bounds), limit, visit);
+}
+
+template <class Visit>
+void InstanceTree::visit_below(TreeRef from, const Query& query, const float& limit, Visit&& visit) const {
     struct Waiting {
         TreeRef ref;
         float t;
     };
-    if (tree_.empty()) return;
-    const Query query(ray, tree_.bounds);
     Waiting stack[max_tree_depth + 1];
     std::size_t size = 0;
-    stack[size++] = {tree_.root, ray.tmin};
+    stack[size++] = {from, query.tmin};
     while (size > 0) {
         const Waiting at = stack[--size];
         if (at.t > limit) continue;
