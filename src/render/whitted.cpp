@@ -149,9 +149,14 @@ void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
         const std::vector<vec3>& c = attributes.mesh->colors;
         s.color = c[corner.x] * w + c[corner.y] * hit.u + c[corner.z] * hit.v;
     }
-    if (attributes.normals.empty()) return;
-    const std::vector<vec3>& n = attributes.normals;
-    const vec3 sum = n[corner.x] * w + n[corner.y] * hit.u + n[corner.z] * hit.v;
+    if (attributes.normals == nullptr) return;
+    const std::int32_t matrix = scene_.objects[hit.object].normal_matrix;
+    const auto normal = [&](std::uint32_t vertex) {
+        const vec3& n = (*attributes.normals)[vertex];
+        if (matrix == no_normal_matrix) return n;
+        return transformed_normal(scene_.normal_matrices[static_cast<std::size_t>(matrix)], n);
+    };
+    const vec3 sum = normal(corner.x) * w + normal(corner.y) * hit.u + normal(corner.z) * hit.v;
     const float squared = dot(sum, sum);
     if (!(squared > 0.0f)) return;
     s.n = sum / sqrt(squared);

@@ -1,7 +1,7 @@
 #include "scene/bake.h"
 
-#include "geometry/mesh.h"
 #include "geometry/polyhedron.h"
+#include "scene/bake_mesh.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -13,10 +13,6 @@ namespace {
 
 constexpr float coordinate_limit = 1e12f;
 
-vec3 to_float(const dvec3& p) { return vec3(p); }
-
-dvec3 transform_point(const dmat4& m, const dvec3& p) { return dvec3(m * dvec4(p, 1.0)); }
-
 // The factor by which m stretches all lengths alike, or 0 if it does not.
 double similarity_scale(const dmat4& m) {
     const dvec3 x(m[0]), y(m[1]), z(m[2]);
@@ -24,11 +20,6 @@ double similarity_scale(const dmat4& m) {
     const double skew = std::max({std::abs(glm::dot(x, y)), std::abs(glm::dot(y, z)),
                                   std::abs(glm::dot(z, x)), std::abs(xx - yy), std::abs(yy - zz)});
     return skew <= 1e-12 * xx ? std::sqrt(xx) : 0;
-}
-
-double largest_stretch(const dmat4& m) {
-    const dvec3 x(m[0]), y(m[1]), z(m[2]);
-    return std::sqrt(std::max({glm::dot(x, x), glm::dot(y, y), glm::dot(z, z)}));
 }
 
 Polyhedron polyhedron_of(const PolyhedronShape& s) {
@@ -52,21 +43,10 @@ Polyhedron polyhedron_of(const PolyhedronShape& s) {
     return {};
 }
 
-// Bounds of the image of a box under an affine map.
-Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi) {
-    Bounds bounds;
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p((corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
-                      (corner & 4) != 0 ? hi.z : lo.z);
-        bounds.grow(to_float(transform_point(m, p)));
-    }
-    return bounds;
-}
-
 class Baker {
   public:
     Baker(const SceneDescription& description, bool need_closedness)
-        : scene_(description), need_closedness_(need_closedness) {
+        : scene_(description), meshes_(description, need_closedness, baked_) {
         baked_.objects.resize(description.objects.size());
     }
 
@@ -166,117 +146,32 @@ class Baker {
     void bake_shape(const TriangleShape& s, const Object& object, std::uint32_t id) {
         WorldInput::Triangles triangles;
         for (const Vec3& p : s.vertices)
-            triangles.positions.push_back(to_float(transform_point(object.transform, p)));
+            triangles.positions.push_back(vec3(transform_point(object.transform, p)));
         triangles.triangles.push_back(uvec3(0, 1, 2));
-        add_triangles(std::move(triangles), id, false);
+        add_triangles(baked_, std::move(triangles), id, false);
     }
 
     void bake_shape(const PolyhedronShape& s, const Object& object, std::uint32_t id) {
         const Polyhedron solid = polyhedron_of(s);
         WorldInput::Triangles triangles;
         for (const dvec3& p : solid.positions)
-            triangles.positions.push_back(to_float(transform_point(object.transform, p)));
+            triangles.positions.push_back(vec3(transform_point(object.transform, p)));
         triangles.triangles = solid.triangles;
-        add_triangles(std::move(triangles), id, true);
+        add_triangles(baked_, std::move(triangles), id, true);
     }
 
-    void bake_shape(const MeshShape& s, const Object& object, std::uint32_t id) {
-        bake_mesh(s, object.transform, id);
+    void bake_shape(const MeshShape&, const Object& object, std::uint32_t id) {
+        meshes_.bake(object, object.transform, id);
     }
 
     void bake_shape(const InstanceShape& s, const Object& object, std::uint32_t id) {
         const Object& mesh = *find_mesh(scene_, s.mesh);
-        bake_mesh(std::get<MeshShape>(mesh.shape), object.transform * mesh.transform, id);
-    }
-
-    void bake_mesh(const MeshShape& s, const dmat4& transform, std::uint32_t id) {
-        dmat4 m = transform;
-        for (int c = 0; c < 3; ++c) m[c] *= s.scale[c];
-        if (s.data->triangles.empty()) {
-            bake_points(s, m, id);
-            return;
-        }
-        WorldInput::Triangles triangles;
-        triangles.positions.reserve(s.data->positions.size());
-        for (const vec3& p : s.data->positions)
-            triangles.positions.push_back(to_float(transform_point(m, dvec3(p))));
-        triangles.triangles = s.data->triangles;
-        add_attributes(s, m, triangles, id);
-        baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
-        const bool closed = need_closedness_ && is_closed(triangles.positions, triangles.triangles);
-        add_triangles(std::move(triangles), id, closed);
-    }
-
-    void bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id) {
-        const double radius = s.point_radius ? *s.point_radius : default_point_radius(s.data->positions);
-        const double stretched = radius * largest_stretch(m);
-        std::uint32_t prim = 0;
-        for (const vec3& p : s.data->positions)
-            add_sphere(transform_point(m, dvec3(p)), stretched, dmat4(1.0), id, prim++);
-        baked_.objects[id].solid = true;
-        if (s.vertex_colors == VertexColors::automatic && !s.data->colors.empty())
-            attach(MeshAttributes{{}, s.data, true}, id);
-    }
-
-    // Half the spacing that as many points would have if they lay evenly on the sides of their box.
-    static double default_point_radius(const std::vector<vec3>& points) {
-        Bounds bounds;
-        for (const vec3& p : points) bounds.grow(p);
-        if (points.empty()) return 1;
-        const dvec3 d(bounds.extent());
-        const double area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
-        const double spacing = std::sqrt(area / static_cast<double>(points.size()));
-        if (spacing > 0) return spacing / 2;
-        const double length = std::max({d.x, d.y, d.z});
-        return length > 0 ? length / (2.0 * static_cast<double>(points.size())) : 1;
-    }
-
-    void add_attributes(const MeshShape& s, const dmat4& m, const WorldInput::Triangles& triangles,
-                        std::uint32_t id) {
-        MeshAttributes attributes;
-        attributes.colored = s.vertex_colors == VertexColors::automatic && !s.data->colors.empty();
-        if (s.normals == NormalsMode::smooth) {
-            attributes.normals = smooth_normals(triangles.positions, triangles.triangles);
-        } else if (s.normals == NormalsMode::automatic && !s.data->normals.empty()) {
-            attributes.normals = transform_normals(s.data->normals, m);
-        }
-        if (attributes.normals.empty() && !attributes.colored) return;
-        attributes.mesh = s.data;
-        attach(std::move(attributes), id);
-    }
-
-    void attach(MeshAttributes attributes, std::uint32_t id) {
-        baked_.objects[id].attributes = static_cast<std::int32_t>(baked_.attributes.size());
-        baked_.attributes.push_back(std::move(attributes));
-    }
-
-    static std::vector<vec3> transform_normals(const std::vector<vec3>& normals, const dmat4& m) {
-        const dmat3 normal_matrix = glm::transpose(glm::inverse(dmat3(m)));
-        std::vector<vec3> turned;
-        turned.reserve(normals.size());
-        for (const vec3& n : normals) {
-            const dvec3 t = normal_matrix * dvec3(n);
-            const double squared = glm::dot(t, t);
-            turned.push_back(squared > 0 ? to_float(t / std::sqrt(squared)) : vec3(0.0f));
-        }
-        return turned;
-    }
-
-    // Closed shapes are turned outward: a mirror in the transform, or a winding inside out, shows in the
-    // volume.
-    void add_triangles(WorldInput::Triangles triangles, std::uint32_t id, bool closed) {
-        triangles.object = id;
-        // Vertices that no face uses need not even be finite.
-        for (const uvec3& t : triangles.triangles)
-            for (int i = 0; i < 3; ++i) baked_.objects[id].bounds.grow(triangles.positions[t[i]]);
-        triangles.flip = closed && signed_volume(triangles.positions, triangles.triangles) < 0;
-        baked_.objects[id].solid = closed;
-        baked_.input.meshes.push_back(std::move(triangles));
+        meshes_.bake(mesh, object.transform * mesh.transform, id);
     }
 
     const SceneDescription& scene_;
-    bool need_closedness_;
     Baked baked_;
+    MeshBaker meshes_;
 };
 
 } // namespace

@@ -10,11 +10,12 @@ struct Baked {
     WorldInput input;
     std::vector<FrozenObject> objects;
     std::vector<MeshAttributes> attributes;
+    std::vector<dmat3> normal_matrices; ///< of instances
 };
 
-/// Bakes all visible objects. Ranks and materials are set; `solid` is found out for meshes only where
-/// `need_closedness`, since that takes a pass over all edges. Throws Error(input) for coordinates beyond
-/// 10^12.
+/// Bakes all visible objects; a mesh that several of them show is stored once, in its own space. Ranks and
+/// materials are set; `solid` is found out for meshes only where `need_closedness`, since that takes a pass
+/// over all edges. Throws Error(input) for coordinates beyond 10^12.
 Baked bake(const SceneDescription& description, bool need_closedness);
 
 } // namespace glint

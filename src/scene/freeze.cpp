@@ -128,6 +128,7 @@ BuildQuality quality_for(const SceneDescription& description, const WorldInput& 
     constexpr double rays_a_triangle = 20;
     double triangles = 0;
     for (const auto& mesh : input.meshes) triangles += static_cast<double>(mesh.triangles.size());
+    for (const auto& mesh : input.shared_meshes) triangles += static_cast<double>(mesh.triangles->size());
     const RenderSettings& r = description.render;
     const double samples = double(r.width) * double(r.height) * double(r.spp);
     const double rays = samples * (1.0 + static_cast<double>(description.lights.size()));
@@ -152,6 +153,7 @@ Scene freeze(const SceneDescription& description, const FreezeOptions& options) 
     Baked baked = bake(description, scene->any_transparent);
     scene->objects = std::move(baked.objects);
     scene->attributes = std::move(baked.attributes);
+    scene->normal_matrices = std::move(baked.normal_matrices);
     for (const WorldInput::Plane& plane : baked.input.planes)
         if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
     TaskPool pool(options.threads);

@@ -5,6 +5,7 @@
 #include "math/vec.h"
 #include "trace/world.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,15 +26,24 @@ struct FrozenMaterial {
     bool fresnel = false;
 };
 
-/// What shading needs of a mesh beside its triangles; vectors are empty where there is nothing to
-/// interpolate.
+/// What shading needs of a mesh beside its triangles, once for all its instances.
 struct MeshAttributes {
-    std::vector<vec3> normals;        ///< per vertex, world space, unit
+    /// Per vertex; null where there is nothing to interpolate. In world space and unit, unless the object has
+    /// a normal matrix: then of any length, in the mesh's space.
+    std::shared_ptr<const std::vector<vec3>> normals;
     std::shared_ptr<const Mesh> mesh; ///< for indices and colours
     bool colored = false;
 };
 
+/// Unit, or 0 where n is. The matrix is the inverse transpose of the points'.
+inline vec3 transformed_normal(const dmat3& normal_matrix, const vec3& n) {
+    const dvec3 t = normal_matrix * dvec3(n);
+    const double squared = glm::dot(t, t);
+    return squared > 0 ? vec3(t / std::sqrt(squared)) : vec3(0.0f);
+}
+
 inline constexpr std::int32_t no_attributes = -1;
+inline constexpr std::int32_t no_normal_matrix = -1;
 
 /// Parallel to SceneDescription::objects.
 struct FrozenObject {
@@ -43,6 +53,7 @@ struct FrozenObject {
     bool lit_as_stored = false; ///< lights find its normals as its winding has them
     Bounds bounds;              ///< world space; empty for planes and invisible objects
     std::int32_t attributes = no_attributes;
+    std::int32_t normal_matrix = no_normal_matrix; ///< index into FrozenScene::normal_matrices
 };
 
 enum class LightKind { point, directional, spot };
@@ -68,8 +79,9 @@ struct FrozenScene {
     std::vector<FrozenMaterial> materials;
     std::vector<FrozenObject> objects;
     std::vector<MeshAttributes> attributes;
-    std::vector<FrozenLight> lights; ///< all but ambient, in the order of the file
-    vec3 ambient{0.0f};              ///< sum of the ambient lights
+    std::vector<dmat3> normal_matrices; ///< of instances, from the mesh's space to the world
+    std::vector<FrozenLight> lights;    ///< all but ambient, in the order of the file
+    vec3 ambient{0.0f};                 ///< sum of the ambient lights
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;

@@ -32,15 +32,15 @@ bool is_finite(const V& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// How much |L| |L⁻¹| stretches errors.
+/// How much |L| |L⁻¹| stretches errors; infinite or NaN where there is no inverse.
 double stretch_of(const MeshInstance& instance, const dmat3& inverse) {
-    const double stretch = norm(instance.linear) * norm(inverse);
+    return norm(instance.linear) * norm(inverse);
+}
+
+bool is_place(const MeshInstance& instance, double stretch) {
     const dmat3& m = instance.linear;
-    const bool finite =
-        is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]) && is_finite(instance.translation);
-    if (!finite || !(stretch <= most_squeezed))
-        throw std::invalid_argument("the transform of an instance is singular or not finite");
-    return stretch;
+    return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]) && is_finite(instance.translation) &&
+           stretch <= most_squeezed;
 }
 
 /// Around the corners of the mesh's box, grown by what no ray changes.
@@ -61,12 +61,11 @@ BoxRef box_of(const MeshInstance& instance, double stretch, std::uint32_t id) {
     const dvec3 slack(unit * (norm(instance.linear) * reach + stretch * largest(instance.translation)));
     least -= slack;
     most += slack;
-    const BoxRef box{vec3(below(least.x), below(least.y), below(least.z)), id,
-                     vec3(above(most.x), above(most.y), above(most.z))};
-    if (!is_finite(box.lo) || !is_finite(box.hi))
-        throw std::invalid_argument("an instance reaches beyond the range of floats");
-    return box;
+    return {vec3(below(least.x), below(least.y), below(least.z)), id,
+            vec3(above(most.x), above(most.y), above(most.z))};
 }
+
+bool is_finite(const BoxRef& box) { return is_finite(box.lo) && is_finite(box.hi); }
 
 } // namespace
 
@@ -80,14 +79,25 @@ InstanceTree::InstanceTree(std::span<const MeshInstance> instances, TaskPool& po
     for (const MeshInstance& instance : instances) {
         const dmat3 inverse = inverted(instance.linear);
         const double stretch = stretch_of(instance, inverse);
+        if (!is_place(instance, stretch))
+            throw std::invalid_argument("the transform of an instance is singular or not finite");
         const auto id = static_cast<std::uint32_t>(places_.size());
         places_.push_back({instance.mesh, inverse, instance.translation});
         slack.push_back(above(unit * stretch));
-        if (!instance.mesh->bounds.empty()) boxes.push_back(box_of(instance, stretch, id));
+        if (instance.mesh->bounds.empty()) continue;
+        boxes.push_back(box_of(instance, stretch, id));
+        if (!is_finite(boxes.back()))
+            throw std::invalid_argument("an instance reaches beyond the range of floats");
     }
     tree_ = build_tree(std::move(boxes), 1, pool);
     slack_.resize(tree_.nodes.size());
-    if (!tree_.empty()) fill_slack(tree_.root, slack);
+    if (!tree_.empty()) most_slack_ = fill_slack(tree_.root, slack);
+}
+
+bool InstanceTree::takes(const MeshInstance& instance) {
+    const double stretch = stretch_of(instance, inverted(instance.linear));
+    return is_place(instance, stretch) &&
+           (instance.mesh->bounds.empty() || is_finite(box_of(instance, stretch, 0)));
 }
 
 float InstanceTree::fill_slack(TreeRef ref, const std::vector<float>& slack_of_instance) {

@@ -52,6 +52,9 @@ class InstanceTree {
     /// squeezes some direction more than a million times as much as another, or beyond the range of floats.
     InstanceTree(std::span<const MeshInstance> instances, TaskPool& pool);
 
+    /// Does the constructor take it?
+    static bool takes(const MeshInstance& instance);
+
     /// One ray.
     InstanceRecord closest(const Ray& ray, const KernelChoice& choice = {}) const;
     bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
@@ -75,10 +78,16 @@ class InstanceTree {
                 vec3(place.inverse * dvec3(ray.direction)), ray.tmax};
     }
     const MeshTree& mesh(std::uint32_t instance) const { return *places_[instance].mesh; }
+    const dmat3& inverse(std::uint32_t instance) const { return places_[instance].inverse; }
+    const dvec3& translation(std::uint32_t instance) const { return places_[instance].translation; }
 
     std::size_t size() const { return places_.size(); }
     const Bounds& bounds() const { return tree_.bounds; } ///< of the boxes: a little more than the triangles
+    /// How far a ray must grow these bounds on every side, in its origin's largest |coordinate|, besides what
+    /// every box test grows boxes by.
+    float slack() const { return most_slack_; }
     int depth() const { return tree_.depth; }
+    std::size_t nodes() const { return tree_.nodes.size(); }
     std::size_t bytes() const; ///< without the meshes
 
   private:
@@ -133,6 +142,7 @@ class InstanceTree {
     std::vector<Place> places_;
     Tree tree_;
     std::vector<std::array<float, 2>> slack_; ///< [node][child]: the box test's, in origins' |coordinates|
+    float most_slack_ = 0;                    ///< of all
 };
 
 template <class Visit>

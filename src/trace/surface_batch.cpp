@@ -82,10 +82,12 @@ struct Rays {
     }
 };
 
-/// Rays against boxes that lie within `bounds`, with the slack that bvh/traverse.h derives.
+/// Rays against boxes that lie within `bounds`, with the slack that bvh/traverse.h derives, and `more` times
+/// the origin's largest |coordinate|.
 class BoxRays {
   public:
-    BoxRays(const Rays& rays, const Bounds& bounds) : origin_(rays.line.origin), tmin_(rays.tmin) {
+    BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
+        : origin_(rays.line.origin), tmin_(rays.tmin) {
         const Vec& d = rays.line.direction;
         const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
         const Doubles least = hn::Mul(most, all(1e-18));
@@ -97,6 +99,7 @@ class BoxRays {
         const Doubles reach = hn::Max(hn::Abs(o.x), hn::Max(hn::Abs(o.y), hn::Abs(o.z)));
         const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
         pad_ = hn::Mul(all(0x1p-20), hn::Add(reach, all(std::max({far.x, far.y, far.z}))));
+        pad_ = hn::Add(pad_, hn::Mul(all(double(more)), reach));
     }
 
     /// Which rays may meet the box between their tmin and `limit`; `enter` says where.
@@ -304,11 +307,10 @@ std::uint32_t bits_of(Mask mask) {
     return bits[0];
 }
 
-std::uint32_t mesh_ahead_of(const WorldData& world, const Rays& rays, Doubles limit) {
-    if (world.mesh_tree.nodes.empty()) return 0u;
-    const Bounds& box = world.mesh_tree.bounds;
+std::uint32_t mesh_ahead_of(const TriangleBounds& bounds, const Rays& rays, Doubles limit) {
+    if (bounds.box.empty()) return 0u;
     Doubles enter;
-    return bits_of(BoxRays(rays, box).meet(box.lo, box.hi, limit, enter));
+    return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box.lo, bounds.box.hi, limit, enter));
 }
 
 } // namespace
@@ -316,10 +318,11 @@ std::uint32_t mesh_ahead_of(const WorldData& world, const Rays& rays, Doubles li
 // What the dispatcher calls: anonymous functions cannot be exported.
 void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, Hit* hits,
                         std::uint8_t* mesh_ahead) {
+    const TriangleBounds bounds = triangle_bounds(world);
     for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
         Least sink{vector};
         meet_all(world, vector, sink);
-        const std::uint32_t ahead = mesh_ahead_of(world, vector, sink.limit());
+        const std::uint32_t ahead = mesh_ahead_of(bounds, vector, sink.limit());
         alignas(64) double t[lanes], root[lanes];
         hn::Store(sink.t, dd, t);
         hn::Store(sink.root, dd, root);
@@ -342,11 +345,12 @@ void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t cou
 
 void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, std::uint8_t* blocked,
                          std::uint8_t* mesh_ahead) {
+    const TriangleBounds bounds = triangle_bounds(world);
     for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
         AnyHit sink{vector};
         meet_all(world, vector, sink);
         const std::uint32_t found = bits_of(sink.found);
-        const std::uint32_t ahead = mesh_ahead_of(world, vector, sink.limit());
+        const std::uint32_t ahead = mesh_ahead_of(bounds, vector, sink.limit());
         for (std::size_t k = 0; k < n; ++k) {
             blocked[first + k] = found >> k & 1u;
             mesh_ahead[first + k] = ahead >> k & 1u;

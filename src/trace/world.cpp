@@ -93,14 +93,11 @@ struct Repeated {
 };
 
 /// The kernels do not tell hits on an edge apart; only those with a weight of (nearly) 0 can be.
-Hit with_edge(const WorldData& world, const Ray& ray, Hit hit) {
-    if (hit.u != 0.0f && hit.v != 0.0f && hit.u + hit.v < 0.99999f) return hit;
-    const auto mesh = std::lower_bound(world.meshes.begin(), world.meshes.end(), hit.object,
-                                       [](const auto& m, std::uint32_t object) { return m.object < object; });
+bool may_be_on_edge(const Hit& hit) { return hit.u == 0.0f || hit.v == 0.0f || !(hit.u + hit.v < 0.99999f); }
+
+bool is_on_edge(const TriangleVertices& vertices, const Ray& ray, float t) {
     TriangleHit again;
-    intersect_triangle(ShearedRay(ray), vertices_of(*mesh, hit.prim), ray.tmin, hit.t, again);
-    hit.on_edge = again.on_edge;
-    return hit;
+    return intersect_triangle(ShearedRay(ray), vertices, ray.tmin, t, again) && again.on_edge;
 }
 
 } // namespace
@@ -128,7 +125,20 @@ bool occluded_surface(const WorldData& world, const Ray& ray) {
 
 void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit) {
     const Hit triangle = numbered_hit(world, record.triangle, record.t, record.u, record.v, false);
-    if (precedes(triangle, hit)) hit = with_edge(world, ray, triangle);
+    if (!precedes(triangle, hit)) return;
+    hit = triangle;
+    if (may_be_on_edge(hit))
+        hit.on_edge = is_on_edge(vertices_of(mesh_of(world, hit.object), hit.prim), ray, hit.t);
+}
+
+void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit) {
+    const Hit triangle =
+        instance_hit(world, record.instance, record.triangle, record.t, record.u, record.v, false);
+    if (!precedes(triangle, hit)) return;
+    hit = triangle;
+    if (may_be_on_edge(hit))
+        hit.on_edge = is_on_edge(vertices_of(world, world.instances[record.instance], hit.prim),
+                                 world.instance_tree.to_local(record.instance, ray), hit.t);
 }
 
 Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
@@ -137,6 +147,10 @@ Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
     if (hit) limited.tmax = next_float(hit.t, 1.0f);
     const TriangleRecord record = glint::closest(data_->mesh_tree, limited, choice);
     if (record.triangle != no_triangle) keep_closer(*data_, ray, record, hit);
+    if (data_->instances.empty()) return hit;
+    if (hit) limited.tmax = next_float(hit.t, 1.0f);
+    const InstanceRecord placed = data_->instance_tree.closest(limited, choice);
+    if (placed.instance != no_instance) keep_closer(*data_, ray, placed, hit);
     return hit;
 }
 
@@ -147,7 +161,8 @@ Hit World::closest_brute_force(const Ray& ray) const {
 }
 
 bool World::occluded(const Ray& ray, const KernelChoice& choice) const {
-    return occluded_surface(*data_, ray) || glint::occluded(data_->mesh_tree, ray, choice);
+    return occluded_surface(*data_, ray) || glint::occluded(data_->mesh_tree, ray, choice) ||
+           data_->instance_tree.occluded(ray, choice);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {
@@ -188,7 +203,7 @@ void World::crossings(const Ray& ray, std::vector<Hit>& out) const {
 }
 
 Bounds World::bounds() const {
-    Bounds box = data_->mesh_tree.bounds;
+    Bounds box = triangle_bounds(*data_).box;
     box.grow(data_->quadric_tree.bounds);
     return box;
 }

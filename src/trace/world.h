@@ -6,6 +6,7 @@
 #include "math/ray.h"
 #include "math/vec.h"
 #include "parallel/task_pool.h"
+#include "trace/instance_tree.h"
 #include "trace/mesh_tree.h"
 
 #include <cstdint>
@@ -53,6 +54,17 @@ struct WorldInput {
         std::vector<uvec3> triangles;
         bool flip = false; ///< turn the normals against the winding
     };
+    /// A mesh in a space of its own, to stand in the world any number of times. Stored once.
+    struct SharedMesh {
+        std::shared_ptr<const std::vector<vec3>> positions;
+        std::shared_ptr<const std::vector<uvec3>> triangles;
+    };
+    struct Instance {
+        std::uint32_t object = 0;
+        std::uint32_t mesh = 0;     ///< index into `shared_meshes`
+        dmat4 world_from_mesh{1.0}; ///< affine and regular
+        bool flip = false;          ///< turn the normals against the winding as it is in the world
+    };
     struct Sphere {
         std::uint32_t object = 0;
         std::uint32_t prim = 0;
@@ -75,6 +87,8 @@ struct WorldInput {
         double offset = 0;
     };
     std::vector<Triangles> meshes;
+    std::vector<SharedMesh> shared_meshes;
+    std::vector<Instance> instances;
     std::vector<Sphere> spheres;
     std::vector<Cylinder> cylinders;
     std::vector<Plane> planes;
@@ -83,13 +97,13 @@ struct WorldInput {
 };
 
 struct WorldStats {
-    std::uint64_t triangles = 0;
+    std::uint64_t triangles = 0; ///< those of a shared mesh as often as it stands there
     std::uint64_t spheres = 0;
     std::uint64_t cylinders = 0;
     std::uint64_t planes = 0;
     std::uint64_t nodes = 0;
-    int depth = 0;
-    std::uint64_t bytes = 0;
+    int depth = 0;           ///< a shared mesh's below that of the tree of instances
+    std::uint64_t bytes = 0; ///< shared meshes once
     BuildQuality quality = BuildQuality::high;
 };
 
@@ -116,6 +130,7 @@ class World {
         std::vector<Ray> rays;
         std::vector<std::uint32_t> numbers;
         std::vector<TriangleRecord> records;
+        std::vector<InstanceRecord> instance_records;
         std::vector<std::uint8_t> flags;
     };
     /// The same for many rays at once; both spans have one length.

@@ -1,5 +1,5 @@
-// The questions a World answers for many rays at once: planes and quadrics first, then the meshes, for the
-// rays that can still meet one.
+// The questions a World answers for many rays at once: planes and quadrics first, then the meshes and their
+// instances, for the rays that can still meet one.
 
 #include "trace/surface_batch.h"
 #include "trace/world.h"
@@ -9,6 +9,10 @@
 namespace glint {
 
 namespace {
+
+bool has_no_triangles(const WorldData& world) {
+    return world.mesh_tree.nodes.empty() && world.instances.empty();
+}
 
 /// Grows, and never clears what is there.
 template <class T>
@@ -24,7 +28,7 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
     const std::size_t count = rays.size();
     std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
     surface_kernels[row_of(choice.target)].closest(*data_, rays.data(), count, hits.data(), mesh_ahead);
-    if (data_->mesh_tree.nodes.empty()) return;
+    if (has_no_triangles(*data_)) return;
 
     Ray* open = room_for(scratch.rays, count);
     std::uint32_t* numbers = room_for(scratch.numbers, count);
@@ -35,10 +39,20 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
         numbers[left] = i;
         left += mesh_ahead[i];
     }
-    TriangleRecord* records = room_for(scratch.records, left);
-    glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
+    if (!data_->mesh_tree.nodes.empty()) {
+        TriangleRecord* records = room_for(scratch.records, left);
+        glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
+        for (std::size_t i = 0; i < left; ++i) {
+            if (records[i].triangle == no_triangle) continue;
+            keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
+            open[i].tmax = next_float(hits[numbers[i]].t, 1.0f);
+        }
+    }
+    if (data_->instances.empty()) return;
+    InstanceRecord* records = room_for(scratch.instance_records, left);
+    data_->instance_tree.closest({open, left}, {records, left}, hint, choice);
     for (std::size_t i = 0; i < left; ++i)
-        if (records[i].triangle != no_triangle)
+        if (records[i].instance != no_instance)
             keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
 }
 
@@ -47,7 +61,7 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
     const std::size_t count = rays.size();
     std::uint8_t* mesh_ahead = room_for(scratch.flags, count);
     surface_kernels[row_of(choice.target)].occluded(*data_, rays.data(), count, blocked.data(), mesh_ahead);
-    if (data_->mesh_tree.nodes.empty()) return;
+    if (has_no_triangles(*data_)) return;
 
     Ray* open = room_for(scratch.rays, count);
     std::uint32_t* numbers = room_for(scratch.numbers, count);
@@ -58,8 +72,21 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
         left += mesh_ahead[i];
     }
     // The flags are read: their place is free for the answers.
-    glint::occluded(data_->mesh_tree, {open, left}, {mesh_ahead, left}, hint, choice);
-    for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = mesh_ahead[i];
+    std::uint8_t* answers = mesh_ahead;
+    if (!data_->mesh_tree.nodes.empty()) {
+        glint::occluded(data_->mesh_tree, {open, left}, {answers, left}, hint, choice);
+        std::size_t still = 0;
+        for (std::size_t i = 0; i < left; ++i) {
+            blocked[numbers[i]] = answers[i];
+            open[still] = open[i];
+            numbers[still] = numbers[i];
+            still += answers[i] ^ 1u;
+        }
+        left = still;
+    }
+    if (data_->instances.empty()) return;
+    data_->instance_tree.occluded({open, left}, {answers, left}, hint, choice);
+    for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = answers[i];
 }
 
 } // namespace glint

@@ -1,5 +1,6 @@
 // From plain input to trees.
 
+#include "math/inverse.h"
 #include "trace/world_data.h"
 
 #include <algorithm>
@@ -22,21 +23,6 @@ std::uint64_t bytes_of(const std::vector<T>& v) {
 
 bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// The inverse by cofactors: homogeneous in every column, so that it scales by 2^k to the bit.
-dmat3 inverted(const dmat3& m) {
-    const dvec3 r0 = glm::cross(m[1], m[2]);
-    const dvec3 r1 = glm::cross(m[2], m[0]);
-    const dvec3 r2 = glm::cross(m[0], m[1]);
-    const double determinant = glm::dot(m[0], r0);
-    return glm::transpose(dmat3(r0 / determinant, r1 / determinant, r2 / determinant));
-}
-
-void check_corners(const WorldInput::Triangles& mesh) {
-    for (const uvec3& corners : mesh.triangles)
-        if (std::max({corners.x, corners.y, corners.z}) >= mesh.positions.size())
-            throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
-}
-
 /// All meshes as one, for the time of the build.
 WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
     WorldInput::Triangles all;
@@ -52,7 +38,7 @@ void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
     std::size_t triangles = 0;
     std::size_t positions = 0;
     for (const auto& mesh : world.meshes) {
-        check_corners(mesh);
+        check_corners(mesh.positions, mesh.triangles);
         world.first_numbers.push_back(static_cast<std::uint32_t>(triangles));
         triangles += mesh.triangles.size();
         positions += mesh.positions.size();
@@ -133,18 +119,36 @@ void number_surfaces(WorldData& world) {
     for (Quadric& q : world.quadrics) q.surface = number({q.kind, q.object, q.prim});
 }
 
+/// Shared meshes and their instances.
+void count_shared(WorldData& world) {
+    WorldStats& stats = world.stats;
+    int depth = 0;
+    for (const SharedMesh& mesh : world.shared_meshes) {
+        stats.nodes += mesh.tree.nodes.size();
+        stats.bytes +=
+            bytes_of(*mesh.source.positions) + bytes_of(*mesh.source.triangles) + mesh.tree.bytes();
+        depth = std::max(depth, mesh.tree.depth);
+    }
+    for (const PlacedMesh& placed : world.instances)
+        stats.triangles += world.shared_meshes[placed.mesh].source.triangles->size();
+    stats.nodes += world.instance_tree.nodes();
+    stats.depth = world.instance_tree.depth() + depth;
+    stats.bytes += bytes_of(world.instances) + world.instance_tree.bytes();
+}
+
 void count(WorldData& world, const WorldInput& input) {
     WorldStats& stats = world.stats;
     for (const auto& mesh : world.meshes) {
         stats.triangles += mesh.triangles.size();
         stats.bytes += bytes_of(mesh.positions) + bytes_of(mesh.triangles);
     }
+    count_shared(world);
     stats.spheres = input.spheres.size();
     stats.cylinders = input.cylinders.size();
     stats.planes = input.planes.size();
-    stats.quality = world.mesh_tree.quality;
-    stats.nodes = world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
-    stats.depth = std::max(world.mesh_tree.depth, world.quadric_tree.depth);
+    stats.quality = input.quality;
+    stats.nodes += world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
+    stats.depth = std::max({stats.depth, world.mesh_tree.depth, world.quadric_tree.depth});
     stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
                    bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.quadrics_by_number) +
                    bytes_of(world.surfaces);
@@ -159,6 +163,7 @@ World& World::operator=(World&&) noexcept = default;
 
 World::World(WorldInput input, TaskPool& pool) {
     auto world = std::make_unique<Data>();
+    place_instances(*world, input, pool);
     world->meshes = std::move(input.meshes);
     std::sort(world->meshes.begin(), world->meshes.end(),
               [](auto& a, auto& b) { return a.object < b.object; });

@@ -6,11 +6,13 @@
 #include "geometry/quadric.h"
 #include "geometry/triangle.h"
 #include "math/offset.shared.h"
+#include "trace/instance_tree.h"
 #include "trace/mesh_walk.h"
 #include "trace/world.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace glint {
@@ -51,8 +53,23 @@ struct Affine {
     }
 };
 
+/// A mesh that stands at several places.
+struct SharedMesh {
+    WorldInput::SharedMesh source;
+    MeshTree tree;
+};
+
+/// One of these places; WorldData::instance_tree knows the way back from the world.
+struct PlacedMesh {
+    std::uint32_t object = 0;
+    std::uint32_t mesh = 0; ///< index into WorldData::shared_meshes
+    bool turned = false;    ///< the normal is that of the winding in the mesh's space, reversed
+    dmat3 linear{1.0};      ///< p_world = linear · p_mesh + translation
+    double slack = 0;       ///< what the way to the world and back loses in double, in world units
+};
+
 struct WorldData {
-    MeshTree mesh_tree; ///< of all meshes: triangles under one running number
+    MeshTree mesh_tree; ///< of all meshes that are not shared: triangles under one running number
     Tree quadric_tree;
     std::vector<Quadric> quadrics; ///< in the order of the leaves
     std::vector<NumberedPlane> planes;
@@ -61,11 +78,21 @@ struct WorldData {
 
     std::vector<WorldInput::Triangles> meshes;     ///< by object
     std::vector<std::uint32_t> first_numbers;      ///< the number of each mesh's first triangle
+    std::vector<SharedMesh> shared_meshes;         ///< never moved: the trees point to theirs
+    std::vector<PlacedMesh> instances;             ///< by object
+    InstanceTree instance_tree;                    ///< of `instances`, in their order
     std::vector<std::uint32_t> quadrics_by_number; ///< into `quadrics`, by (object, prim)
     WorldStats stats;
 };
 
 struct World::Data : WorldData {};
+
+/// Takes shared meshes and instances over from the input, and builds their trees. An instance too squeezed
+/// for its tree is baked, and added to input.meshes.
+void place_instances(WorldData& world, WorldInput& input, TaskPool& pool);
+
+/// Of a shared mesh or a mesh: throws std::invalid_argument for an index out of range.
+void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
 /// The intervals in which a line, taken to the quadric's local space, is inside it.
 inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric,
@@ -74,6 +101,19 @@ inline bool intersect(const WorldData& world, const Line& line, const Quadric& q
         quadric.affine < 0 ? line : world.affines[static_cast<std::size_t>(quadric.affine)].to_local(line);
     if (quadric.kind == PrimKind::cylinder) return intersect(local, quadric.shape, inside);
     return intersect(local, quadric.sphere(), inside.t);
+}
+
+/// Where all triangles are: what a box test must grow it by besides, in the origin's largest |coordinate|, is
+/// in `slack`.
+struct TriangleBounds {
+    Bounds box;
+    float slack = 0;
+};
+
+inline TriangleBounds triangle_bounds(const WorldData& world) {
+    TriangleBounds bounds{world.mesh_tree.bounds, world.instance_tree.slack()};
+    bounds.box.grow(world.instance_tree.bounds());
+    return bounds;
 }
 
 /// The triangle with a running number, as a hit.
@@ -85,13 +125,43 @@ inline Hit numbered_hit(const WorldData& world, std::uint32_t number, float t, f
             on_edge};
 }
 
-inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
+inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uint32_t triangle, float t,
+                        float u, float v, bool on_edge) {
+    return {t, u, v, world.instances[instance].object, triangle, PrimKind::triangle, on_edge};
+}
+
+/// The number of an object's instance; no_instance if its triangles are in `meshes`.
+inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
+    const auto at =
+        std::lower_bound(world.instances.begin(), world.instances.end(), object,
+                         [](const PlacedMesh& placed, std::uint32_t o) { return placed.object < o; });
+    if (at == world.instances.end() || at->object != object) return no_instance;
+    return static_cast<std::uint32_t>(at - world.instances.begin());
+}
+
+/// The object's triangles, which are not those of an instance.
+inline const WorldInput::Triangles& mesh_of(const WorldData& world, std::uint32_t object) {
+    return *std::lower_bound(world.meshes.begin(), world.meshes.end(), object,
+                             [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
+}
+
+inline TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
     TriangleVertices vertices;
     for (int i = 0; i < 3; ++i) {
-        const vec3& p = mesh.positions[mesh.triangles[prim][i]];
+        const vec3& p = positions[corners[i]];
         vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
     }
     return vertices;
+}
+
+inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
+    return vertices_of(mesh.positions, mesh.triangles[prim]);
+}
+
+/// In the space of its mesh.
+inline TriangleVertices vertices_of(const WorldData& world, const PlacedMesh& placed, std::uint32_t prim) {
+    const WorldInput::SharedMesh& mesh = world.shared_meshes[placed.mesh].source;
+    return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
 }
 
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
@@ -107,19 +177,20 @@ inline bool is_traceable(const Ray& ray) {
 /// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
-/// Tests triangles for one ray and hands each hit to the sink. A sink has `limit`, the greatest t it still
+/// Tests triangles for one ray and hands each hit to the sink: those of an instance for a ray in the space of
+/// its mesh, or those of mesh_tree. A sink has `limit`, the greatest t it still
 /// wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of
 /// triangles apart.
 template <class Sink>
 class TriangleTester {
   public:
-    TriangleTester(const WorldData& world, const Ray& ray, Sink& sink)
-        : world_(world), sheared_(ray), tmin_(ray.tmin), sink_(sink) {}
+    TriangleTester(const WorldData& world, const Ray& ray, Sink& sink, std::uint32_t instance = no_instance)
+        : world_(world), sheared_(ray), tmin_(ray.tmin), sink_(sink), instance_(instance) {}
 
-    bool leaf(LeafCode leaf) {
+    bool leaf(const MeshTree& tree, LeafCode leaf) {
         for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
             std::uint32_t number;
-            const TriangleVertices vertices = leaf_triangle(world_.mesh_tree, leaf, i, number);
+            const TriangleVertices vertices = leaf_triangle(tree, leaf, i, number);
             if (triangle(vertices, number)) return true;
         }
         return false;
@@ -128,7 +199,10 @@ class TriangleTester {
     bool triangle(const TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
         if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
-        return sink_.add(numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge), hit.positive);
+        const Hit found = instance_ == no_instance
+                              ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
+                              : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
+        return sink_.add(found, hit.positive);
     }
 
   private:
@@ -136,6 +210,7 @@ class TriangleTester {
     ShearedRay sheared_;
     float tmin_;
     Sink& sink_;
+    std::uint32_t instance_;
 };
 
 /// The same for planes, spheres and cylinders.
@@ -195,12 +270,34 @@ bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& si
     return done;
 }
 
-/// The same with triangles, roughly nearest first.
+/// The same for the triangles of a tree: mesh_tree, or that of an instance.
+template <class Sink>
+bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, TriangleTester<Sink> test) {
+    bool done = false;
+    walk(tree, ray, from, sink.limit, [&](LeafCode leaf) { return done = test.leaf(tree, leaf); });
+    return done;
+}
+
+/// The same for instances.
+template <class Sink>
+bool trace_instances(const WorldData& world, const Ray& ray, float from, Sink& sink) {
+    bool done = false;
+    Ray rest = ray;
+    rest.tmin = from;
+    world.instance_tree.visit(rest, sink.limit, [&](std::uint32_t instance) {
+        const Ray local = world.instance_tree.to_local(instance, ray);
+        return done = is_traceable(local) && trace_mesh(world.instance_tree.mesh(instance), local, from, sink,
+                                                        TriangleTester<Sink>(world, local, sink, instance));
+    });
+    return done;
+}
+
+/// The same for everything, roughly nearest first.
 template <class Sink>
 void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     if (!is_traceable(ray) || trace_quadrics(world, ray, from, sink)) return;
-    TriangleTester<Sink> test(world, ray, sink);
-    walk(world.mesh_tree, ray, from, sink.limit, [&](LeafCode leaf) { return test.leaf(leaf); });
+    if (trace_mesh(world.mesh_tree, ray, from, sink, TriangleTester<Sink>(world, ray, sink))) return;
+    trace_instances(world, ray, from, sink);
 }
 
 /// The closest plane, sphere or cylinder; whether there is any.
@@ -210,7 +307,24 @@ bool occluded_surface(const WorldData& world, const Ray& ray);
 /// Puts the triangle that a mesh's kernel found in the place of `hit`, if it precedes.
 void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit);
 
-/// The same without trees.
+void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit);
+
+/// Every triangle of every instance; whether the sink ended the search.
+template <class Sink>
+bool instances_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+        const Ray local = world.instance_tree.to_local(i, ray);
+        if (!is_traceable(local)) continue;
+        TriangleTester<Sink> test(world, local, sink, i);
+        const PlacedMesh& placed = world.instances[i];
+        const std::size_t count = world.shared_meshes[placed.mesh].source.triangles->size();
+        for (std::uint32_t prim = 0; prim < count; ++prim)
+            if (test.triangle(vertices_of(world, placed, prim), prim)) return true;
+    }
+    return false;
+}
+
+/// trace() without trees.
 template <class Sink>
 void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     if (!is_traceable(ray)) return;
@@ -221,6 +335,7 @@ void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     for (std::size_t m = 0; m < world.meshes.size(); ++m)
         for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
             if (triangles.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
+    instances_brute_force(world, ray, sink);
 }
 
 } // namespace glint

@@ -23,15 +23,38 @@ SurfacePoint rounded(const ExactPoint& point, double slack) {
     return result;
 }
 
+/// A ray that starts at the point goes back to the mesh's space, where its origin and direction are rounded
+/// and its test displaces triangles: triangle_point_error() has the first and the third, and the direction
+/// displaces what it meets of the triangle by 1 u S more than that allows (S as there). A quarter on top
+/// covers it and all of second order. What bounds each coordinate there, bounds those here through |linear|.
+SurfacePoint instance_surface(const WorldData& world, std::uint32_t instance, const Ray& ray,
+                              const Hit& hit) {
+    const PlacedMesh& placed = world.instances[instance];
+    const TriangleVertices vertices = vertices_of(world, placed, hit.prim);
+    const Ray local = world.instance_tree.to_local(instance, ray);
+    const ExactPoint point = triangle_point(vertices, double(hit.u), double(hit.v), dvec3(local.direction));
+    const dvec3 p = placed.linear * point.p + world.instance_tree.translation(instance);
+    const dvec3 normal = glm::transpose(world.instance_tree.inverse(instance)) * point.n;
+    const dvec3 unit = normal / std::sqrt(glm::dot(normal, normal));
+
+    const dmat3& m = placed.linear;
+    const dvec3 there = dvec3(triangle_point_error(vertices, vec3(point.p))) * 1.25;
+    const dvec3 here = glm::abs(m[0]) * there.x + glm::abs(m[1]) * there.y + glm::abs(m[2]) * there.z;
+    SurfacePoint result = rounded({p, placed.turned ? -unit : unit}, placed.slack);
+    result.p_error += vec3(here);
+    return result;
+}
+
 SurfacePoint triangle_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
-    const auto mesh = std::lower_bound(world.meshes.begin(), world.meshes.end(), hit.object,
-                                       [](const auto& m, std::uint32_t object) { return m.object < object; });
-    const TriangleVertices vertices = vertices_of(*mesh, hit.prim);
+    const std::uint32_t instance = instance_of(world, hit.object);
+    if (instance != no_instance) return instance_surface(world, instance, ray, hit);
+    const WorldInput::Triangles& mesh = mesh_of(world, hit.object);
+    const TriangleVertices vertices = vertices_of(mesh, hit.prim);
     const ExactPoint point = triangle_point(vertices, double(hit.u), double(hit.v), dvec3(ray.direction));
     SurfacePoint result;
     result.p = vec3(point.p);
     result.p_error = triangle_point_error(vertices, result.p);
-    result.n = vec3(mesh->flip ? -point.n : point.n);
+    result.n = vec3(mesh.flip ? -point.n : point.n);
     return result;
 }
 

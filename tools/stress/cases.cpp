@@ -31,6 +31,7 @@ std::span<const Family> families() {
         Family{"zero-area", Claim::agrees, soup_agrees<Soup::zero_area>},
         Family{"quadrics", Claim::agrees, soup_agrees<Soup::quadrics>},
         Family{"mixed", Claim::agrees, soup_agrees<Soup::mixed>},
+        Family{"instanced", Claim::agrees, soup_agrees<Soup::instanced>},
         Family{"inside-icosphere", Claim::closed, inside_hits<Closed::icosphere>},
         Family{"inside-torus", Claim::closed, inside_hits<Closed::torus>},
         Family{"inside-polyhedron", Claim::closed, inside_hits<Closed::polyhedron>},

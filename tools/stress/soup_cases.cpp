@@ -18,6 +18,13 @@ class TroubleRays {
         for (const auto& mesh : world.meshes)
             for (const uvec3& t : mesh.triangles)
                 for (int k = 0; k < 3; ++k) corners_.push_back(mesh.positions[t[k]]);
+        for (const auto& instance : world.instances) {
+            const WorldInput::SharedMesh& mesh = world.shared_meshes[instance.mesh];
+            for (const uvec3& t : *mesh.triangles)
+                for (int k = 0; k < 3; ++k)
+                    corners_.push_back(
+                        vec3(dvec3(instance.world_from_mesh * dvec4(dvec3((*mesh.positions)[t[k]]), 1.0))));
+        }
         if (corners_.empty())
             for (const auto& s : world.spheres)
                 for (int k = 0; k < 3; ++k) corners_.push_back(vec3(s.center));

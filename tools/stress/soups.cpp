@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <memory>
+#include <utility>
 
 namespace glint::stress {
 
@@ -132,8 +135,64 @@ void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
 
 } // namespace
 
+/// Turned, sheared, mirrored, of many sizes; sometimes none of it, sometimes much squeezed.
+dmat4 any_transform(const Placement& place, Random& random) {
+    dmat3 linear(1.0);
+    const double size = random.one_in(4) ? 1.0 : random.uniform(0.05, 1.0);
+    for (int column = 0; column < 3; ++column) {
+        if (random.one_in(2)) linear[column] = random.in_cube(0.5);
+        linear[column][column] += random.one_in(2) ? 1.5 : -1.5;
+        if (random.one_in(8)) linear[column] *= random.power_of_ten(-4, 0);
+    }
+    if (random.one_in(3)) linear = dmat3(1.0);
+    const dvec3 at = random.one_in(2) ? on_grid(random) : random.in_cube(1.0);
+    dmat4 m(linear * (size * place.scale));
+    m[3] = dvec4((at + place.offset) * place.scale, 1.0);
+    return m;
+}
+
+WorldInput::SharedMesh shared_soup(Random& random) {
+    static constexpr Soup kinds[] = {Soup::random,       Soup::needles,  Soup::slivers,
+                                     Soup::axis_aligned, Soup::coplanar, Soup::zero_area};
+    const Soup kind = kinds[random.below(std::size(kinds))];
+    std::vector<vec3> positions;
+    std::vector<uvec3> triangles;
+    for (int i = random.between(1, 16); i > 0; --i) {
+        const auto first = static_cast<std::uint32_t>(positions.size());
+        for (const dvec3& p : triangle(kind, random)) positions.push_back(vec3(p));
+        triangles.emplace_back(first, first + 1, first + 2);
+        // Two more along its sides: edges to be met.
+        if (random.one_in(2)) continue;
+        positions.push_back(vec3(random.in_cube(1.0)));
+        triangles.emplace_back(first + 1, first, first + 3);
+        triangles.emplace_back(first, first + 2, first + 3);
+    }
+    return {std::make_shared<const std::vector<vec3>>(std::move(positions)),
+            std::make_shared<const std::vector<uvec3>>(std::move(triangles))};
+}
+
+void add_instances(const Placement& place, Random& random, WorldInput& world) {
+    for (std::uint32_t i = 0; i < 3; ++i) world.shared_meshes.push_back(shared_soup(random));
+    for (std::uint32_t i = 1 + random.below(12); i > 0; --i) {
+        const bool again = !world.instances.empty() && random.one_in(6);
+        WorldInput::Instance instance;
+        if (again) instance = world.instances.back();
+        if (!again) instance.world_from_mesh = any_transform(place, random);
+        if (!again) instance.mesh = random.below(3);
+        // Before, between and behind the other objects.
+        instance.object = 2 * i;
+        world.instances.push_back(instance);
+    }
+}
+
 WorldInput make_soup(Soup kind, const Placement& place, Random& random) {
     WorldInput world;
+    if (kind == Soup::instanced) {
+        add_instances(place, random, world);
+        if (random.one_in(2)) add_triangles(Soup::mixed, place, random, world);
+        if (random.one_in(4)) add_quadrics(place, random, world);
+        return world;
+    }
     if (kind != Soup::quadrics) add_triangles(kind, place, random, world);
     if (kind == Soup::quadrics || kind == Soup::mixed) add_quadrics(place, random, world);
     return world;

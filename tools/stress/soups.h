@@ -7,10 +7,21 @@
 
 namespace glint::stress {
 
-enum class Soup { random, needles, slivers, axis_aligned, coplanar, duplicates, zero_area, quadrics, mixed };
+enum class Soup {
+    random,
+    needles,
+    slivers,
+    axis_aligned,
+    coplanar,
+    duplicates,
+    zero_area,
+    quadrics,
+    mixed,
+    instanced
+};
 
-/// At most 64 triangles in up to three meshes, at most 12 quadrics and 2 planes, about the cube [-1, 1]^3
-/// before the placement.
+/// At most 64 triangles in up to three meshes, at most 12 quadrics and 2 planes, and where it is instanced up
+/// to 12 instances of three meshes of at most 48 triangles, about the cube [-1, 1]^3 before the placement.
 WorldInput make_soup(Soup kind, const Placement& place, Random& random);
 
 } // namespace glint::stress

@@ -1,0 +1,183 @@
+#include "scene/bake_mesh.h"
+
+#include "geometry/mesh.h"
+#include "scene/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+using Normals = std::shared_ptr<const std::vector<vec3>>;
+
+double largest_stretch(const dmat4& m) {
+    const dvec3 x(m[0]), y(m[1]), z(m[2]);
+    return std::sqrt(std::max({glm::dot(x, x), glm::dot(y, y), glm::dot(z, z)}));
+}
+
+dmat4 with_scale(const dmat4& transform, const Vec3& scale) {
+    dmat4 m = transform;
+    for (int c = 0; c < 3; ++c) m[c] *= scale[c];
+    return m;
+}
+
+// Half the spacing that as many points would have if they lay evenly on the sides of their box.
+double default_point_radius(const std::vector<vec3>& points) {
+    Bounds bounds;
+    for (const vec3& p : points) bounds.grow(p);
+    if (points.empty()) return 1;
+    const dvec3 d(bounds.extent());
+    const double area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
+    const double spacing = std::sqrt(area / static_cast<double>(points.size()));
+    if (spacing > 0) return spacing / 2;
+    const double length = std::max({d.x, d.y, d.z});
+    return length > 0 ? length / (2.0 * static_cast<double>(points.size())) : 1;
+}
+
+std::vector<vec3> transformed_positions(const std::vector<vec3>& positions, const dmat4& m) {
+    std::vector<vec3> moved;
+    moved.reserve(positions.size());
+    for (const vec3& p : positions) moved.push_back(vec3(transform_point(m, dvec3(p))));
+    return moved;
+}
+
+std::vector<vec3> transformed_normals(const std::vector<vec3>& normals, const dmat3& normal_matrix) {
+    std::vector<vec3> turned;
+    turned.reserve(normals.size());
+    for (const vec3& n : normals) turned.push_back(transformed_normal(normal_matrix, n));
+    return turned;
+}
+
+dmat3 normal_matrix_of(const dmat4& m) { return glm::transpose(glm::inverse(dmat3(m))); }
+
+Normals own(std::vector<vec3> normals) {
+    if (normals.empty()) return nullptr;
+    return std::make_shared<const std::vector<vec3>>(std::move(normals));
+}
+
+// In the mesh's space. Smooth ones are found where the mesh lies, since angles depend on its scale.
+Normals shared_normals(const MeshShape& s, const dmat4& m) {
+    if (s.normals == NormalsMode::smooth) {
+        const std::vector<vec3> smooth =
+            smooth_normals(transformed_positions(s.data->positions, m), s.data->triangles);
+        return own(transformed_normals(smooth, glm::transpose(dmat3(m))));
+    }
+    if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return nullptr;
+    return Normals(s.data, &s.data->normals);
+}
+
+// Vertices that no face uses need not even be finite.
+Bounds bounds_of_used(const std::vector<vec3>& positions, const std::vector<uvec3>& triangles) {
+    Bounds bounds;
+    for (const uvec3& t : triangles)
+        for (int i = 0; i < 3; ++i) bounds.grow(positions[t[i]]);
+    return bounds;
+}
+
+} // namespace
+
+Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi) {
+    Bounds bounds;
+    for (int corner = 0; corner < 8; ++corner) {
+        const dvec3 p((corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
+                      (corner & 4) != 0 ? hi.z : lo.z);
+        bounds.grow(vec3(transform_point(m, p)));
+    }
+    return bounds;
+}
+
+void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t id, bool closed) {
+    triangles.object = id;
+    baked.objects[id].bounds = bounds_of_used(triangles.positions, triangles.triangles);
+    triangles.flip = closed && signed_volume(triangles.positions, triangles.triangles) < 0;
+    baked.objects[id].solid = closed;
+    baked.input.meshes.push_back(std::move(triangles));
+}
+
+MeshBaker::MeshBaker(const SceneDescription& scene, bool need_closedness, Baked& baked)
+    : need_closedness_(need_closedness), baked_(baked) {
+    for (const Object& object : scene.objects) {
+        if (!object.visible) continue;
+        if (std::holds_alternative<MeshShape>(object.shape)) ++uses_[&object];
+        if (const auto* instance = std::get_if<InstanceShape>(&object.shape))
+            ++uses_[find_mesh(scene, instance->mesh)];
+    }
+}
+
+void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t id) {
+    const auto& s = std::get<MeshShape>(source.shape);
+    const dmat4 m = with_scale(transform, s.scale);
+    if (s.data->triangles.empty()) return bake_points(s, m, id);
+    baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
+    if (uses_[&source] > 1) return place(shared(source), m, id);
+    bake_once(s, m, id);
+}
+
+void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id) {
+    const double radius = s.point_radius ? *s.point_radius : default_point_radius(s.data->positions);
+    const double stretched = radius * largest_stretch(m);
+    std::uint32_t prim = 0;
+    for (const vec3& p : s.data->positions) {
+        const dvec3 center = transform_point(m, dvec3(p));
+        baked_.input.spheres.push_back({id, prim++, center, stretched, -1});
+        baked_.objects[id].bounds.grow(vec3(center - stretched));
+        baked_.objects[id].bounds.grow(vec3(center + stretched));
+    }
+    baked_.objects[id].solid = true;
+    if (s.vertex_colors == VertexColors::automatic && !s.data->colors.empty())
+        baked_.objects[id].attributes = add_attributes(s, nullptr);
+}
+
+void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) {
+    WorldInput::Triangles triangles;
+    triangles.positions = transformed_positions(s.data->positions, m);
+    triangles.triangles = s.data->triangles;
+    Normals normals;
+    if (s.normals == NormalsMode::smooth)
+        normals = own(smooth_normals(triangles.positions, triangles.triangles));
+    else if (s.normals == NormalsMode::automatic)
+        normals = own(transformed_normals(s.data->normals, normal_matrix_of(m)));
+    baked_.objects[id].attributes = add_attributes(s, std::move(normals));
+    const bool closed = need_closedness_ && is_closed(triangles.positions, triangles.triangles);
+    add_triangles(baked_, std::move(triangles), id, closed);
+}
+
+std::int32_t MeshBaker::add_attributes(const MeshShape& s, Normals normals) {
+    const bool colored = s.vertex_colors == VertexColors::automatic && !s.data->colors.empty();
+    if (normals == nullptr && !colored) return no_attributes;
+    baked_.attributes.push_back({std::move(normals), s.data, colored});
+    return static_cast<std::int32_t>(baked_.attributes.size()) - 1;
+}
+
+const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
+    const auto found = shared_.find(&source);
+    if (found != shared_.end()) return found->second;
+    const auto& s = std::get<MeshShape>(source.shape);
+    const Mesh& mesh = *s.data;
+    Shared shared;
+    shared.mesh = static_cast<std::uint32_t>(baked_.input.shared_meshes.size());
+    baked_.input.shared_meshes.push_back({{s.data, &mesh.positions}, {s.data, &mesh.triangles}});
+    shared.bounds = bounds_of_used(mesh.positions, mesh.triangles);
+    shared.closed = need_closedness_ && is_closed(mesh.positions, mesh.triangles);
+    if (shared.closed) shared.volume = signed_volume(mesh.positions, mesh.triangles);
+    shared.attributes = add_attributes(s, shared_normals(s, with_scale(source.transform, s.scale)));
+    return shared_.emplace(&source, shared).first->second;
+}
+
+void MeshBaker::place(const Shared& mesh, const dmat4& m, std::uint32_t id) {
+    FrozenObject& object = baked_.objects[id];
+    if (!mesh.bounds.empty()) object.bounds = transform_box(m, dvec3(mesh.bounds.lo), dvec3(mesh.bounds.hi));
+    object.solid = mesh.closed;
+    object.attributes = mesh.attributes;
+    if (mesh.attributes != no_attributes &&
+        baked_.attributes[static_cast<std::size_t>(mesh.attributes)].normals != nullptr) {
+        object.normal_matrix = static_cast<std::int32_t>(baked_.normal_matrices.size());
+        baked_.normal_matrices.push_back(normal_matrix_of(m));
+    }
+    const bool mirrored = glm::determinant(dmat3(m)) < 0;
+    const bool inside_out = mirrored ? mesh.volume > 0 : mesh.volume < 0;
+    baked_.input.instances.push_back({id, mesh.mesh, m, mesh.closed && inside_out});
+}
+
+} // namespace glint

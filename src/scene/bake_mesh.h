@@ -1,0 +1,51 @@
+#pragma once
+// The part of baking that deals with triangles and points: meshes and their instances. Private to this room.
+
+#include "scene/bake.h"
+
+#include <map>
+
+namespace glint {
+
+inline dvec3 transform_point(const dmat4& m, const dvec3& p) { return dvec3(m * dvec4(p, 1.0)); }
+
+/// Bounds of the image of a box under an affine map.
+Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi);
+
+/// Adds triangles in world space as object `id`. Closed shapes are turned outward: a mirror in the transform,
+/// or a winding inside out, shows in the volume.
+void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t id, bool closed);
+
+/// A mesh that is seen once is baked into world space; one that is seen more often is stored once, as it is,
+/// and placed.
+class MeshBaker {
+  public:
+    /// All must outlive this.
+    MeshBaker(const SceneDescription& scene, bool need_closedness, Baked& baked);
+
+    /// Adds the mesh of the object `source` as object `id`: by its own scale, then by `transform`.
+    void bake(const Object& source, const dmat4& transform, std::uint32_t id);
+
+  private:
+    /// What all places of a mesh have in common.
+    struct Shared {
+        std::uint32_t mesh = 0; ///< index into WorldInput::shared_meshes
+        Bounds bounds;          ///< in the mesh's space
+        bool closed = false;
+        double volume = 0; ///< if closed: below 0 where wound inside out
+        std::int32_t attributes = no_attributes;
+    };
+
+    void bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id);
+    void bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id);
+    const Shared& shared(const Object& source);
+    void place(const Shared& mesh, const dmat4& m, std::uint32_t id);
+    std::int32_t add_attributes(const MeshShape& s, std::shared_ptr<const std::vector<vec3>> normals);
+
+    bool need_closedness_;
+    Baked& baked_;
+    std::map<const Object*, int> uses_; ///< how many visible objects show a mesh object's mesh
+    std::map<const Object*, Shared> shared_;
+};
+
+} // namespace glint
