@@ -59,14 +59,15 @@ namespace {
 
 /// Sweeps the bins of one axis from both ends; keeps the cheapest cut in `best`.
 void sweep(const std::array<QuadBox, most_bins>& boxes, const std::array<std::uint32_t, most_bins>& counts,
-           int bins, float scale, int axis, Cut& best) {
+           int bins, float scale, bool pairs, int axis, Cut& best) {
+    const std::uint32_t odd = pairs ? 1 : 0;
     std::array<float, most_bins> right_cost;
     QuadBox box;
     std::uint32_t elements = 0;
     for (auto i = static_cast<std::size_t>(bins - 1); i > 0; --i) {
         box.grow(boxes[i]);
         elements += counts[i];
-        right_cost[i] = elements > 0 ? half_area(box, scale) * static_cast<float>(elements)
+        right_cost[i] = elements > 0 ? half_area(box, scale) * static_cast<float>(elements + (elements & odd))
                                      : std::numeric_limits<float>::infinity();
     }
     box = {};
@@ -75,18 +76,20 @@ void sweep(const std::array<QuadBox, most_bins>& boxes, const std::array<std::ui
         box.grow(boxes[i - 1]);
         elements += counts[i - 1];
         if (elements == 0) continue;
-        const float cost = half_area(box, scale) * static_cast<float>(elements) + right_cost[i];
+        const float cost =
+            half_area(box, scale) * static_cast<float>(elements + (elements & odd)) + right_cost[i];
         if (cost < best.cost) best = {axis, static_cast<int>(i), cost};
     }
 }
 
 } // namespace
 
-Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale) {
+Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale, bool pairs) {
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (binning.scale[axis] > 0.0f)
-            sweep(bins.boxes[axis], bins.counts[axis], binning.bins, scale, static_cast<int>(axis), best);
+            sweep(bins.boxes[axis], bins.counts[axis], binning.bins, scale, pairs, static_cast<int>(axis),
+                  best);
     return best;
 }
 

@@ -77,8 +77,9 @@ struct Cut {
     float cost = std::numeric_limits<float>::infinity();
 };
 
-/// The cheapest cut between bins; areas are multiplied by scale^2.
-Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale);
+/// The cheapest cut between bins; areas are multiplied by scale^2. With `pairs` odd numbers of elements count
+/// as the next even one.
+Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale, bool pairs = false);
 
 /// What the bins on either side of a cut bound.
 std::pair<QuadBox, QuadBox> boxes_of(const Bins& bins, const Binning& binning, const Cut& cut);

@@ -15,7 +15,7 @@ namespace {
 // and not changed; architecture costs 9 % less by the surface area heuristic for 2 % more references.
 
 /// Ranges of fewer references are not worth the search.
-constexpr std::size_t least_cut = 32;
+constexpr std::size_t least_cut = 64;
 /// The sides of the best cut without cutting triangles overlap by these parts, of everything and of
 /// themselves.
 constexpr float least_overlap_of_all = 1e-3f;
@@ -51,7 +51,7 @@ std::pair<Range, Range> split(const MeshBuild& build, const Range& whole, const 
         bins.clear(binning.bins);
         bins.fill(binning, build.refs + range.begin, build.refs + range.end);
     }
-    const Cut cut = cheapest_cut(bins, binning, build.scale);
+    const Cut cut = cheapest_cut(bins, binning, build.scale, build.thrift >= 1.0f);
     std::pair<Range, Range> sides;
     if (may_pay(build, range, bins, binning, cut)) {
         const SpatialCut spatial = cheapest_spatial_cut(build, range);

@@ -17,6 +17,9 @@ struct MeshBuild {
     float scale;     ///< of areas, see half_area()
     float root_area; ///< of everything
     Ref* refs;
+    /// The price of each leaf for the memory it takes, in steps into a node of the size of its triangles. 1
+    /// and above: leaves shall be pairs of triangles, the most that fit without a shared vertex.
+    float thrift = 0;
 };
 
 /// How many bins a range of this size is worth.

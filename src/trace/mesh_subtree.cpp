@@ -44,7 +44,10 @@ std::array<std::uint8_t, wide_leaf> order_along(int axis, const Ref* refs, std::
 }
 
 /// Tries all cuts along an axis.
-void sweep(int axis, const Ref* refs, std::uint32_t count, float scale, BlockCut& best) {
+void sweep(int axis, const Ref* refs, std::uint32_t count, const MeshBuild& build, BlockCut& best) {
+    const float scale = build.scale;
+    // Where pairs are wanted, at most one triangle is left over.
+    const std::uint32_t step = build.thrift >= 1.0f && count > 2 ? 2 : 1;
     const auto order = order_along(axis, refs, count);
     std::array<QuadBox, wide_leaf> right;
     QuadBox box;
@@ -55,6 +58,7 @@ void sweep(int axis, const Ref* refs, std::uint32_t count, float scale, BlockCut
     box = {};
     for (std::uint32_t i = 1; i < count; ++i) {
         box.grow(refs[order[i - 1]].box());
+        if (i % step != 0) continue;
         const float cost = half_area(box, scale) * static_cast<float>(i) +
                            half_area(right[i], scale) * static_cast<float>(count - i);
         if (cost < best.cost) best = {order, i, cost, box, right[i]};
@@ -109,7 +113,12 @@ std::uint32_t SubtreeBuilder::add_children(const QuadBox& left, const QuadBox& r
 /// The top's nodes are continued below its leaves.
 void SubtreeBuilder::inherit(const MeshTop& top, std::uint32_t from, std::uint32_t at) {
     const BinaryNode& node = top.nodes[from];
-    if (node.is_leaf) return grow(top.ranges[node.first], at);
+    if (node.is_leaf) {
+        // Nothing is cut any more. Without room nothing moves either: a part may be built again.
+        Range range = top.ranges[node.first];
+        range.limit = range.end;
+        return grow(range, at);
+    }
     const std::uint32_t children = add_children(top.nodes[node.left].box, top.nodes[node.left + 1].box);
     inherit(top, node.left, children);
     inherit(top, node.left + 1, children + 1);
@@ -118,8 +127,9 @@ void SubtreeBuilder::inherit(const MeshTop& top, std::uint32_t from, std::uint32
 
 void SubtreeBuilder::price(std::uint32_t at, std::uint32_t children) {
     nodes_[at].left = children;
-    price_split(nodes_[at], nodes_[children], nodes_[children + 1], half_area(nodes_[at].box, build_->scale),
-                infinite);
+    // Where memory counts, nodes are to be full.
+    price_split(nodes_[at], nodes_[children], nodes_[children + 1],
+                half_area(nodes_[at].box, build_->scale) + 8.0f * leaf_price_, infinite);
 }
 
 void SubtreeBuilder::grow(const Range& range, std::uint32_t at) {
@@ -143,6 +153,11 @@ void SubtreeBuilder::grow_block(const Range& range, std::uint32_t at) {
         order_[i] = static_cast<std::uint8_t>(i);
         vertices_[i] = draft_.vertices_of(i);
     }
+    leaf_price_ = 0;
+    if (build_->thrift > 0.0f)
+        for (std::uint32_t i = 0; i < count; ++i)
+            leaf_price_ += build_->thrift / static_cast<float>(count) *
+                           half_area(build_->refs[range.begin + i].box(), build_->scale);
     nodes_[at].first = static_cast<std::uint32_t>(range.begin);
     nodes_[at].count = count & 0x3fffffffu;
     cut_block(at);
@@ -152,7 +167,7 @@ float SubtreeBuilder::leaf_cost(const BinaryNode& node, float area) const {
     std::uint32_t vertices = 0;
     for (std::uint32_t i = 0; i < node.count; ++i) vertices |= vertices_[node.first - block_ + i];
     if (count_bits(vertices) > leaf_vertices) return infinite;
-    return area * (leaf_base + leaf_triangle * static_cast<float>(node.count));
+    return area * (leaf_base + leaf_triangle * static_cast<float>(node.count)) + leaf_price_;
 }
 
 /// Cuts down to single triangles, or, for the fast quality, to what fits into leaves.
@@ -173,7 +188,7 @@ void SubtreeBuilder::cut_block(std::uint32_t at) {
 
     Ref* refs = build_->refs + first;
     BlockCut cut;
-    for (int axis = 0; axis < 3; ++axis) sweep(axis, refs, count, build_->scale, cut);
+    for (int axis = 0; axis < 3; ++axis) sweep(axis, refs, count, *build_, cut);
     std::array<Ref, wide_leaf> old_refs;
     std::array<std::uint32_t, wide_leaf> old_vertices;
     std::array<std::uint8_t, wide_leaf> old_order;
@@ -193,7 +208,7 @@ void SubtreeBuilder::cut_block(std::uint32_t at) {
     cut_block(children);
     cut_block(children + 1);
     nodes_[at].left = children;
-    price_split(nodes_[at], nodes_[children], nodes_[children + 1], area, as_leaf);
+    price_split(nodes_[at], nodes_[children], nodes_[children + 1], area + 8.0f * leaf_price_, as_leaf);
 }
 
 } // namespace glint

@@ -89,6 +89,7 @@ class SubtreeBuilder {
     LeafDraft draft_;
     std::array<std::uint8_t, wide_leaf> order_;
     std::array<std::uint32_t, wide_leaf> vertices_;
+    float leaf_price_ = 0; ///< of each leaf in the block, see MeshBuild::thrift
 };
 
 } // namespace glint

@@ -8,6 +8,7 @@
 #include "trace/mesh_top.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -57,17 +58,78 @@ Range fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangle
     return all;
 }
 
-std::vector<Subtree> build_subtrees(const MeshBuild& build, const MeshTop& top,
-                                    const std::vector<std::uint32_t>& parts, TaskPool& pool) {
-    std::vector<Subtree> subtrees(parts.size());
-    std::vector<std::unique_ptr<SubtreeBuilder>> builders(static_cast<std::size_t>(pool.threads()));
-    pool.run(subtrees.size(), [&](std::size_t task, int worker) {
-        auto& builder = builders[static_cast<std::size_t>(worker)];
-        if (!builder) builder = std::make_unique<SubtreeBuilder>();
-        subtrees[task] = builder->run(build, top, parts[task]);
-    });
-    return subtrees;
-}
+/// Of so many parts about a sixteenth is built first, to learn how much memory leaves take; of fewer all.
+constexpr std::size_t least_sampled = 32;
+
+/// Whether a part is of the sample: scattered, as neighbours are alike.
+bool is_sampled(std::size_t part) { return (static_cast<std::uint32_t>(part) * 0x9e3779b9u) >> 28 == 0; }
+
+/// Bytes a triangle that a tree may take: over shared vertices, and else.
+constexpr double budget_shared = 47.5;
+constexpr double budget_apart = 71.5;
+/// How thrifty leaves may have to be for that, see MeshBuild::thrift.
+constexpr std::array<float, 5> thrifts{0.0f, 0.25f, 1.0f, 8.0f, 30000.0f};
+
+/// Builds the parts below the top, with leaves as thrifty as the memory budget asks for.
+class PartBuilder {
+  public:
+    PartBuilder(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
+                TaskPool& pool)
+        : build_(build), top_(top), parts_(parts), pool_(pool), subtrees_(parts.size()),
+          builders_(static_cast<std::size_t>(pool.threads())) {}
+
+    std::vector<Subtree> run() {
+        std::vector<std::size_t> sample;
+        std::vector<std::size_t> others;
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            (parts_.size() < least_sampled || is_sampled(i) ? sample : others).push_back(i);
+        const bool shared = build_.positions.size() < 2 * build_.triangles.size();
+        if (!shared || !fit(sample, budget_shared)) fit(sample, budget_apart);
+        grow(others);
+        return std::move(subtrees_);
+    }
+
+  private:
+    /// Builds the sample with the least thrift that keeps to a budget; false if none does.
+    bool fit(const std::vector<std::size_t>& sample, double budget) {
+        for (const float thrift : thrifts) {
+            build_.thrift = thrift;
+            grow(sample);
+            if (bytes_a_reference(sample) * references_a_triangle() <= budget) return true;
+        }
+        return false;
+    }
+
+    void grow(const std::vector<std::size_t>& which) {
+        pool_.run(which.size(), [&](std::size_t task, int worker) {
+            auto& builder = builders_[static_cast<std::size_t>(worker)];
+            if (!builder) builder = std::make_unique<SubtreeBuilder>();
+            subtrees_[which[task]] = builder->run(build_, top_, parts_[which[task]]);
+        });
+    }
+
+    double bytes_a_reference(const std::vector<std::size_t>& sample) const {
+        std::size_t bytes = 0;
+        std::size_t references = 0;
+        for (const std::size_t i : sample) {
+            bytes += subtrees_[i].nodes.size() * sizeof(WideNode) +
+                     subtrees_[i].words.size() * sizeof(std::uint32_t);
+            references += top_.nodes[parts_[i]].count;
+        }
+        return static_cast<double>(bytes) / static_cast<double>(references);
+    }
+
+    double references_a_triangle() const {
+        return static_cast<double>(top_.nodes[0].count) / static_cast<double>(build_.triangles.size());
+    }
+
+    MeshBuild build_;
+    const MeshTop& top_;
+    const std::vector<std::uint32_t>& parts_;
+    TaskPool& pool_;
+    std::vector<Subtree> subtrees_;
+    std::vector<std::unique_ptr<SubtreeBuilder>> builders_; ///< by worker
+};
 
 /// Writes the top, then all subtrees behind it.
 class Assembler {
@@ -189,7 +251,7 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
     const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.get()};
     MeshTop top = build_top(build, all, pool);
     const std::vector<std::uint32_t> parts = choose_parts(top, build.scale);
-    std::vector<Subtree> subtrees = build_subtrees(build, top, parts, pool);
+    std::vector<Subtree> subtrees = PartBuilder(build, top, parts, pool).run();
     refs.reset();
     Assembler(top, parts, subtrees, tree).run(build.scale, pool);
     return tree;
