@@ -8,6 +8,9 @@
 namespace glint::bench {
 namespace {
 
+/// A job on two threads takes no less than half of this.
+constexpr double least_seconds = 0.4;
+
 double seconds_of(clockid_t clock) {
     timespec time;
     clock_gettime(clock, &time);
@@ -20,18 +23,19 @@ double thread_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 double process_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 double wall_seconds() { return seconds_of(CLOCK_MONOTONIC); }
 
-Timing time_once(const Job& job, const Peer& peer, int threads, Answers& answers) {
+Timing time_once(const Job& job, const Peer& peer, std::vector<Answers>& rooms, std::size_t repeats) {
     std::atomic<std::size_t> next{0};
-    const auto work = [&](double& cpu) {
+    std::vector<double> cpu(rooms.size());
+    const auto work = [&](std::size_t worker) {
         const double start = thread_seconds();
-        for (std::size_t batch = next++; batch < job.batches; batch = next++) job.run(peer, batch, answers);
-        cpu = thread_seconds() - start;
+        for (std::size_t task = next++; task < job.batches * repeats; task = next++)
+            job.run(peer, task % job.batches, rooms[worker]);
+        cpu[worker] = thread_seconds() - start;
     };
-    std::vector<double> cpu(static_cast<std::size_t>(threads));
     const double start = wall_seconds();
     std::vector<std::thread> helpers;
-    for (std::size_t i = 1; i < cpu.size(); ++i) helpers.emplace_back([&, i] { work(cpu[i]); });
-    work(cpu[0]);
+    for (std::size_t i = 1; i < cpu.size(); ++i) helpers.emplace_back([&, i] { work(i); });
+    work(0);
     for (std::thread& helper : helpers) helper.join();
     Timing timing{0, wall_seconds() - start};
     for (const double seconds : cpu) timing.cpu += seconds;
@@ -40,24 +44,32 @@ Timing time_once(const Job& job, const Peer& peer, int threads, Answers& answers
 
 Timings time_rounds(const Job& job, const std::vector<Peer>& peers, int rounds) {
     Timings timings(peers.size());
-    Answers answers = job.room;
-    for (const Peer& peer : peers) time_once(job, peer, 1, answers);
+    std::vector<Answers> rooms{job.room};
+    for (const Peer& peer : peers) time_once(job, peer, rooms);
     for (int round = 0; round < rounds; ++round)
         for (std::size_t turn = 0; turn < peers.size(); ++turn) {
             const std::size_t peer = round % 2 == 0 ? turn : peers.size() - 1 - turn;
-            timings[peer].push_back(time_once(job, peers[peer], 1, answers));
+            timings[peer].push_back(time_once(job, peers[peer], rooms));
         }
     return timings;
 }
 
 Timings time_threads(const Job& job, const Peer& peer, int rounds) {
     Timings timings(2);
-    Answers answers = job.room;
-    for (int round = 0; round < rounds; ++round)
-        for (int turn = 0; turn < 2; ++turn) {
-            const int threads = (round + turn) % 2 == 0 ? 1 : 2;
-            timings[threads == 1 ? 0 : 1].push_back(time_once(job, peer, threads, answers));
-        }
+    std::vector<Answers> one{job.room};
+    std::vector<Answers> two{job.room, job.room};
+    const double once = time_once(job, peer, one).cpu;
+    const std::size_t repeats = once < least_seconds ? static_cast<std::size_t>(least_seconds / once) + 1 : 1;
+    const auto time = [&](std::vector<Answers>& rooms) {
+        Timing timing = time_once(job, peer, rooms, repeats);
+        timing.cpu /= static_cast<double>(repeats);
+        timing.wall /= static_cast<double>(repeats);
+        timings[rooms.size() - 1].push_back(timing);
+    };
+    for (int round = 0; round < rounds; ++round) {
+        time(round % 2 == 0 ? one : two);
+        time(round % 2 == 0 ? two : one);
+    }
     return timings;
 }
 

@@ -12,8 +12,9 @@ struct Timing {
     double wall = 0; ///< seconds
 };
 
-/// One peer does the whole job once. Answers are as large as job.room.
-Timing time_once(const Job& job, const Peer& peer, int threads, Answers& answers);
+/// One peer does the whole job `repeats` times, on as many threads as there are rooms for answers, each as
+/// large as job.room.
+Timing time_once(const Job& job, const Peer& peer, std::vector<Answers>& rooms, std::size_t repeats = 1);
 
 /// seconds[peer][round].
 using Timings = std::vector<std::vector<Timing>>;
@@ -21,7 +22,8 @@ using Timings = std::vector<std::vector<Timing>>;
 /// All peers on one thread.
 Timings time_rounds(const Job& job, const std::vector<Peer>& peers, int rounds);
 
-/// One peer on one thread and on two: [0] and [1].
+/// One peer on one thread and on two: [0] and [1]. Short jobs are repeated, so that starting a thread is
+/// nothing.
 Timings time_threads(const Job& job, const Peer& peer, int rounds);
 
 double median(std::vector<double> values);

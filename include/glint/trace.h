@@ -8,8 +8,7 @@
 //     mesh.occluded(rays, blocked, RayHint::incoherent);
 //
 // What is promised:
-// - Of all hits a ray gets the least (t, triangle), or (t, instance, triangle): ties never depend on the
-// tree.
+// - Of all hits a ray gets the least (t, triangle), or (t, instance, triangle): no tree decides a tie.
 // - The same bits for every hint, kernel, quality of the tree, number of threads, SIMD target and compiler.
 // - Watertight: a ray that meets an edge or a vertex of a closed mesh hits one of the triangles there (Woop,
 //   Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013, with exact signs). No epsilons: scaled by a
