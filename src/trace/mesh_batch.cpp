@@ -74,6 +74,46 @@ HWY_INLINE std::size_t push(const MeshTree& tree, const WideNode& node, const En
     return size;
 }
 
+/// Those rays of a mask that still want what begins at `key`.
+HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float key) {
+    std::uint64_t wants = 0;
+    for (std::uint64_t rest = mask; rest != 0;) {
+        const std::size_t i = first_bit(rest) / lanes * lanes;
+        rest &= ~(std::uint64_t{lane_mask} << i);
+        wants |= std::uint64_t{bits_of(hn::Ge(hn::Load(df, group.limit + i), hn::Set(df, key)))} << i;
+    }
+    return wants & mask;
+}
+
+/// Those rays of a group that `alive` names, all of one octant, ray by ray from a node on; returns the rays that
+/// hit.
+template <bool any>
+std::uint64_t trace_stream(const MeshTree& tree, Group& group, std::uint32_t code, std::uint64_t alive) {
+    std::uint64_t hits = 0;
+    Entry stack[stack_size];
+    std::size_t size = 0;
+    stack[size++] = {code, -infinity, alive};
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        const std::uint64_t mask = any ? entry.mask & alive : wanting(group, entry.mask, entry.key);
+        if (mask == 0) continue;
+        if ((entry.code & leaf_bit) != 0) {
+            tally(&TraceCounters::leaves, 1);
+            const std::uint64_t found = test_one_by_one<any>(Leaf(tree, LeafCode{entry.code}), group, mask);
+            hits |= found;
+            if (any) alive &= ~found;
+            if (any && alive == 0) break;
+            continue;
+        }
+        tally(&TraceCounters::nodes, 1);
+        const WideNode& node = tree.nodes[entry.code];
+        Entered entered;
+        enter_by_ray<true>(Planes(node, group), group, mask, entered);
+        size = push(tree, node, entered, stack, size);
+    }
+    return hits;
+}
+
 /// A group of one dominant axis within its shaft; returns the rays that hit.
 template <bool any>
 std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& group) {
@@ -96,6 +136,7 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
         }
         if (!any && shaft.is_beyond(entry.key)) continue;
         if ((entry.code & leaf_bit) != 0) {
+            tally(&TraceCounters::leaves, 1);
             const std::uint64_t found =
                 test_in_shaft<any>(Leaf(tree, LeafCode{entry.code}), shaft, group, mask) & alive;
             hits |= found;
@@ -104,6 +145,7 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
             if (any && alive == 0) break;
             continue;
         }
+        tally(&TraceCounters::nodes, 1);
         const WideNode& node = tree.nodes[entry.code];
         const Planes planes(node, group);
         Entered entered;
@@ -116,47 +158,13 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
                 if (entered.mask[child] != 0) entered.children |= 1u << child;
             }
         } else {
-            enter_by_ray<false>(planes, group, mask, entered);
-            entered.children &= met;
-        }
-        size = push(tree, node, entered, stack, size);
-    }
-    return hits;
-}
-
-/// Those rays of a mask that still want what begins at `key`.
-HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float key) {
-    std::uint64_t wants = 0;
-    for (std::uint64_t rest = mask; rest != 0;) {
-        const std::size_t i = first_bit(rest) / lanes * lanes;
-        rest &= ~(std::uint64_t{lane_mask} << i);
-        wants |= std::uint64_t{bits_of(hn::Ge(hn::Load(df, group.limit + i), hn::Set(df, key)))} << i;
-    }
-    return wants & mask;
-}
-
-/// A group of one octant, ray by ray; returns the rays that hit.
-template <bool any>
-std::uint64_t trace_stream(const MeshTree& tree, Group& group) {
-    std::uint64_t alive = group.all();
-    std::uint64_t hits = 0;
-    Entry stack[stack_size];
-    std::size_t size = 0;
-    stack[size++] = {0, -infinity, alive};
-    while (size > 0) {
-        const Entry entry = stack[--size];
-        const std::uint64_t mask = any ? entry.mask & alive : wanting(group, entry.mask, entry.key);
-        if (mask == 0) continue;
-        if ((entry.code & leaf_bit) != 0) {
-            const std::uint64_t found = test_one_by_one<any>(Leaf(tree, LeafCode{entry.code}), group, mask);
+            const std::uint64_t found = trace_stream<any>(tree, group, entry.code, mask);
             hits |= found;
+            is_stale = is_stale || found != 0;
             if (any) alive &= ~found;
             if (any && alive == 0) break;
             continue;
         }
-        const WideNode& node = tree.nodes[entry.code];
-        Entered entered;
-        enter_by_ray<true>(Planes(node, group), group, mask, entered);
         size = push(tree, node, entered, stack, size);
     }
     return hits;
@@ -205,7 +213,7 @@ class Batch {
     };
 
     void tile(std::size_t at, std::size_t count) {
-        const Signs signs = classify(frame_, rays_ + at, count);
+        const Signs signs = load_tile(group_, frame_, rays_ + at, count);
         const std::uint64_t live = count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
         if ((live & ~signs.alike(0, by_axis_)) == 0 && (signs.odd & live) == 0) {
             trace_tile(at, count);
@@ -233,11 +241,11 @@ class Batch {
     }
 
     std::uint64_t trace_group() {
-        return by_axis_ ? trace_packet<any>(tree_, frame_, group_) : trace_stream<any>(tree_, group_);
+        return by_axis_ ? trace_packet<any>(tree_, frame_, group_) : trace_stream<any>(tree_, group_, 0, group_.all());
     }
 
     void trace_tile(std::size_t at, std::size_t count) {
-        gather(group_, frame_, rays_ + at, nullptr, count);
+        set_up(group_, frame_);
         const std::uint64_t hits = trace_group();
         if constexpr (any) {
             for (std::size_t i = 0; i < count; i += 8) {
@@ -255,7 +263,8 @@ class Batch {
 
     void trace_queue(Queue& queue) {
         if (queue.count == 0) return;
-        gather(group_, frame_, rays_, queue.rays, queue.count);
+        load_numbered(group_, rays_, queue.rays, queue.count);
+        set_up(group_, frame_);
         const std::uint64_t hits = trace_group();
         if constexpr (any) {
             for (std::size_t i = 0; i < queue.count; ++i) answers_[queue.rays[i]] = hits >> i & 1u;

@@ -96,6 +96,7 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 template <bool with_keys>
 HWY_INLINE void enter_by_ray(const Planes& from, const Group& group, std::uint64_t mask, Entered& entered) {
     alignas(64) std::uint8_t rows[group_rays] = {};
+    tally(&TraceCounters::ray_nodes, static_cast<std::uint64_t>(std::popcount(mask)));
     std::uint32_t children = 0;
     for (std::size_t i = 0; i < 8; i += lanes) {
         const Floats near[3] = {hn::Load(df, from.near[0] + i), hn::Load(df, from.near[1] + i),
@@ -139,6 +140,7 @@ HWY_INLINE std::uint64_t enter_box(const Planes& from, std::size_t child, const 
     for (std::uint64_t rest = mask; rest != 0;) {
         const std::size_t i = first_bit(rest) / lanes * lanes;
         rest &= ~(std::uint64_t{lane_mask} << i);
+        tally(&TraceCounters::boxes, 1);
         const Floats inverse[3] = {hn::Load(df, group.inverse[0] + i), hn::Load(df, group.inverse[1] + i),
                                    hn::Load(df, group.inverse[2] + i)};
         const Floats offset[3] = {hn::Load(df, group.offset[0] + i), hn::Load(df, group.offset[1] + i),

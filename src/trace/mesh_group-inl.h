@@ -128,15 +128,28 @@ static_assert(sizeof(Ray) == 32 && offsetof(Ray, tmin) == 12 && offsetof(Ray, di
 
 HWY_INLINE Floats greatest(Floats x, Floats y, Floats z) { return hn::Max(x, hn::Max(y, z)); }
 
-/// Classifies `count` rays, at most 64.
-Signs classify(const Frame& frame, const Ray* rays, std::size_t count) {
+/// Copies one vector of rays into a group as they are.
+HWY_INLINE void load(Group& group, std::size_t i, const Ray* const (&from)[lanes], Floats (&o)[4],
+                     Floats (&d)[4]) {
+    load_four(from, 0, o);
+    load_four(from, 4, d);
+    for (std::size_t k = 0; k < 3; ++k) {
+        hn::Store(o[k], df, group.origin[k] + i);
+        hn::Store(d[k], df, group.direction[k] + i);
+    }
+    hn::Store(o[3], df, group.tmin + i);
+    hn::Store(d[3], df, group.limit + i);
+}
+
+/// Loads rays that stand together, at most 64, and tells their classes.
+HWY_INLINE Signs load_tile(Group& group, const Frame& frame, const Ray* rays, std::size_t count) {
     Signs signs;
+    group.count = count;
     for (std::size_t i = 0; i < count; i += lanes) {
         const Ray* from[lanes];
-        for (std::size_t k = 0; k < lanes; ++k) from[k] = rays + std::min(i + k, count - 1);
+        for (std::size_t k = 0; k < lanes; ++k) from[k] = rays + (i + k < count ? i + k : count - 1);
         Floats o[4], d[4];
-        load_four(from, 0, o);
-        load_four(from, 4, d);
+        load(group, i, from, o, d);
         const Floats ax = hn::Abs(d[0]), ay = hn::Abs(d[1]), az = hn::Abs(d[2]);
         const Floats most = greatest(ax, ay, az);
         const Floats reach = greatest(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
@@ -148,81 +161,80 @@ Signs classify(const Frame& frame, const Ray* rays, std::size_t count) {
                                          hn::Ge(most, hn::Set(df, least_length)));
         const auto near_enough = hn::And(hn::Le(most, hn::Set(df, frame.greatest_length)),
                                          hn::Le(reach, hn::Set(df, frame.greatest_reach)));
-        const auto usual =
-            hn::And(hn::And(long_enough, near_enough), hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
+        const auto usual = hn::And(hn::And(long_enough, near_enough),
+                                   hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
         signs.odd |= std::uint64_t{~bits_of(usual) & lane_mask} << i;
-        signs.axis[0] |= std::uint64_t{bits_of(hn::Eq(ax, most))} << i;
-        signs.axis[1] |= std::uint64_t{bits_of(hn::AndNot(hn::Eq(ax, most), hn::Eq(ay, most)))} << i;
-        for (std::size_t k = 0; k < 3; ++k)
-            signs.negative[k] |=
-                std::uint64_t{bits_of(hn::RebindMask(df, hn::Lt(hn::BitCast(di, d[k]), hn::Zero(di))))} << i;
+        const auto x_first = hn::Eq(ax, most);
+        signs.axis[0] |= std::uint64_t{bits_of(x_first)} << i;
+        signs.axis[1] |= std::uint64_t{bits_of(hn::AndNot(x_first, hn::Eq(ay, most)))} << i;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto below = hn::Lt(hn::BitCast(di, d[k]), hn::Zero(di));
+            signs.negative[k] |= std::uint64_t{bits_of(hn::RebindMask(df, below))} << i;
+        }
     }
     return signs;
 }
 
-/// Fills one vector of a group.
-HWY_INLINE void set_up(Group& group, std::size_t i, const Floats (&o)[4], const Floats (&d)[4],
-                       Floats& reaches) {
-    const Floats ax = hn::Abs(d[0]), ay = hn::Abs(d[1]), az = hn::Abs(d[2]);
-    const Floats most = greatest(ax, ay, az);
-    const Floats reach = greatest(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
-    reaches = hn::Max(reaches, reach);
-    const Floats least = hn::Mul(most, hn::Set(df, least_direction));
-    Floats inverse[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-        inverse[k] = hn::Div(hn::Set(df, 1.0f), hn::CopySign(hn::Max(hn::Abs(d[k]), least), d[k]));
-        hn::Store(o[k], df, group.origin[k] + i);
-        hn::Store(d[k], df, group.direction[k] + i);
-        hn::Store(inverse[k], df, group.inverse[k] + i);
-        hn::Store(hn::Neg(hn::Mul(o[k], inverse[k])), df, group.offset[k] + i);
+/// Loads the rays with these numbers, at most 64.
+HWY_INLINE void load_numbered(Group& group, const Ray* rays, const std::uint32_t* numbers,
+                              std::size_t count) {
+    group.count = count;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Ray* from[lanes];
+        for (std::size_t k = 0; k < lanes; ++k) from[k] = rays + numbers[i + k < count ? i + k : count - 1];
+        Floats o[4], d[4];
+        load(group, i, from, o, d);
     }
-    const auto x_first = hn::Eq(ax, most);
-    const auto y_first = hn::AndNot(x_first, hn::Eq(ay, most));
-    const auto cycle = [&](Floats for_x, Floats for_y, Floats for_z) {
-        return hn::IfThenElse(x_first, for_x, hn::IfThenElse(y_first, for_y, for_z));
-    };
-    const Floats dz = cycle(d[0], d[1], d[2]);
-    hn::Store(hn::Div(cycle(d[1], d[2], d[0]), dz), df, group.shear_x + i);
-    hn::Store(hn::Div(cycle(d[2], d[0], d[1]), dz), df, group.shear_y + i);
-    // The largest component is never clamped: this is 1/dz.
-    hn::Store(cycle(inverse[0], inverse[1], inverse[2]), df, group.shear_z + i);
-    group.axis_rays[0] |= std::uint64_t{bits_of(x_first)} << i;
-    group.axis_rays[1] |= std::uint64_t{bits_of(y_first)} << i;
-
-    // One float below tmax, as next_float() steps.
-    const hn::RebindToUnsigned<decltype(df)> du;
-    const auto bits = hn::BitCast(di, d[3]);
-    const auto one = hn::Set(di, 1);
-    const auto step = hn::Or(hn::BroadcastSignBit(hn::Not(bits)), one);
-    const auto below = hn::IfThenElse(hn::Eq(d[3], hn::Zero(df)), hn::BitCast(df, hn::Set(du, 0x80000001u)),
-                                      hn::BitCast(df, hn::Add(bits, step)));
-    hn::Store(o[3], df, group.tmin + i);
-    hn::Store(below, df, group.limit + i);
-    hn::Store(hn::Zero(df), df, group.u + i);
-    hn::Store(hn::Zero(df), df, group.v + i);
-    hn::Store(hn::Set(du, no_triangle), du, group.triangle + i);
 }
 
-/// Makes a group of `count` rays, none of them odd: those with these numbers, or the first ones.
-void gather(Group& group, const Frame& frame, const Ray* rays, const std::uint32_t* numbers,
-            std::size_t count) {
-    group.count = count;
-    for (std::uint64_t& mask : group.axis_rays) mask = 0;
+/// One float below each, as next_float() steps.
+HWY_INLINE Floats one_below(Floats x) {
+    const auto bits = hn::BitCast(di, x);
+    const auto step = hn::Or(hn::BroadcastSignBit(hn::Not(bits)), hn::Set(di, 1));
+    const auto below_zero = hn::BitCast(df, hn::Set(di, static_cast<std::int32_t>(0x80000001u)));
+    return hn::IfThenElse(hn::Eq(x, hn::Zero(df)), below_zero, hn::BitCast(df, hn::Add(bits, step)));
+}
+
+/// Completes a loaded group whose rays are of one octant and none of them odd.
+HWY_INLINE void set_up(Group& group, const Frame& frame) {
+    const hn::RebindToUnsigned<decltype(df)> du;
+    std::uint64_t first_axis[2] = {0, 0};
     Floats reaches = hn::Zero(df);
-    // Whole vectors, and then as many as masks of eight lanes may touch.
-    const std::size_t end = (count + 7) / 8 * 8;
-    for (std::size_t i = 0; i < end; i += lanes) {
-        const Ray* from[lanes];
-        for (std::size_t k = 0; k < lanes; ++k) {
-            const std::size_t at = std::min(i + k, count - 1);
-            from[k] = rays + (numbers != nullptr ? numbers[at] : at);
+    for (std::size_t i = 0; i < group.count; i += lanes) {
+        Floats d[3], inverse[3], size[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            d[k] = hn::Load(df, group.direction[k] + i);
+            size[k] = hn::Abs(d[k]);
         }
-        Floats o[4], d[4];
-        load_four(from, 0, o);
-        load_four(from, 4, d);
-        set_up(group, i, o, d, reaches);
+        const Floats most = greatest(size[0], size[1], size[2]);
+        const Floats least = hn::Mul(most, hn::Set(df, least_direction));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Floats o = hn::Load(df, group.origin[k] + i);
+            reaches = hn::Max(reaches, hn::Abs(o));
+            inverse[k] = hn::Div(hn::Set(df, 1.0f), hn::CopySignToAbs(hn::Max(size[k], least), d[k]));
+            hn::Store(inverse[k], df, group.inverse[k] + i);
+            hn::Store(hn::Neg(hn::Mul(o, inverse[k])), df, group.offset[k] + i);
+        }
+        const auto x_first = hn::Eq(size[0], most);
+        const auto y_first = hn::AndNot(x_first, hn::Eq(size[1], most));
+        const auto cycle = [&](Floats for_x, Floats for_y, Floats for_z) {
+            return hn::IfThenElse(x_first, for_x, hn::IfThenElse(y_first, for_y, for_z));
+        };
+        const Floats dz = cycle(d[0], d[1], d[2]);
+        hn::Store(hn::Div(cycle(d[1], d[2], d[0]), dz), df, group.shear_x + i);
+        hn::Store(hn::Div(cycle(d[2], d[0], d[1]), dz), df, group.shear_y + i);
+        // The largest component is never clamped: this is 1/dz.
+        hn::Store(cycle(inverse[0], inverse[1], inverse[2]), df, group.shear_z + i);
+        first_axis[0] |= std::uint64_t{bits_of(x_first)} << i;
+        first_axis[1] |= std::uint64_t{bits_of(y_first)} << i;
+        hn::Store(one_below(hn::Load(df, group.limit + i)), df, group.limit + i);
+        hn::Store(hn::Zero(df), df, group.u + i);
+        hn::Store(hn::Zero(df), df, group.v + i);
+        hn::Store(hn::Set(du, no_triangle), du, group.triangle + i);
     }
-    group.axis_rays[2] = ~(group.axis_rays[0] | group.axis_rays[1]);
+    group.axis_rays[0] = first_axis[0];
+    group.axis_rays[1] = first_axis[1];
+    group.axis_rays[2] = ~(first_axis[0] | first_axis[1]);
     for (std::size_t k = 0; k < 3; ++k) group.negative[k] = std::signbit(group.direction[k][0]);
     group.pad = 0x1p-20f * (hn::GetLane(hn::MaxOfLanes(df, reaches)) + frame.corner);
 }

@@ -4,6 +4,7 @@
 #include "geometry/triangle.h"
 #include "math/offset.shared.h"
 #include "trace/mesh_tree.h"
+#include "trace/trace_counters.h"
 
 #include <algorithm>
 #include <bit>
@@ -136,6 +137,7 @@ HWY_INLINE bool test_candidates(const Leaf& leaf, std::uint32_t candidates, cons
         const ShearedVertex b{x[kb], y[kb], z[kb]};
         const ShearedVertex c{x[kc], y[kc], z[kc]};
         if (lanes != 8 && surely_outside(a, b, c)) continue;
+        tally(&TraceCounters::exact, 1);
         TriangleHit hit;
         if (!intersect_sheared(a, b, c, probe.sz, probe.tmin, probe.limit, hit)) continue;
         if (any) return true;
@@ -153,6 +155,7 @@ HWY_INLINE bool test_candidates(const Leaf& leaf, std::uint32_t candidates, cons
 /// time, triangles tested eight at a time.
 template <bool any>
 HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uint32_t wanted, Probe& probe) {
+    tally(&TraceCounters::ray_leaves, 1);
     const Floats ox = hn::Set(df, probe.ox), oy = hn::Set(df, probe.oy), oz = hn::Set(df, probe.oz);
     const Floats sx = hn::Set(df, probe.sx), sy = hn::Set(df, probe.sy);
     Floats vx[parts], vy[parts], vz[parts];

@@ -129,10 +129,12 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
     LoneEntry at = push_sorted(tree.nodes[0], met, entries, stack, size);
     for (;;) {
         if ((at.code & leaf_bit) != 0) {
+            tally(&TraceCounters::leaves, 1);
             const Leaf leaf(tree, LeafCode{at.code});
             const LeafVectors vertices(leaf, sheared.kx, sheared.ky, sheared.kz);
             if (test_ray<any>(leaf, vertices, leaf.all(), probe) && any) return true;
         } else {
+            tally(&TraceCounters::nodes, 1);
             const WideNode& node = tree.nodes[at.code];
             met = lone.meets(node, probe.limit, entries);
             if (met != 0) {

@@ -138,6 +138,7 @@ HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::
     std::uint32_t hits = 0;
     for (; wanted != 0; wanted &= wanted - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(wanted));
+        tally(&TraceCounters::vectors, 1);
         const std::uint32_t word = leaf.corner_word(i);
         const std::uint32_t ka = word & 7u, kb = word >> 3 & 7u, kc = word >> 6 & 7u;
         const Floats ax = hn::Load(df, x[ka]), ay = hn::Load(df, y[ka]);
@@ -150,6 +151,7 @@ HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::
         if (candidates == 0) continue;
         for (std::size_t h = 0; h < lanes; h += half_lanes) {
             if ((candidates >> h & half_mask) == 0) continue;
+            tally(&TraceCounters::exact, 1);
             const HalfVertex a{hn::Load(dfh, x[ka] + h), hn::Load(dfh, y[ka] + h), hn::Load(dfh, z[ka] + h)};
             const HalfVertex b{hn::Load(dfh, x[kb] + h), hn::Load(dfh, y[kb] + h), hn::Load(dfh, z[kb] + h)};
             const HalfVertex c{hn::Load(dfh, x[kc] + h), hn::Load(dfh, y[kc] + h), hn::Load(dfh, z[kc] + h)};
