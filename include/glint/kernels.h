@@ -6,7 +6,7 @@
 namespace glint {
 
 enum class Kernel : std::uint8_t {
-    automatic, ///< by the number of rays, their hint and what they meet
+    automatic, ///< packets or streams by the hint; within packets by how many rays are left
     scalar,    ///< one ray at a time in plain C++: the oracle
     lone,      ///< one ray at a time, eight boxes or triangles at once
     packets,   ///< groups of neighbours within a shaft

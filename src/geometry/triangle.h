@@ -55,10 +55,13 @@ struct TriangleHit {
     bool positive; ///< the sign of the sheared area: equal for triangles of one facing along one ray
 };
 
-/// Is there a sign both above and below zero among the three? NaN has none.
+/// Is there a sign both above and below zero among the three? NaN has none. Without branches: no processor
+/// can guess which way a triangle faces.
 template <class T>
 inline bool mixed_signs(T a, T b, T c) {
-    return (a < T(0) || b < T(0) || c < T(0)) && (a > T(0) || b > T(0) || c > T(0));
+    const int below = int(a < T(0)) | int(b < T(0)) | int(c < T(0));
+    const int above = int(a > T(0)) | int(b > T(0)) | int(c > T(0));
+    return (below & above) != 0;
 }
 
 /// A vertex seen from a sheared ray: x and y across it, z = v[kz] − o[kz] before its scaling by sz.

@@ -11,7 +11,7 @@
 namespace glint {
 
 /// How a batch is to be traced.
-enum class BatchForm : std::uint8_t { packets, streams, measured };
+enum class BatchForm : std::uint8_t { packets, streams };
 
 /// Null where the target is not compiled.
 struct BatchKernels {

@@ -28,9 +28,9 @@ std::size_t best_row() {
 }
 
 BatchForm form_of(Kernel kernel, RayHint hint) {
-    if (kernel == Kernel::streams) return BatchForm::streams;
-    if (kernel == Kernel::packets || hint == RayHint::coherent) return BatchForm::packets;
-    return BatchForm::measured;
+    if (kernel == Kernel::automatic)
+        return hint == RayHint::coherent ? BatchForm::packets : BatchForm::streams;
+    return kernel == Kernel::streams ? BatchForm::streams : BatchForm::packets;
 }
 
 } // namespace

@@ -77,16 +77,15 @@ HWY_INLINE std::size_t push(const MeshTree& tree, const WideNode& node, const En
 /// Those rays of a mask that still want what begins at `key`.
 HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float key) {
     std::uint64_t wants = 0;
-    for (std::uint64_t rest = mask; rest != 0;) {
-        const std::size_t i = first_bit(rest) / lanes * lanes;
-        rest &= ~(std::uint64_t{lane_mask} << i);
+    for (std::uint64_t rest = vectors_of(mask); rest != 0; rest &= rest - 1) {
+        const std::size_t i = first_bit(rest);
         wants |= std::uint64_t{bits_of(hn::Ge(hn::Load(df, group.limit + i), hn::Set(df, key)))} << i;
     }
     return wants & mask;
 }
 
-/// Those rays of a group that `alive` names, all of one octant, ray by ray from a node on; returns the rays that
-/// hit.
+/// Those rays of a group that `alive` names, all of one octant, ray by ray from a node on; returns the rays
+/// that hit.
 template <bool any>
 std::uint64_t trace_stream(const MeshTree& tree, Group& group, std::uint32_t code, std::uint64_t alive) {
     std::uint64_t hits = 0;
@@ -108,7 +107,7 @@ std::uint64_t trace_stream(const MeshTree& tree, Group& group, std::uint32_t cod
         tally(&TraceCounters::nodes, 1);
         const WideNode& node = tree.nodes[entry.code];
         Entered entered;
-        enter_by_ray<true>(Planes(node, group), group, mask, entered);
+        enter_by_ray<true>(&node.lo[0][0], group, mask, entered);
         size = push(tree, node, entered, stack, size);
     }
     return hits;
@@ -127,14 +126,14 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
     stack[size++] = {0, -infinity, alive};
     while (size > 0) {
         const Entry entry = stack[--size];
-        const std::uint64_t mask = entry.mask & alive;
-        if (any && mask == 0) continue;
+        const std::uint64_t mask =
+            any ? entry.mask & alive : (hits == 0 ? entry.mask : wanting(group, entry.mask, entry.key));
+        if (mask == 0) continue;
         // The shaft ends behind the farthest hit, once all rays have one.
         if (!any && is_stale && hits == alive) {
             shaft.shorten(group);
             is_stale = false;
         }
-        if (!any && shaft.is_beyond(entry.key)) continue;
         if ((entry.code & leaf_bit) != 0) {
             tally(&TraceCounters::leaves, 1);
             const std::uint64_t found =
@@ -146,18 +145,13 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
             continue;
         }
         tally(&TraceCounters::nodes, 1);
-        const WideNode& node = tree.nodes[entry.code];
-        const Planes planes(node, group);
+        const float* const node = &tree.nodes[entry.code].lo[0][0];
         Entered entered;
-        const std::uint32_t met = shaft.meets(planes, node, entered.key);
+        const std::uint32_t met = shaft.meets(node, group, entered.key);
         if (met == 0) continue;
-        if (std::popcount(met) * live_vectors(mask) <= std::popcount(mask) + 2) {
-            for (std::uint32_t rest = met; rest != 0; rest &= rest - 1) {
-                const auto child = static_cast<std::size_t>(std::countr_zero(rest));
-                entered.mask[child] = enter_box(planes, child, group, mask);
-                if (entered.mask[child] != 0) entered.children |= 1u << child;
-            }
-        } else {
+        // Where few rays are left in each vector they go on one by one.
+        const std::uint64_t vectors = vectors_of(mask);
+        if (std::popcount(met) * std::popcount(vectors) > std::popcount(mask) + 2) {
             const std::uint64_t found = trace_stream<any>(tree, group, entry.code, mask);
             hits |= found;
             is_stale = is_stale || found != 0;
@@ -165,7 +159,12 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
             if (any && alive == 0) break;
             continue;
         }
-        size = push(tree, node, entered, stack, size);
+        for (std::uint32_t rest = met; rest != 0; rest &= rest - 1) {
+            const auto child = static_cast<std::size_t>(std::countr_zero(rest));
+            entered.mask[child] = enter_box<!any>(node, child, group, vectors, entered.key[child]) & mask;
+            if (entered.mask[child] != 0) entered.children |= 1u << child;
+        }
+        size = push(tree, tree.nodes[entry.code], entered, stack, size);
     }
     return hits;
 }
@@ -189,7 +188,11 @@ HWY_INLINE std::uint64_t spread(std::uint64_t bits) {
     return (one_each + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
 }
 
-constexpr std::size_t class_count = 24; ///< octant × dominant axis
+constexpr std::size_t octants = 8;
+constexpr std::size_t class_count = 3 * octants; ///< octant × dominant axis
+/// Fewer rays than this make no packet, and three times fewer than this fit in a group.
+constexpr std::size_t least_packet = 8;
+static_assert(3 * (least_packet - 1) <= group_rays);
 
 /// Parts a batch into groups and traces them. Tiles of 64 rays of one class go at once; others' rays wait in
 /// the queue of their class until that is full or the batch ends.
@@ -203,7 +206,7 @@ class Batch {
 
     void run(std::size_t count) {
         for (std::size_t at = 0; at < count; at += group_rays) tile(at, std::min(group_rays, count - at));
-        for (Queue& queue : queues_) trace_queue(queue);
+        for (std::size_t octant = 0; octant < octants; ++octant) flush(octant);
     }
 
   private:
@@ -222,14 +225,28 @@ class Batch {
         for (std::uint64_t odd = signs.odd & live; odd != 0; odd &= odd - 1) trace_lone(at + first_bit(odd));
         for (std::uint64_t rest = live & ~signs.odd; rest != 0;) {
             const std::size_t first = first_bit(rest);
-            Queue& queue = queues_[signs.octant(first) + (by_axis_ ? 8 * signs.dominant(first) : 0)];
+            Queue& queue = queues_[signs.octant(first) + (by_axis_ ? octants * signs.dominant(first) : 0)];
             const std::uint64_t same = rest & signs.alike(first, by_axis_);
             rest &= ~same;
             for (std::uint64_t r = same; r != 0; r &= r - 1) {
                 queue.rays[queue.count++] = static_cast<std::uint32_t>(at + first_bit(r));
-                if (queue.count == group_rays) trace_queue(queue);
+                if (queue.count == group_rays) trace_queue(queue, by_axis_);
             }
         }
+    }
+
+    /// Traces what still waits. A shaft does not pay for few rays: they go together, whatever their axes.
+    void flush(std::size_t octant) {
+        Queue few;
+        for (std::size_t c = octant; c < class_count; c += octants) {
+            Queue& queue = queues_[c];
+            if (queue.count >= least_packet) {
+                trace_queue(queue, by_axis_);
+                continue;
+            }
+            for (std::size_t i = 0; i < queue.count; ++i) few.rays[few.count++] = queue.rays[i];
+        }
+        trace_queue(few, false);
     }
 
     void trace_lone(std::size_t i) {
@@ -240,13 +257,14 @@ class Batch {
         }
     }
 
-    std::uint64_t trace_group() {
-        return by_axis_ ? trace_packet<any>(tree_, frame_, group_) : trace_stream<any>(tree_, group_, 0, group_.all());
+    std::uint64_t trace_group(bool is_packet) {
+        return is_packet ? trace_packet<any>(tree_, frame_, group_)
+                         : trace_stream<any>(tree_, group_, 0, group_.all());
     }
 
     void trace_tile(std::size_t at, std::size_t count) {
         set_up(group_, frame_);
-        const std::uint64_t hits = trace_group();
+        const std::uint64_t hits = trace_group(by_axis_ && count >= least_packet);
         if constexpr (any) {
             for (std::size_t i = 0; i < count; i += 8) {
                 const std::uint64_t bytes = spread(hits >> i);
@@ -261,11 +279,11 @@ class Batch {
         }
     }
 
-    void trace_queue(Queue& queue) {
+    void trace_queue(Queue& queue, bool is_packet) {
         if (queue.count == 0) return;
         load_numbered(group_, rays_, queue.rays, queue.count);
         set_up(group_, frame_);
-        const std::uint64_t hits = trace_group();
+        const std::uint64_t hits = trace_group(is_packet);
         if constexpr (any) {
             for (std::size_t i = 0; i < queue.count; ++i) answers_[queue.rays[i]] = hits >> i & 1u;
         } else {

@@ -22,19 +22,6 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 namespace {
 
-/// The planes of a node that rays of this group's octant meet first and last.
-struct Planes {
-    const float* near[3];
-    const float* far[3];
-
-    Planes(const WideNode& node, const Group& group) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            near[axis] = group.negative[axis] ? node.hi[axis] : node.lo[axis];
-            far[axis] = group.negative[axis] ? node.lo[axis] : node.hi[axis];
-        }
-    }
-};
-
 /// One vector of each of the six planes, grown by the group's pad.
 struct GrownPlanes {
     Floats near[3];
@@ -42,9 +29,9 @@ struct GrownPlanes {
 
     HWY_INLINE GrownPlanes(const Group& group, const Floats (&n)[3], const Floats (&f)[3]) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Floats pad = hn::Set(df, group.negative[axis] ? -group.pad : group.pad);
-            near[axis] = hn::Sub(n[axis], pad);
-            far[axis] = hn::Add(f[axis], pad);
+            const Floats grow = hn::Set(df, group.grow[axis]);
+            near[axis] = hn::Sub(n[axis], grow);
+            far[axis] = hn::Add(f[axis], grow);
         }
     }
 };
@@ -94,15 +81,17 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 
 /// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
 template <bool with_keys>
-HWY_INLINE void enter_by_ray(const Planes& from, const Group& group, std::uint64_t mask, Entered& entered) {
+HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_t mask, Entered& entered) {
     alignas(64) std::uint8_t rows[group_rays] = {};
     tally(&TraceCounters::ray_nodes, static_cast<std::uint64_t>(std::popcount(mask)));
     std::uint32_t children = 0;
     for (std::size_t i = 0; i < 8; i += lanes) {
-        const Floats near[3] = {hn::Load(df, from.near[0] + i), hn::Load(df, from.near[1] + i),
-                                hn::Load(df, from.near[2] + i)};
-        const Floats far[3] = {hn::Load(df, from.far[0] + i), hn::Load(df, from.far[1] + i),
-                               hn::Load(df, from.far[2] + i)};
+        const Floats near[3] = {hn::Load(df, node + group.near_at[0] + i),
+                                hn::Load(df, node + group.near_at[1] + i),
+                                hn::Load(df, node + group.near_at[2] + i)};
+        const Floats far[3] = {hn::Load(df, node + group.far_at[0] + i),
+                               hn::Load(df, node + group.far_at[1] + i),
+                               hn::Load(df, node + group.far_at[2] + i)};
         const GrownPlanes planes(group, near, far);
         Floats key = hn::Set(df, infinity);
         for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
@@ -128,18 +117,21 @@ HWY_INLINE void enter_by_ray(const Planes& from, const Group& group, std::uint64
     }
 }
 
-/// The rays of a mask that enter one box, a vector of rays at a time.
-HWY_INLINE std::uint64_t enter_box(const Planes& from, std::size_t child, const Group& group,
-                                   std::uint64_t mask) {
-    const Floats near[3] = {hn::Set(df, from.near[0][child]), hn::Set(df, from.near[1][child]),
-                            hn::Set(df, from.near[2][child])};
-    const Floats far[3] = {hn::Set(df, from.far[0][child]), hn::Set(df, from.far[1][child]),
-                           hn::Set(df, from.far[2][child])};
+/// The rays that enter one box, of those vectors that have a bit. `with_key` asks for the nearest entry.
+template <bool with_key>
+HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const Group& group,
+                                   std::uint64_t vectors, float& key) {
+    const Floats near[3] = {hn::Set(df, node[group.near_at[0] + child]),
+                            hn::Set(df, node[group.near_at[1] + child]),
+                            hn::Set(df, node[group.near_at[2] + child])};
+    const Floats far[3] = {hn::Set(df, node[group.far_at[0] + child]),
+                           hn::Set(df, node[group.far_at[1] + child]),
+                           hn::Set(df, node[group.far_at[2] + child])};
     const GrownPlanes planes(group, near, far);
     std::uint64_t inside = 0;
-    for (std::uint64_t rest = mask; rest != 0;) {
-        const std::size_t i = first_bit(rest) / lanes * lanes;
-        rest &= ~(std::uint64_t{lane_mask} << i);
+    Floats least = hn::Set(df, infinity);
+    for (; vectors != 0; vectors &= vectors - 1) {
+        const std::size_t i = first_bit(vectors);
         tally(&TraceCounters::boxes, 1);
         const Floats inverse[3] = {hn::Load(df, group.inverse[0] + i), hn::Load(df, group.inverse[1] + i),
                                    hn::Load(df, group.inverse[2] + i)};
@@ -147,16 +139,12 @@ HWY_INLINE std::uint64_t enter_box(const Planes& from, std::size_t child, const 
                                   hn::Load(df, group.offset[2] + i)};
         const Floats entry = entry_of(planes, inverse, offset, hn::Load(df, group.tmin + i));
         const Floats exit = exit_of(planes, inverse, offset, hn::Load(df, group.limit + i));
-        inside |= std::uint64_t{bits_of(hn::Le(entry, exit))} << i;
+        const auto hit = hn::Le(entry, exit);
+        if (with_key) least = hn::Min(least, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
+        inside |= std::uint64_t{bits_of(hit)} << i;
     }
-    return inside & mask;
-}
-
-/// The vectors of a group that hold rays of a mask.
-HWY_INLINE int live_vectors(std::uint64_t mask) {
-    for (std::size_t i = 1; i < lanes; i *= 2) mask |= mask >> i;
-    constexpr std::uint64_t firsts = lanes == 8 ? 0x0101010101010101u : 0x1111111111111111u;
-    return std::popcount(mask & firsts);
+    if (with_key) key = hn::GetLane(hn::MinOfLanes(df, least));
+    return inside;
 }
 
 } // namespace

@@ -29,6 +29,17 @@ namespace {
 constexpr std::size_t group_rays = 64;
 constexpr std::uint32_t lane_mask = (1u << lanes) - 1u;
 
+/// Places in a node, in floats.
+constexpr std::size_t low_planes(std::size_t axis) { return axis * wide_children; }
+constexpr std::size_t between_planes = 3 * wide_children;
+static_assert(offsetof(WideNode, lo) == 0 && offsetof(WideNode, hi) == between_planes * sizeof(float));
+
+/// The vectors of a group that hold rays of a mask: a bit at the first place of each.
+HWY_INLINE std::uint64_t vectors_of(std::uint64_t mask) {
+    for (std::size_t i = 1; i < lanes; i *= 2) mask |= mask >> i;
+    return mask & (lanes == 8 ? 0x0101010101010101u : 0x1111111111111111u);
+}
+
 /// Up to 64 rays of one octant, side by side. Places beyond the last repeat it.
 struct alignas(64) Group {
     float origin[3][group_rays];
@@ -46,7 +57,10 @@ struct alignas(64) Group {
     std::uint64_t axis_rays[3]; ///< by dominant axis: the first of the largest, as in ShearedRay
     std::size_t count = 0;
     bool negative[3] = {false, false, false};
-    float pad = 0; ///< how far boxes are grown on every side: see bvh/traverse.h
+    float pad = 0;          ///< how far boxes are grown on every side: see bvh/traverse.h
+    float grow[3];          ///< ±pad: off the plane met first, and on to the one met last
+    std::size_t near_at[3]; ///< where a node has the planes that these rays meet first, in floats
+    std::size_t far_at[3];  ///< and last
 
     std::uint64_t all() const {
         return count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
@@ -161,8 +175,8 @@ HWY_INLINE Signs load_tile(Group& group, const Frame& frame, const Ray* rays, st
                                          hn::Ge(most, hn::Set(df, least_length)));
         const auto near_enough = hn::And(hn::Le(most, hn::Set(df, frame.greatest_length)),
                                          hn::Le(reach, hn::Set(df, frame.greatest_reach)));
-        const auto usual = hn::And(hn::And(long_enough, near_enough),
-                                   hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
+        const auto usual =
+            hn::And(hn::And(long_enough, near_enough), hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
         signs.odd |= std::uint64_t{~bits_of(usual) & lane_mask} << i;
         const auto x_first = hn::Eq(ax, most);
         signs.axis[0] |= std::uint64_t{bits_of(x_first)} << i;
@@ -235,8 +249,13 @@ HWY_INLINE void set_up(Group& group, const Frame& frame) {
     group.axis_rays[0] = first_axis[0];
     group.axis_rays[1] = first_axis[1];
     group.axis_rays[2] = ~(first_axis[0] | first_axis[1]);
-    for (std::size_t k = 0; k < 3; ++k) group.negative[k] = std::signbit(group.direction[k][0]);
     group.pad = 0x1p-20f * (hn::GetLane(hn::MaxOfLanes(df, reaches)) + frame.corner);
+    for (std::size_t k = 0; k < 3; ++k) {
+        group.negative[k] = std::signbit(group.direction[k][0]);
+        group.grow[k] = group.negative[k] ? -group.pad : group.pad;
+        group.near_at[k] = low_planes(k) + (group.negative[k] ? between_planes : 0);
+        group.far_at[k] = low_planes(k) + (group.negative[k] ? 0 : between_planes);
+    }
 }
 
 } // namespace

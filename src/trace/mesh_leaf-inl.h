@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include <hwy/highway.h>
@@ -83,7 +84,11 @@ struct Leaf {
         for (std::uint32_t k = 0; k < 3; ++k) axis[k] = floats + k * vertices;
         triangles = corners + 4 + 3 * vertices;
     }
-    std::uint32_t corner_word(std::uint32_t i) const { return corners[i / 2] >> (16 * (i % 2)) & 0xffffu; }
+    std::uint32_t corner_word(std::uint32_t i) const {
+        std::uint16_t word;
+        std::memcpy(&word, reinterpret_cast<const char*>(corners) + sizeof word * i, sizeof word);
+        return word;
+    }
     std::uint32_t all() const { return (1u << count) - 1u; }
 };
 

@@ -61,29 +61,26 @@ class Shaft {
                          : std::min(leave_, hn::GetLane(hn::MaxOfLanes(df, most)));
     }
 
-    /// Is what begins at this depth beyond all rays?
-    bool is_beyond(float key) const { return key > (backward_ ? -end_ : end_) + slack_; }
-
-    /// The children that the shaft meets, as bits, and where they begin.
-    HWY_INLINE std::uint32_t meets(const Planes& planes, const WideNode& node, float* keys) const {
+    /// The children of a node that the shaft meets, as bits, and where they begin.
+    HWY_INLINE std::uint32_t meets(const float* node, const Group& group, float* keys) const {
         std::uint32_t met = 0;
-        const Floats start = hn::Set(df, backward_ ? start_ + slack_ : start_ - slack_);
-        const Floats end = hn::Set(df, backward_ ? end_ - slack_ : end_ + slack_);
+        // Depths count along the rays: what goes backward is turned over.
+        const Floats turn = hn::Set(df, backward_ ? -0.0f : 0.0f);
+        const Floats start = hn::Xor(turn, hn::Set(df, backward_ ? start_ + slack_ : start_ - slack_));
+        const Floats end = hn::Xor(turn, hn::Set(df, backward_ ? end_ - slack_ : end_ + slack_));
         for (std::size_t i = 0; i < 8; i += lanes) {
-            const Floats near = hn::Load(df, planes.near[kz] + i);
-            const Floats far = hn::Load(df, planes.far[kz] + i);
-            auto hit = backward_ ? hn::And(hn::Ge(near, end), hn::Le(far, start))
-                                 : hn::And(hn::Le(near, end), hn::Ge(far, start));
+            const Floats near = hn::Xor(turn, hn::Load(df, node + group.near_at[kz] + i));
+            const Floats far = hn::Xor(turn, hn::Load(df, node + group.far_at[kz] + i));
+            auto hit = hn::And(hn::Le(near, end), hn::Ge(far, start));
             for (std::size_t side = 0; side < 2; ++side) {
-                const std::size_t axis = side == 0 ? kx : ky;
-                // A line is lowest, or highest, at one end of the box, by its slope alone.
-                const Floats low_at = (low_slope_[side] > 0) == backward_ ? far : near;
-                const Floats high_at = (high_slope_[side] > 0) == backward_ ? near : far;
-                hit = hn::And(hit, hn::And(hn::Ge(hn::Load(df, node.hi[axis] + i), low(side, low_at)),
-                                           hn::Le(hn::Load(df, node.lo[axis] + i), high(side, high_at))));
+                const float* const planes = node + low_planes(side == 0 ? kx : ky) + i;
+                const Floats least = low(side, hn::Load(df, node + low_at_[side] + i));
+                const Floats most = high(side, hn::Load(df, node + high_at_[side] + i));
+                hit = hn::And(hit, hn::And(hn::Ge(hn::Load(df, planes + between_planes), least),
+                                           hn::Le(hn::Load(df, planes), most)));
             }
             met |= bits_of(hit) << i;
-            hn::Store(backward_ ? hn::Neg(near) : near, df, keys + i);
+            hn::Store(near, df, keys + i);
         }
         return met;
     }
@@ -139,6 +136,9 @@ class Shaft {
             low_base_[side] = (usable ? low[0] - low_slope * start_ : std::min(low[0], low[1])) - 4 * slack_;
             high_base_[side] =
                 (usable ? high[0] - high_slope * start_ : std::max(high[0], high[1])) + 4 * slack_;
+            // A line is lowest, or highest, at one end of a box, by its slope alone.
+            low_at_[side] = low_planes(kz) + (low_slope_[side] > 0 ? 0 : between_planes);
+            high_at_[side] = low_planes(kz) + (high_slope_[side] > 0 ? between_planes : 0);
         }
     }
 
@@ -170,6 +170,7 @@ class Shaft {
     float slack_ = 0;
     float low_slope_[2] = {}, low_base_[2] = {};
     float high_slope_[2] = {}, high_base_[2] = {};
+    std::size_t low_at_[2] = {}, high_at_[2] = {}; ///< the planes of a node where the lines are compared
 };
 
 } // namespace

@@ -181,10 +181,9 @@ HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Gro
     const std::uint32_t used = vertices_of(leaf, wanted);
     std::uint64_t hits = 0;
     std::uint64_t sparse = 0;
-    for (std::uint64_t rest = mask; rest != 0;) {
-        const std::size_t first = first_bit(rest) / lanes * lanes;
-        const auto live = static_cast<std::uint32_t>(rest >> first) & lane_mask;
-        rest &= ~(std::uint64_t{lane_mask} << first);
+    for (std::uint64_t rest = vectors_of(mask); rest != 0; rest &= rest - 1) {
+        const std::size_t first = first_bit(rest);
+        const auto live = static_cast<std::uint32_t>(mask >> first) & lane_mask;
         // A vector costs about as much as three lone rays.
         if (std::popcount(live) <= 2) {
             sparse |= std::uint64_t{live} << first;
