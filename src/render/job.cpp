@@ -1,9 +1,7 @@
 #include "glint/render.h"
 
-#include "imaging/camera.h"
 #include "imaging/film.h"
-#include "imaging/filter.h"
-#include "math/random.shared.h"
+#include "render/samples.h"
 #include "render/whitted.h"
 
 #include <algorithm>
@@ -13,40 +11,6 @@
 
 namespace glint {
 namespace {
-
-FilterKind filter_kind(PixelFilter filter) {
-    switch (filter) {
-    case PixelFilter::box:
-        return FilterKind::box;
-    case PixelFilter::tent:
-        return FilterKind::tent;
-    case PixelFilter::gaussian:
-        return FilterKind::gaussian;
-    case PixelFilter::mitchell:
-        return FilterKind::mitchell;
-    }
-    return FilterKind::mitchell;
-}
-
-FieldOfViewAxis fov_axis(FovAxis axis) {
-    switch (axis) {
-    case FovAxis::y:
-        return FieldOfViewAxis::y;
-    case FovAxis::x:
-        return FieldOfViewAxis::x;
-    case FovAxis::smaller:
-        return FieldOfViewAxis::smaller;
-    case FovAxis::larger:
-        return FieldOfViewAxis::larger;
-    }
-    return FieldOfViewAxis::y;
-}
-
-PinholeCamera camera_of(const FrozenScene& scene) {
-    const CameraDescription& c = *scene.description.camera;
-    const RenderSettings& r = scene.description.render;
-    return pinhole_camera(c.eye, c.direction, c.up, c.fov, fov_axis(c.fov_axis), r.width, r.height);
-}
 
 double cpu_seconds() {
     timespec now{};
@@ -61,22 +25,12 @@ double wall_seconds() {
 /// Samples that are traced together: enough to fill batches of rays, few enough to stay in the cache.
 constexpr int batch_samples = 256;
 
-/// Every second bit of a number, moved together: from a place on Morton's curve its x, or its y from the
-/// half.
-std::uint32_t even_bits(std::uint32_t x) {
-    x &= 0x55555555u;
-    x = (x | x >> 1) & 0x33333333u;
-    x = (x | x >> 2) & 0x0f0f0f0fu;
-    x = (x | x >> 4) & 0x00ff00ffu;
-    return (x | x >> 8) & 0x0000ffffu;
-}
-
 /// One rendering: tiles over threads, each tile's pixels written by one thread alone.
 class Job {
   public:
     Job(const FrozenScene& scene, const RenderOptions& options)
-        : scene_(scene), options_(options), settings_(scene.description.render), camera_(camera_of(scene)),
-          filter_(filter_kind(settings_.filter)), area_(checked_area()) {
+        : scene_(scene), options_(options), settings_(scene.description.render), places_(scene.description),
+          area_(checked_area()) {
         tile_ = std::max(1, options.tile_size);
         while (4 * block_ * block_ * settings_.spp <= batch_samples) block_ *= 2;
         columns_ = (area_.width + tile_ - 1) / tile_;
@@ -160,7 +114,7 @@ class Job {
     void render_block(int x, int y, const Rect& tile, Worker& worker) {
         worker.pixels.clear();
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block_ * block_); ++i) {
-            const Pixel pixel{x + static_cast<int>(even_bits(i)), y + static_cast<int>(even_bits(i >> 1))};
+            const Pixel pixel{x + morton_x(i), y + morton_y(i)};
             if (pixel.x < tile.x + tile.width && pixel.y < tile.y + tile.height)
                 worker.pixels.push_back(pixel);
         }
@@ -201,24 +155,9 @@ class Job {
     /// Samples first … first + count − 1 of a pixel, for the next batch.
     void add_samples(const Pixel& pixel, int first, int count, Worker& worker) const {
         for (int i = first; i < first + count; ++i) {
-            const FilterSample place = place_of(pixel, i);
-            const vec3 direction =
-                pinhole_direction(camera_, area_.x + pixel.x, area_.y + pixel.y, place.dx, place.dy);
             Sample& sample = worker.samples[worker.count];
-            sample.origin = camera_.eye;
-            sample.direction = direction;
-            worker.weights[worker.count++] = place.weight;
+            worker.weights[worker.count++] = places_.aim(area_.x + pixel.x, area_.y + pixel.y, i, sample);
         }
-    }
-
-    /// Where sample i of a pixel lies: by its place in the whole picture. One sample is the pixel's centre.
-    FilterSample place_of(const Pixel& pixel, int i) const {
-        if (settings_.spp == 1) return {};
-        const auto key =
-            pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
-                      static_cast<uint>(area_.x + pixel.x), static_cast<uint>(area_.y + pixel.y));
-        const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
-        return filter_.sample(u.x, u.y);
     }
 
     void store(const Pixel& pixel, const Terms& terms, float coverage) {
@@ -277,8 +216,7 @@ class Job {
     const FrozenScene& scene_;
     const RenderOptions& options_;
     const RenderSettings settings_;
-    const PinholeCamera camera_;
-    const PixelFilterSampler filter_;
+    const SamplePlaces places_;
     const Rect area_;
     int tile_ = 16;
     int block_ = 1; ///< side of the squares of pixels that are traced together

@@ -1,0 +1,68 @@
+#include "render/samples.h"
+
+#include "math/random.shared.h"
+
+namespace glint {
+namespace {
+
+FilterKind filter_kind(PixelFilter filter) {
+    switch (filter) {
+    case PixelFilter::box:
+        return FilterKind::box;
+    case PixelFilter::tent:
+        return FilterKind::tent;
+    case PixelFilter::gaussian:
+        return FilterKind::gaussian;
+    case PixelFilter::mitchell:
+        return FilterKind::mitchell;
+    }
+    return FilterKind::mitchell;
+}
+
+FieldOfViewAxis fov_axis(FovAxis axis) {
+    switch (axis) {
+    case FovAxis::y:
+        return FieldOfViewAxis::y;
+    case FovAxis::x:
+        return FieldOfViewAxis::x;
+    case FovAxis::smaller:
+        return FieldOfViewAxis::smaller;
+    case FovAxis::larger:
+        return FieldOfViewAxis::larger;
+    }
+    return FieldOfViewAxis::y;
+}
+
+} // namespace
+
+PinholeCamera camera_of(const SceneDescription& scene) {
+    const CameraDescription& c = *scene.camera;
+    return pinhole_camera(c.eye, c.direction, c.up, c.fov, fov_axis(c.fov_axis), scene.render.width,
+                          scene.render.height);
+}
+
+SamplePlaces::SamplePlaces(const SceneDescription& scene)
+    : settings_(scene.render), camera_(camera_of(scene)), filter_(filter_kind(settings_.filter)) {}
+
+float SamplePlaces::aim(int x, int y, int i, Sample& sample) const {
+    const FilterSample at = place(x, y, i);
+    aim(x, y, at, sample);
+    return at.weight;
+}
+
+void SamplePlaces::aim_at_centre(int x, int y, Sample& sample) const { aim(x, y, FilterSample{}, sample); }
+
+FilterSample SamplePlaces::place(int x, int y, int i) const {
+    if (settings_.spp == 1) return {};
+    const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
+                               static_cast<uint>(x), static_cast<uint>(y));
+    const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
+    return filter_.sample(u.x, u.y);
+}
+
+void SamplePlaces::aim(int x, int y, const FilterSample& at, Sample& sample) const {
+    sample.direction = pinhole_direction(camera_, x, y, at.dx, at.dy);
+    sample.origin = camera_.eye;
+}
+
+} // namespace glint
