@@ -11,19 +11,23 @@ constexpr std::size_t plain = 0;
 constexpr std::size_t sse4 = 1;
 constexpr std::size_t avx2 = 2;
 
-bool has(std::size_t target, std::int64_t machine) {
+/// Asked of the processor once: in a virtual machine each question costs a microsecond.
+std::int64_t machine_targets() {
+    static const std::int64_t machine = hwy::SupportedTargets();
+    return machine;
+}
+
+bool has(std::size_t target) {
     const bool compiled = batch_kernels[target].closest != nullptr;
+    const std::int64_t machine = machine_targets();
     if (target == avx2) return compiled && (machine & HWY_AVX2) != 0;
     if (target == sse4) return compiled && (machine & HWY_SSE4) != 0;
     return compiled;
 }
 
-/// The table's row of the best target. Asked of the machine once: a function's static costs one branch.
+/// The table's row of the best target.
 std::size_t best_row() {
-    static const std::size_t best = [] {
-        const std::int64_t machine = hwy::SupportedTargets();
-        return has(avx2, machine) ? avx2 : (has(sse4, machine) ? sse4 : plain);
-    }();
+    static const std::size_t best = has(avx2) ? avx2 : (has(sse4) ? sse4 : plain);
     return best;
 }
 
@@ -42,12 +46,11 @@ std::size_t row_of(SimdTarget target) {
 }
 
 bool is_available(SimdTarget target) {
-    const std::int64_t machine = hwy::SupportedTargets();
     switch (target) {
     case SimdTarget::sse4:
-        return has(sse4, machine);
+        return has(sse4);
     case SimdTarget::avx2:
-        return has(avx2, machine);
+        return has(avx2);
     case SimdTarget::plain:
     case SimdTarget::best:
         return true;

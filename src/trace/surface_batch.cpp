@@ -3,6 +3,8 @@
 
 #include "trace/surface_batch.h"
 
+#include <limits>
+
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/surface_batch.cpp"
@@ -24,7 +26,16 @@ using Mask = hn::Mask<decltype(dd)>;
 constexpr std::size_t lanes = hn::MaxLanes(dd);
 
 Doubles all(double x) { return hn::Set(dd, x); }
-Doubles rounded(Doubles x) { return hn::PromoteTo(dd, hn::DemoteTo(df, x)); }
+Doubles rounded(Doubles x) {
+    const Doubles finite = hn::PromoteTo(dd, hn::DemoteTo(df, x));
+#if HWY_TARGET == HWY_SCALAR
+    // What rounds to infinity: without vectors Highway would take it to the greatest float.
+    const Mask infinite = hn::Ge(hn::Abs(x), all(0x1.ffffffp127));
+    return hn::IfThenElse(infinite, hn::Mul(x, all(std::numeric_limits<double>::infinity())), finite);
+#else
+    return finite;
+#endif
+}
 
 struct Vec {
     Doubles x, y, z;

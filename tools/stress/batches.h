@@ -1,5 +1,5 @@
 #pragma once
-// The same rays once more, many at a time.
+// The same rays once more, many at a time and by every kernel.
 
 #include "cases.h"
 #include "stress_random.h"
@@ -26,7 +26,11 @@ struct Answered {
     }
 };
 
-/// Asks for all of them again in batches of random sizes with random hints, and counts what differs.
+/// How many of a case's rays to trace alone, when each of ways() traces them again.
+std::uint64_t rays_traced_once(std::uint64_t rays);
+
+/// Asks for all of them again, by each of ways() in batches of random sizes with random hints, and counts
+/// what differs.
 void check_batches(const World& world, const Answered& answered, Random& random, Tally& tally);
 
 } // namespace glint::stress

@@ -13,6 +13,7 @@ void Tally::add(const Tally& other) {
     hits += other.hits;
     on_edge += other.on_edge;
     failures += other.failures;
+    for (std::size_t i = 0; i < by_way.size(); ++i) by_way[i] += other.by_way[i];
     if (first_failure.empty()) first_failure = other.first_failure;
 }
 

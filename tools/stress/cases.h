@@ -2,6 +2,9 @@
 // Stress cases of the tracing core. A case is a family and a seed; it makes a small world, shoots rays at it
 // and counts what must not happen. Used by the tests (some) and by glint-stress (many).
 
+#include "ways.h"
+
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -10,11 +13,12 @@ namespace glint::stress {
 
 /// What came of one case, or of many.
 struct Tally {
-    std::uint64_t rays = 0;
+    std::uint64_t rays = 0; ///< traced, each way counted
     std::uint64_t hits = 0;
-    std::uint64_t on_edge = 0;  ///< rays whose hits lie exactly on an edge or a vertex
-    std::uint64_t failures = 0; ///< differences, leaks, odd counts
-    std::string first_failure;  ///< which ray of which world failed first
+    std::uint64_t on_edge = 0;                     ///< rays whose hits lie exactly on an edge or a vertex
+    std::uint64_t failures = 0;                    ///< differences, leaks, odd counts
+    std::array<std::uint64_t, most_ways> by_way{}; ///< of `rays`, those that took ways()[i]
+    std::string first_failure;                     ///< which ray of which world failed first
 
     void add(const Tally& other);
     void fail(const std::string& what);

@@ -159,7 +159,7 @@ Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays) {
     ClosedWorld closed(kind, random);
     Tally tally;
     Answered answered;
-    for (; tally.rays < rays / 2; ++tally.rays) {
+    for (const std::uint64_t single = rays_traced_once(rays); tally.rays < single; ++tally.rays) {
         const Ray ray = closed.from_inside();
         const Hit hit = closed.world().closest(ray);
         tally.hits += hit ? 1 : 0;

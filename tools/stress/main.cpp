@@ -18,7 +18,7 @@ namespace {
 using namespace glint;
 using namespace glint::stress;
 
-constexpr std::uint32_t rays_a_case = 4096;
+constexpr std::uint32_t rays_a_case = 24576;
 
 struct Options {
     std::uint64_t rays = 10'000'000;
@@ -115,6 +115,9 @@ int run(const Options& options) {
         total.add(outcome.tally);
     }
     print("all", total);
+    std::printf("\nof these, in batches by kernel and SIMD target:\n");
+    for (std::size_t i = 0; i < ways().size(); ++i)
+        std::printf("%-20s %14llu\n", ways()[i].name, static_cast<unsigned long long>(total.by_way[i]));
     return total.failures > 0 ? 1 : 0;
 }
 

@@ -159,7 +159,8 @@ Tally run_soup(Soup kind, std::uint64_t seed, std::uint32_t rays) {
     const World world(std::move(input), pool);
     Tally tally;
     Answered answered;
-    while (tally.rays < rays / 2) compare(world, next_ray(), random, answered, tally);
+    for (const std::uint64_t single = rays_traced_once(rays); tally.rays < single;)
+        compare(world, next_ray(), random, answered, tally);
     check_batches(world, answered, random, tally);
     return tally;
 }

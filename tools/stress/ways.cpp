@@ -1,0 +1,31 @@
+#include "ways.h"
+
+#include <vector>
+
+namespace glint::stress {
+
+std::span<const Way> ways() {
+    static constexpr Way all[] = {
+        {"auto", {}},
+        {"scalar", {Kernel::scalar, SimdTarget::plain}},
+        {"single plain", {Kernel::lone, SimdTarget::plain}},
+        {"single sse4", {Kernel::lone, SimdTarget::sse4}},
+        {"single avx2", {Kernel::lone, SimdTarget::avx2}},
+        {"packet plain", {Kernel::packets, SimdTarget::plain}},
+        {"packet sse4", {Kernel::packets, SimdTarget::sse4}},
+        {"packet avx2", {Kernel::packets, SimdTarget::avx2}},
+        {"stream plain", {Kernel::streams, SimdTarget::plain}},
+        {"stream sse4", {Kernel::streams, SimdTarget::sse4}},
+        {"stream avx2", {Kernel::streams, SimdTarget::avx2}},
+    };
+    static_assert(std::size(all) <= most_ways);
+    static const std::vector<Way> here = [] {
+        std::vector<Way> able;
+        for (const Way& way : all)
+            if (is_available(way.choice.target)) able.push_back(way);
+        return able;
+    }();
+    return here;
+}
+
+} // namespace glint::stress
