@@ -32,6 +32,7 @@ struct LoadOptions {
 struct LoadedScene {
     SceneDescription description;
     std::vector<Diagnostic> warnings; ///< of the files; those of meaning come from glint::warnings()
+    std::vector<std::string> files; ///< that decide it, each once: the scene file, then its meshes. Not stdin
     std::vector<std::string> notes; ///< choices made for the user, one line each ("up axis: y (guessed) …")
 };
 

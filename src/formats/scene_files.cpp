@@ -1,67 +1,14 @@
 // load_scene() and parse_scene(): text or mesh in, description out.
 
+#include "formats/read_text.h"
 #include "formats/scene_check.h"
 #include "formats/scene_meshes.h"
 #include "formats/scene_overrides.h"
 #include "formats/scene_words.h"
 #include "glint/formats.h"
 
-#include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-
 namespace glint {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::size_t longest_scene = std::size_t{256} << 20;
-
-std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
-bool looks_like_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); }
-
-// Reads to the end, or one byte beyond the limit.
-std::string read_stream(std::istream& stream) {
-    std::string text;
-    std::string block(1 << 16, '\0');
-    while (text.size() <= longest_scene) {
-        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-        const auto count = static_cast<std::size_t>(stream.gcount());
-        if (count == 0) break;
-        text.append(block, 0, count);
-    }
-    return text;
-}
-
-std::string read_file(const std::string& path) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(path, failed);
-    if (status.type() == fs::file_type::not_found)
-        throw Error(ErrorKind::input, "the file does not exist",
-                    "a scene (.toml) or a mesh (.ply) was expected", {path, 0, 0, {}});
-    if (fs::is_directory(status))
-        throw Error(ErrorKind::input, "this is a folder", "a scene (.toml) or a mesh (.ply) was expected",
-                    {path, 0, 0, {}});
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    std::string text;
-    if (file) text = read_stream(file);
-    if (!file.is_open() || file.bad())
-        throw Error(ErrorKind::input,
-                    "the file cannot be read" +
-                        (errno ? ": " + std::string(std::strerror(errno)) : std::string()),
-                    {}, {path, 0, 0, {}});
-    return text;
-}
 
 std::string_view axis_letter(Axis axis) { return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z"; }
 
@@ -93,6 +40,7 @@ void override_stage(SceneDescription& staged, const std::string& name, const Loa
 
 LoadedScene stage_mesh(LoadedMesh mesh, const std::string& path, const LoadOptions& options) {
     LoadedScene scene;
+    if (path != stdin_name) scene.files.push_back(path);
     scene.warnings = std::move(mesh.warnings);
     const Axis up = options.up ? *options.up : guess_up_axis(*mesh.mesh);
     if (!options.up) {
@@ -117,9 +65,7 @@ void refuse_other_meshes(const std::string& path) {
 } // namespace
 
 LoadedScene parse_scene(std::string_view text, const std::string& name, const LoadOptions& options) {
-    if (text.size() > longest_scene)
-        throw Error(ErrorKind::resource, "the scene file is larger than 256 MiB",
-                    "put geometry into PLY files", {name, 0, 0, {}});
+    require_scene_size(text, name);
     const SceneSource source(text, name, options.overrides);
     Problems problems(source);
     TreeValue root = parse_tree(source);
@@ -128,7 +74,9 @@ LoadedScene parse_scene(std::string_view text, const std::string& name, const Lo
     ReadScene scene = read_scene(root, problems);
     check_scene(scene, problems);
     LoadedScene loaded;
-    load_meshes(scene, {name, options.allow_outside, options.load_meshes}, problems, loaded.warnings);
+    if (name != stdin_name) loaded.files.push_back(name);
+    load_meshes(scene, {name, options.allow_outside, options.load_meshes}, problems, loaded.warnings,
+                loaded.files);
     check_mesh_extents(scene, problems);
     problems.throw_if_any();
 
@@ -140,8 +88,8 @@ LoadedScene parse_scene(std::string_view text, const std::string& name, const Lo
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     if (path != "-" && lower_extension(path) == ".ply") return stage_mesh(load_mesh(path), path, options);
-    const std::string text = path == "-" ? read_stream(std::cin) : read_file(path);
-    const std::string name = path == "-" ? "<stdin>" : path;
+    const std::string text = read_text(path);
+    const std::string name = path == "-" ? stdin_name : path;
     if (looks_like_ply(text))
         return stage_mesh(parse_ply(std::as_bytes(std::span(text)), name), name, options);
     refuse_other_meshes(path);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <system_error>
 
 namespace glint {
@@ -38,7 +39,9 @@ class MeshLoader {
         : policy_(policy), problems_(problems), warnings_(warnings), folder_(folder_of(policy.scene_file)),
           fence_(resolve_links(folder_)) {}
 
-    void run(ReadScene& scene) {
+    /// Adds the files' names to `files`, each once, before they are read.
+
+    void run(ReadScene& scene, std::vector<std::string>& files) {
         std::vector<Wanted> wanted;
         std::size_t number = 0;
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -51,7 +54,10 @@ class MeshLoader {
                 wanted.push_back(
                     {mesh, resolved(mesh->file, scene.objects[i].shape), scene.objects[i].shape, called});
         }
-        for (const Wanted& each : wanted) check(each);
+        for (const Wanted& each : wanted) {
+            check(each);
+            if (named_.insert(each.path.string()).second) files.push_back(each.path.string());
+        }
         // Large files are not read for a scene that is refused anyway.
         if (!policy_.load || problems_.any_error()) return;
         for (const Wanted& each : wanted) each.mesh->data = load(each);
@@ -122,14 +128,15 @@ class MeshLoader {
     std::vector<Diagnostic>& warnings_;
     fs::path folder_;
     fs::path fence_;
+    std::set<std::string> named_;
     std::map<std::string, std::shared_ptr<const Mesh>> loaded_;
 };
 
 } // namespace
 
 void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems,
-                 std::vector<Diagnostic>& warnings) {
-    MeshLoader(policy, problems, warnings).run(scene);
+                 std::vector<Diagnostic>& warnings, std::vector<std::string>& files) {
+    MeshLoader(policy, problems, warnings).run(scene, files);
 }
 
 } // namespace glint

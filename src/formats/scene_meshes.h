@@ -13,10 +13,10 @@ struct FilePolicy {
     bool load = true; ///< false: names are checked, files are not read
 };
 
-/// Fills MeshShape::data of every mesh, each file read once. Reports names that leave the scene's folder,
-/// files that are missing, and what is wrong inside them; reads none while other problems are known. Warnings
-/// of the files are added to `warnings`.
+/// Fills MeshShape::data of every mesh, each file read once, and adds the names of the files to `files`.
+/// Reports names that leave the scene's folder, files that are missing, and what is wrong inside them; reads
+/// none while other problems are known. Warnings of the files are added to `warnings`.
 void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems,
-                 std::vector<Diagnostic>& warnings);
+                 std::vector<Diagnostic>& warnings, std::vector<std::string>& files);
 
 } // namespace glint

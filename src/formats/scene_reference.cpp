@@ -50,9 +50,9 @@ resolved) unless `--allow-outside` is given.
 
 **Overrides**: `-D path=value` sets one value before the file is checked. The path names a key by its table
 (`-D whitted.max_depth=3`), by the name of its table (`-D material.glass.index=1.33`, `-D mesh.cat.file=other.ply`) or
-by the number of its table among those of its type, from 0 (`-D light.0.intensity=500`). The value is TOML; what is not
-TOML is taken as text, so quotes may be left out. Files named here are relative to the working directory, and may lie
-anywhere. A bare mesh takes overrides of `render`, `whitted`, `camera`, `material.clay` and `material.floor`.
+by the number of its table among those of its type, from 0 (`-D light.0.intensity=500`). A key in an entry of a
+transform is named by the entry's number (`-D mesh.cat.transform.1.angle=30`). The value is TOML; what is not TOML is taken as text, so quotes may be left out.
+Files named here are relative to the working directory, and may lie anywhere. A bare mesh takes overrides of `render`, `whitted`, `camera`, `material.clay` and `material.floor`.
 
 Keys in **bold** are required.
 )";

@@ -164,6 +164,7 @@ TreeValue tree_of(const toml::node& node) {
     } else
         tree.kind = TreeValue::Kind::date;
     tree.where = place_of(node.source().begin);
+    tree.end = place_of(node.source().end);
     return tree;
 }
 
@@ -198,14 +199,16 @@ TreeValue parse_tree(const SceneSource& source) {
 }
 
 std::optional<TreeValue> parse_tree_value(std::string_view text, const Place& where) {
-    // A line break would let a value bring further keys along.
-    if (text.find_first_of(std::string_view("\n\r\0", 3)) != std::string_view::npos) return std::nullopt;
-    const std::string document = "value = " + std::string(text);
+    if (text.find('\0') != std::string_view::npos) return std::nullopt;
+    constexpr std::string_view key = "value = ";
+    const std::string document = std::string(key) + std::string(text);
     if (TextCheck(document).run()) return std::nullopt;
     const toml::parse_result result = toml::parse(std::string_view(document), std::string_view{});
+    // Behind a line break a value could bring further keys along.
     if (!result || result.table().size() != 1) return std::nullopt;
     TreeValue tree = tree_of(*result.table().get("value"));
     move_all(tree, where);
+    if (tree.end.line == 1) tree.end.column -= static_cast<int>(key.size());
     return tree;
 }
 

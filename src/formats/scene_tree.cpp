@@ -99,6 +99,12 @@ std::size_t SceneSource::byte_of(const Place& place) const {
     return std::min(before + low, text.size());
 }
 
+std::size_t SceneSource::offset(const Place& place) const {
+    const auto number = static_cast<std::size_t>(place.line);
+    if (number < 1 || number > line_starts_.size()) return text_.size();
+    return line_starts_[number - 1] + byte_of(place);
+}
+
 Location SceneSource::locate(const Place& place) const {
     if (place.origin > 0) return {"-D " + overrides_[static_cast<std::size_t>(place.origin) - 1], 0, 0, {}};
     if (place.line <= 0) return {name_, 0, 0, {}};

@@ -36,6 +36,7 @@ struct TreeValue {
     std::vector<TreeValue> items;   ///< of a list
     std::vector<TreeEntry> entries; ///< of a table, in the order of the file
     Place where;
+    Place end; ///< after the last character; of what is written as a value, not of tables under a header
 
     /// The entry of a table; null if it has none of that name.
     const TreeEntry* find(std::string_view key) const;
@@ -63,6 +64,8 @@ class SceneSource {
 
     /// The place in bytes; an override's location has its own text as the file.
     Location locate(const Place& place) const;
+    /// The byte of text() at a place of the file.
+    std::size_t offset(const Place& place) const;
     /// The line of the place, made fit for showing; empty where there is none or it is too long.
     std::string excerpt(const Place& place) const;
 
@@ -114,7 +117,8 @@ class Problems {
 /// The tree of a TOML document. Throws Error(input) at its first syntax error.
 TreeValue parse_tree(const SceneSource& source);
 
-/// The tree of one TOML value, as written after a key; none if it is not one. All places are `where`.
+/// The tree of one TOML value, as written after a key; none if it is not one. All places are `where`, but
+/// the value's end, which is in the text: a comment may follow.
 std::optional<TreeValue> parse_tree_value(std::string_view text, const Place& where);
 
 } // namespace glint

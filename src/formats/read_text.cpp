@@ -1,0 +1,75 @@
+#include "formats/read_text.h"
+
+#include "glint/error.h"
+
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_scene = std::size_t{256} << 20;
+
+// Reads to the end, or one byte beyond the limit.
+std::string read_stream(std::istream& stream) {
+    std::string text;
+    std::string block(1 << 16, '\0');
+    while (text.size() <= longest_scene) {
+        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+        const auto count = static_cast<std::size_t>(stream.gcount());
+        if (count == 0) break;
+        text.append(block, 0, count);
+    }
+    return text;
+}
+
+std::string read_file(const std::string& path) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (status.type() == fs::file_type::not_found)
+        throw Error(ErrorKind::input, "the file does not exist",
+                    "a scene (.toml) or a mesh (.ply) was expected", {path, 0, 0, {}});
+    if (fs::is_directory(status))
+        throw Error(ErrorKind::input, "this is a folder", "a scene (.toml) or a mesh (.ply) was expected",
+                    {path, 0, 0, {}});
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    std::string text;
+    if (file) text = read_stream(file);
+    if (!file.is_open() || file.bad())
+        throw Error(ErrorKind::input,
+                    "the file cannot be read" +
+                        (errno ? ": " + std::string(std::strerror(errno)) : std::string()),
+                    {}, {path, 0, 0, {}});
+    return text;
+}
+
+} // namespace
+
+std::string read_text(const std::string& path) {
+    std::string text = path == "-" ? read_stream(std::cin) : read_file(path);
+    require_scene_size(text, path == "-" ? stdin_name : path);
+    return text;
+}
+
+void require_scene_size(std::string_view text, const std::string& name) {
+    if (text.size() > longest_scene)
+        throw Error(ErrorKind::resource, "the scene file is larger than 256 MiB",
+                    "put geometry into PLY files", {name, 0, 0, {}});
+}
+
+std::string lower_extension(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+bool looks_like_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); }
+
+} // namespace glint
