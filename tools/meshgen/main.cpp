@@ -13,8 +13,9 @@ using namespace glint;
 using namespace glint::meshgen;
 
 void write_scene(const Request& request) {
-    const std::string text =
-        request.kind == Kind::flake ? sphere_flake_scene(request.levels) : city_scene(request.rings);
+    const std::string text = request.kind == Kind::flake  ? sphere_flake_scene(request.levels)
+                             : request.kind == Kind::city ? city_scene(request.rings)
+                                                          : spiral_scene(request.count);
     if (request.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
     } else {

@@ -99,6 +99,7 @@ Mesh plain_mesh(const Request& r) {
         return terrain(r);
     case Kind::flake:
     case Kind::city:
+    case Kind::spiral:
         break;
     }
     throw Error(ErrorKind::internal, "a scene was asked for as a mesh");

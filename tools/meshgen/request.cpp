@@ -10,10 +10,9 @@ namespace {
 
 const std::vector<std::pair<std::string, Kind>>& kinds() {
     static const std::vector<std::pair<std::string, Kind>> all{
-        {"gyroid", Kind::gyroid},       {"knot", Kind::knot},
-        {"torus", Kind::torus},         {"shell", Kind::shell},
-        {"icosphere", Kind::icosphere}, {"terrain", Kind::terrain},
-        {"flake", Kind::flake},         {"city", Kind::city}};
+        {"gyroid", Kind::gyroid}, {"knot", Kind::knot},           {"torus", Kind::torus},
+        {"shell", Kind::shell},   {"icosphere", Kind::icosphere}, {"terrain", Kind::terrain},
+        {"flake", Kind::flake},   {"city", Kind::city},           {"spiral", Kind::spiral}};
     return all;
 }
 
@@ -71,7 +70,8 @@ const std::vector<Option>& options() {
         counted("-q", 1, 50, [](Request& r, int n) { r.q = n; }),
         counted("--seed", 0, 1'000'000'000, [](Request& r, int n) { r.seed = static_cast<unsigned>(n); }),
         counted("--levels", 0, 7, [](Request& r, int n) { r.levels = n; }),
-        counted("--rings", 1, 100, [](Request& r, int n) { r.rings = n; })};
+        counted("--rings", 1, 100, [](Request& r, int n) { r.rings = n; }),
+        counted("--count", 1, 100'000, [](Request& r, int n) { r.count = n; })};
     return all;
 }
 
@@ -95,7 +95,7 @@ std::size_t read_option(Request& request, const std::vector<std::string>& argume
 
 } // namespace
 
-bool is_scene(Kind kind) { return kind == Kind::flake || kind == Kind::city; }
+bool is_scene(Kind kind) { return kind == Kind::flake || kind == Kind::city || kind == Kind::spiral; }
 
 std::optional<Request> parse_request(const std::vector<std::string>& arguments) {
     if (arguments.empty()) refuse("no shape given", "expected glint-meshgen SHAPE -o FILE; see --help");
@@ -114,7 +114,7 @@ std::optional<Request> parse_request(const std::vector<std::string>& arguments) 
 
 std::string help_text() {
     return R"(glint-meshgen SHAPE -o FILE.ply [options]   writes a mesh, z up, the same bytes on every machine
-glint-meshgen flake|city [-o FILE.toml]     prints a scene file with many objects
+glint-meshgen flake|city|spiral [-o FILE.toml]   prints a scene file with many objects
 
 Shapes
   gyroid       a ball cut from a gyroid's sheet; closed
@@ -125,6 +125,7 @@ Shapes
   terrain      an island in the sea; open
   flake        scene: spheres on spheres
   city         scene: a city of cylinders
+  spiral       scene: a sunflower's head of shells, instances of one mesh
 
 Options
   -o FILE            where to write
@@ -136,6 +137,7 @@ Options
   --seed N           terrain: another island (1)
   --levels N         flake: how often balls grow on balls (3)
   --rings N          city: rings of towers (9)
+  --count N          spiral: shells (1500)
   -h, --help         this text
 )";
 }

@@ -9,7 +9,7 @@
 
 namespace glint::meshgen {
 
-enum class Kind { gyroid, knot, torus, shell, icosphere, terrain, flake, city };
+enum class Kind { gyroid, knot, torus, shell, icosphere, terrain, flake, city, spiral };
 
 struct Request {
     Kind kind = Kind::gyroid;
@@ -23,6 +23,7 @@ struct Request {
     unsigned seed = 1; ///< terrain
     int levels = 3;    ///< flake
     int rings = 9;     ///< city
+    int count = 1500;  ///< spiral
 };
 
 /// True for the kinds that are scene files.
