@@ -4,6 +4,7 @@
 
 #include "math/inverse.h"
 
+#include <map>
 #include <stdexcept>
 
 namespace glint {
@@ -43,22 +44,43 @@ bool is_place(const MeshInstance& instance, double stretch) {
            stretch <= most_squeezed;
 }
 
-/// Around the corners of the mesh's box, grown by what no ray changes.
-BoxRef box_of(const MeshInstance& instance, double stretch, std::uint32_t id) {
-    const Bounds& local = instance.mesh->bounds;
-    const dvec3 lo(local.lo);
-    const dvec3 hi(local.hi);
+/// The boxes two levels below the root of a mesh's tree, 64 at most: turned one by one they fill a turned
+/// mesh's box better than the mesh's own box would.
+void add_boxes(const MeshTree& mesh, std::uint32_t node, int levels, std::vector<Bounds>& boxes) {
+    const WideNode& at = mesh.nodes[node];
+    for (int k = 0; k < wide_children && at.child[k] != no_child; ++k) {
+        if (levels > 1 && (at.child[k] & leaf_bit) == 0)
+            add_boxes(mesh, at.child[k], levels - 1, boxes);
+        else
+            boxes.push_back(
+                {vec3(at.lo[0][k], at.lo[1][k], at.lo[2][k]), vec3(at.hi[0][k], at.hi[1][k], at.hi[2][k])});
+    }
+}
+
+std::vector<Bounds> boxes_of(const MeshTree& mesh) {
+    std::vector<Bounds> boxes;
+    if (!mesh.nodes.empty()) add_boxes(mesh, 0, 2, boxes);
+    if (boxes.empty()) boxes.push_back(mesh.bounds);
+    return boxes;
+}
+
+/// Around a mesh's boxes in their place, grown by what no ray changes.
+BoxRef box_of(const MeshInstance& instance, std::span<const Bounds> boxes, double stretch, std::uint32_t id) {
+    const dmat3& m = instance.linear;
+    const dmat3 size(glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2]));
     dvec3 least(std::numeric_limits<double>::infinity());
     dvec3 most = -least;
-    for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 p((corner & 1) != 0 ? hi.x : lo.x, (corner & 2) != 0 ? hi.y : lo.y,
-                      (corner & 4) != 0 ? hi.z : lo.z);
-        const dvec3 q = instance.linear * p + instance.translation;
-        least = glm::min(least, q);
-        most = glm::max(most, q);
+    for (const Bounds& box : boxes) {
+        const dvec3 lo(box.lo);
+        const dvec3 hi(box.hi);
+        const dvec3 middle = m * ((lo + hi) * 0.5) + instance.translation;
+        const dvec3 half = size * ((hi - lo) * 0.5);
+        least = glm::min(least, middle - half);
+        most = glm::max(most, middle + half);
     }
-    const double reach = std::max(largest(lo), largest(hi));
-    const dvec3 slack(unit * (norm(instance.linear) * reach + stretch * largest(instance.translation)));
+    const Bounds& whole = instance.mesh->bounds;
+    const double reach = std::max(largest(dvec3(whole.lo)), largest(dvec3(whole.hi)));
+    const dvec3 slack(unit * (norm(m) * reach + stretch * largest(instance.translation)));
     least -= slack;
     most += slack;
     return {vec3(below(least.x), below(least.y), below(least.z)), id,
@@ -76,6 +98,7 @@ InstanceTree::InstanceTree(std::span<const MeshInstance> instances, TaskPool& po
     places_.reserve(instances.size());
     boxes.reserve(instances.size());
     slack.reserve(instances.size());
+    std::map<const MeshTree*, std::vector<Bounds>> parts;
     for (const MeshInstance& instance : instances) {
         const dmat3 inverse = inverted(instance.linear);
         const double stretch = stretch_of(instance, inverse);
@@ -85,7 +108,9 @@ InstanceTree::InstanceTree(std::span<const MeshInstance> instances, TaskPool& po
         places_.push_back({instance.mesh, inverse, instance.translation});
         slack.push_back(above(unit * stretch));
         if (instance.mesh->bounds.empty()) continue;
-        boxes.push_back(box_of(instance, stretch, id));
+        std::vector<Bounds>& mesh_boxes = parts[instance.mesh];
+        if (mesh_boxes.empty()) mesh_boxes = boxes_of(*instance.mesh);
+        boxes.push_back(box_of(instance, mesh_boxes, stretch, id));
         if (!is_finite(boxes.back()))
             throw std::invalid_argument("an instance reaches beyond the range of floats");
     }
@@ -97,7 +122,8 @@ InstanceTree::InstanceTree(std::span<const MeshInstance> instances, TaskPool& po
 bool InstanceTree::takes(const MeshInstance& instance) {
     const double stretch = stretch_of(instance, inverted(instance.linear));
     return is_place(instance, stretch) &&
-           (instance.mesh->bounds.empty() || is_finite(box_of(instance, stretch, 0)));
+           (instance.mesh->bounds.empty() ||
+            is_finite(box_of(instance, {&instance.mesh->bounds, 1}, stretch, 0)));
 }
 
 float InstanceTree::fill_slack(TreeRef ref, const std::vector<float>& slack_of_instance) {
