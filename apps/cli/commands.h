@@ -23,6 +23,7 @@ int render_command(const Arguments& arguments, Console& console);
 int check_command(const Arguments& arguments, Console& console);
 int info_command(const Arguments& arguments, Console& console);
 int diff_command(const Arguments& arguments, Console& console);
+int explain_command(const Arguments& arguments, Console& console);
 int new_command(const Arguments& arguments, Console& console);
 
 } // namespace glint::cli

@@ -22,17 +22,23 @@ std::string environment(const char* name) {
     return value ? value : "";
 }
 
+bool is_terminal(int file) {
+    const std::string term = environment("TERM");
+    return isatty(file) == 1 && !term.empty() && term != "dumb";
+}
+
+bool wants_color_on(int file, const std::string& when) {
+    if (when != "auto") return when == "always";
+    return is_terminal(file) && environment("NO_COLOR").empty();
+}
+
 } // namespace
 
-bool stderr_is_terminal() {
-    const std::string term = environment("TERM");
-    return isatty(STDERR_FILENO) == 1 && !term.empty() && term != "dumb";
-}
+bool stderr_is_terminal() { return is_terminal(STDERR_FILENO); }
 
-bool wants_color(const std::string& when) {
-    if (when != "auto") return when == "always";
-    return stderr_is_terminal() && environment("NO_COLOR").empty();
-}
+bool wants_color(const std::string& when) { return wants_color_on(STDERR_FILENO, when); }
+
+bool wants_color_on_stdout(const std::string& when) { return wants_color_on(STDOUT_FILENO, when); }
 
 void Console::error(const Diagnostic& diagnostic) {
     // A message about no file is the program's own, and says so.

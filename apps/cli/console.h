@@ -15,6 +15,8 @@ enum class Verbosity { quiet, normal, verbose };
 bool stderr_is_terminal();
 /// Should messages be coloured? `when` is "auto", "always" or "never"; auto heeds NO_COLOR.
 bool wants_color(const std::string& when);
+/// The same for data on stdout.
+bool wants_color_on_stdout(const std::string& when);
 
 /// Messages to stderr, each whole, from any thread.
 class Console {

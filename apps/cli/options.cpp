@@ -7,6 +7,10 @@ namespace glint::cli {
 namespace {
 
 // Options of more than one command.
+constexpr Option size{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true};
+constexpr Option spp{0, "spp", "N", "samples per pixel; 1 is the pixel's centre", false, true};
+constexpr Option max_depth{0, "max-depth", "N", "bounces after the first hit"};
+constexpr Option seed{0, "seed", "N", "of the random numbers"};
 constexpr Option set{'D',   "",  "PATH=VALUE", "set one value of the scene: -D material.glass.index=1.33",
                      false, true};
 constexpr Option up{0, "up", "y|z|auto", "the axis of a bare mesh that points up"};
@@ -18,11 +22,11 @@ constexpr Option help{'h', "help", "", "this help", true};
 
 constexpr std::array render_options{
     Option{'o', "output", "FILE", ".png, .exr, .pfm, or - for PNG on stdout; default: STEM.png", false, true},
-    Option{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true},
-    Option{0, "spp", "N", "samples per pixel; 1 is the pixel's centre", false, true},
-    Option{0, "max-depth", "N", "bounces after the first hit"},
+    size,
+    spp,
+    max_depth,
     Option{0, "integrator", "whitted", "the light model"},
-    Option{0, "seed", "N", "of the random numbers"},
+    seed,
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
     up,
     set,
@@ -50,6 +54,23 @@ constexpr std::array info_options{
     Option{0, "json", "", "for programs"}, set, up, allow_outside, threads, color, quiet, help,
 };
 
+constexpr std::array explain_options{
+    Option{0, "pixel", "X,Y", "which; 0,0 is top left"},
+    Option{0, "format", "text", "a tree of lines"},
+    Option{'o', "output", "FILE", "where to; default: stdout"},
+    size,
+    spp,
+    max_depth,
+    seed,
+    up,
+    set,
+    allow_outside,
+    threads,
+    color,
+    quiet,
+    help,
+};
+
 constexpr std::array diff_options{
     Option{'o', "output", "FILE", "a picture of the differences; white is the largest"},
     Option{0, "metric", "max|mae|rmse|psnr|share", "what decides; default: max"},
@@ -74,6 +95,8 @@ constexpr std::array command_table{
     Command{"check", "FILE...", "find all errors and warnings, render nothing", Operands::scenes,
             check_options, "Exit: 0 good, perhaps with warnings; 3 a file has errors."},
     Command{"info", "FILE", "counts, bounds, materials, memory, tree", Operands::scene, info_options, ""},
+    Command{"explain", "FILE --pixel X,Y", "why a pixel has its colour, term by term", Operands::scene,
+            explain_options, ""},
     Command{"diff", "A B", "compare two pictures", Operands::two_pictures, diff_options,
             "Pictures with 8 or 16 bits are compared in units of 1/255, float ones in linear light.\n"
             "  max mae rmse   fail above T, in those units\n"

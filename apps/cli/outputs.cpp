@@ -1,14 +1,18 @@
 #include "outputs.h"
 
-#include "glint/error.h"
+#include "console.h"
+
+#include "glint/formats.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <unistd.h>
 
 namespace glint::cli {
@@ -54,6 +58,11 @@ void require_writable(const std::string& path) {
     if (file < 0) refuse(std::strerror(errno), "");
     close(file);
     unlink(probe.c_str());
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    if (path == "-") return print_data(text);
+    write_file(path, std::as_bytes(std::span(text)));
 }
 
 std::string default_output(const std::string& scene) {

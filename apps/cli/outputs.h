@@ -13,6 +13,9 @@ PictureFormat picture_format(const std::string& path);
 /// Throws Error(output) unless a file can be made in the folder of `path`; "-" always can.
 void require_writable(const std::string& path);
 
+/// Writes a file whole or not at all; "-" is stdout. Throws Error(output).
+void write_text(const std::string& path, const std::string& text);
+
 /// The scene's stem + ".png", in the working directory; "stdin.png" for "-".
 std::string default_output(const std::string& scene);
 

@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstddef>
-#include <span>
 
 namespace glint::cli {
 namespace {
@@ -42,11 +40,6 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
     options.metadata.emplace_back("glint.hash", hash);
     return options;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-    if (path == "-") return print_data(text);
-    write_file(path, std::as_bytes(std::span(text)));
 }
 
 /// "scene.png: 640×480, 4 spp, 871,306 triangles, 1.23 s, 3.41 Mrays/s, hash …"

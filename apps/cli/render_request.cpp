@@ -11,7 +11,6 @@
 namespace glint::cli {
 namespace {
 
-constexpr int most_pixels_a_side = 65536;
 constexpr std::int64_t most_pixels = std::int64_t{1} << 30;
 
 /// Options that the kind of picture has no room for are refused rather than dropped.

@@ -38,6 +38,7 @@ int call(const Arguments& arguments, Console& console) {
     if (name == "check") return check_command(arguments, console);
     if (name == "info") return info_command(arguments, console);
     if (name == "diff") return diff_command(arguments, console);
+    if (name == "explain") return explain_command(arguments, console);
     if (name == "new") return new_command(arguments, console);
     throw Error(ErrorKind::internal, "no program for the command " + name);
 }

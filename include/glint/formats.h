@@ -3,6 +3,7 @@
 // writes the whole file or nothing and throws Error(output).
 
 #include "glint/error.h"
+#include "glint/explanation.h"
 #include "glint/image.h"
 #include "glint/scene.h"
 
@@ -109,6 +110,13 @@ struct PictureDifference {
     bool eight_bit = false; ///< units of 1/255
 };
 PictureDifference diff_pictures(const LoadedPicture& a, const LoadedPicture& b, double tolerance);
+
+// ── Explanations ───────────────────────────────────────────────────────────────────────────────────────────
+
+/// A readable tree of 6 digits, UTF-8; `color` adds a terminal's escape sequences.
+std::string explanation_text(const Explanation& explanation, bool color = false);
+
+// ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Writes a file under a temporary name in the same folder, fsyncs, renames: whole or not at all.
 void write_file(const std::string& path, std::span<const std::byte> bytes);

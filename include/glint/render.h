@@ -4,6 +4,7 @@
 #include "glint/image.h"
 #include "glint/kernels.h"
 #include "glint/scene.h"
+#include "glint/term.h"
 
 #include <array>
 #include <atomic>
@@ -45,12 +46,6 @@ struct RenderOptions {
     std::function<void(const Progress&)> progress; ///< called from rendering threads, one at a time
     const CancelFlag* cancel = nullptr;
 };
-
-/// The terms of the first hit and the branches below it, in the order in which they add up to the picture.
-enum class Term { ambient, diffuse, highlight, clamp, reflection, transmission, emission };
-inline constexpr int term_count = 7;
-/// "ambient", "diffuse", …
-const char* term_name(Term term);
 
 struct RenderStats {
     double wall_seconds = 0;

@@ -69,13 +69,20 @@ class PixelSum {
         if (count == 0) return T{};
         if (positives_ == 0) return negative_.total() / static_cast<float>(negatives);
 
-        const std::int64_t weights = std::int64_t{positives_} - std::int64_t{negatives};
-        if (count < samples_for_lobes || 2 * weights < std::int64_t{count})
-            return positive_.total() / static_cast<float>(positives_);
-        return (positive_.total() - negative_.total()) / static_cast<float>(weights);
+        if (!lobes_count()) return positive_.total() / static_cast<float>(positives_);
+        return (positive_.total() - negative_.total()) / static_cast<float>(weights());
     }
 
+    /// Of all that was added: do samples of such a weight count?
+    bool counts(float weight) const { return weight > 0 || positives_ == 0 || lobes_count(); }
+
   private:
+    std::int64_t weights() const { return 2 * std::int64_t{positives_} - std::int64_t{positive_.count()}; }
+    bool lobes_count() const {
+        const std::uint32_t count = positive_.count();
+        return count >= samples_for_lobes && 2 * weights() >= std::int64_t{count};
+    }
+
     PairwiseSum<T> positive_;
     PairwiseSum<T> negative_;
     std::uint32_t positives_ = 0;

@@ -52,6 +52,22 @@ double sin_degrees(double degrees) {
 
 double cos_degrees(double degrees) { return sin_degrees(90 - std::fabs(std::fmod(degrees, 360.0))); }
 
+double asin_degrees(double sine) {
+    const double x = std::fabs(sine);
+    if (x >= 1) return std::copysign(90, sine);
+    // The other half by the half angle, where the sine is steep: asin x = 90° − 2 asin √((1 − x)/2).
+    if (x > 0.5) return std::copysign(90 - 2 * asin_degrees(std::sqrt((1 - x) / 2)), sine);
+    // Newton's steps double the digits; below 30 degrees the first guess has three.
+    double angle = (x + x * x * x / 6) / radians_per_degree;
+    for (int i = 0; i < 4; ++i) angle -= (sin_core(angle) - x) / (cos_core(angle) * radians_per_degree);
+    return std::copysign(angle, sine);
+}
+
+double acos_degrees(double cosine) {
+    if (cosine > 0.5) return 2 * asin_degrees(std::sqrt((1 - std::fmin(cosine, 1.0)) / 2));
+    return 90 - asin_degrees(cosine);
+}
+
 double tan_degrees(double degrees) {
     const double c = cos_degrees(degrees);
     const double s = sin_degrees(degrees);

@@ -11,4 +11,9 @@ double cos_degrees(double degrees);
 /// sin/cos; infinite at 90 + 180 k.
 double tan_degrees(double degrees);
 
+/// The angle in degrees, 0 … 180, of a cosine, and −90 … 90 of a sine; |error| below 1e-13. What lies beyond
+/// ±1 counts as ±1.
+double acos_degrees(double cosine);
+double asin_degrees(double sine);
+
 } // namespace glint

@@ -239,12 +239,6 @@ Picture render(const Scene& scene, const RenderOptions& options) {
     return Job(scene.frozen(), options).run();
 }
 
-const char* term_name(Term term) {
-    static constexpr const char* names[term_count] = {"ambient",    "diffuse",      "highlight", "clamp",
-                                                      "reflection", "transmission", "emission"};
-    return names[static_cast<std::size_t>(term)];
-}
-
 std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& scene) {
     static constexpr const char* filters[] = {"box", "tent", "gaussian", "mitchell"};
     const RenderSettings& r = scene.frozen().description.render;

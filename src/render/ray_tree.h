@@ -1,7 +1,7 @@
 #pragma once
 // The rays of one sample as a value: what explains a pixel.
 
-#include "glint/render.h"
+#include "glint/explanation.h"
 #include "math/vec.h"
 #include "trace/world.h"
 
@@ -36,17 +36,6 @@ struct Terms {
     }
 };
 
-enum class RayKind { primary, reflected, refracted };
-
-/// Why a ray's way ends where it does.
-enum class RayEnd {
-    bounced,     ///< it goes on in one or two branches
-    matte,       ///< the surface neither reflects nor transmits
-    depth_limit, ///< no more bounces allowed
-    background,  ///< nothing was hit
-    absorbed,    ///< nothing was hit from inside a solid: nothing comes back
-};
-
 /// One light at one hit.
 struct LightNode {
     std::uint32_t light = 0; ///< number among the lights that are not ambient
@@ -57,6 +46,22 @@ struct LightNode {
     float shadow = 1;        ///< the share that gets through what lies between
     vec3 diffuse{0.0f};      ///< after the shadow, before and after the limit the same unless clamp is on
     vec3 highlight{0.0f};
+};
+
+/// A surface that a shadow ray met.
+struct BlockerNode {
+    std::uint32_t object = 0;
+    float t = 0;              ///< of the way to a light with a place; else a distance
+    float transparency = 0;   ///< τ
+    bool passed_over = false; ///< hidden inside a solid of higher rank
+};
+
+/// The shadow ray to one light.
+struct ShadowNode {
+    bool asked = false; ///< was it sent?
+    vec3 origin{0.0f};
+    vec3 direction{0.0f};              ///< to the light itself where it has a place, else unit
+    std::vector<BlockerNode> blockers; ///< all up to the light, in order
 };
 
 /// One ray with what it met. Children are indices into RayTree::nodes, −1 for none.
@@ -72,10 +77,13 @@ struct RayNode {
     vec3 geometric_normal{0.0f}; ///< toward the viewer
     vec3 shading_normal{0.0f};
     vec3 color{0.0f};
+    float lit_side = 1;               ///< −1: lights find both normals turned away from the viewer
     bool entering = true;             ///< from the object's outer side
     std::vector<std::uint32_t> media; ///< transparent solids around the ray, the owner of the space first
+    std::vector<Hit> passed_over;     ///< hidden inside one of those
     std::vector<LightNode> lights;
-    float index_before = 1; ///< indices of refraction on the two sides, where the ray goes through
+    std::vector<ShadowNode> shadows; ///< parallel to lights
+    float index_before = 1;          ///< indices of refraction on the two sides, where the ray goes through
     float index_after = 1;
     bool total_reflection = false;
     float local_weight = 1; ///< of ambient, diffuse, highlight and clamp

@@ -36,7 +36,7 @@ Terms WhittedTracer::follow(Path path, bool* covered) {
     ray.origin = path.origin;
     ray.direction = path.direction;
     Hit hit = scene_.world.closest(ray, kernel_);
-    pass_hidden(ray, hit, path.media);
+    pass_hidden(ray, hit, path.media, node);
     if (covered != nullptr) *covered = static_cast<bool>(hit);
     if (!hit) return missed(path, node);
 
@@ -55,13 +55,17 @@ Terms WhittedTracer::follow(Path path, bool* covered) {
 void WhittedTracer::light_surface(const Surface& surface, const Media* media, Terms& terms, int node) {
     for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
         LightNode light;
+        RayNode* record = node_at(node);
+        ShadowNode* shadow = record != nullptr ? &record->shadows.emplace_back() : nullptr;
         if (reaches(i, surface, light)) {
             Ray ray;
             aim(surface, light, ray);
-            if (scene_.world.occluded(ray, kernel_)) light.shadow = behind_blockers(ray, surface, media);
+            if (shadow != nullptr) *shadow = {true, ray.origin, ray.direction, {}};
+            if (scene_.world.occluded(ray, kernel_))
+                light.shadow = behind_blockers(ray, surface, media, shadow);
             add_light(light, surface, terms);
         }
-        if (RayNode* record = node_at(node)) record->lights.push_back(light);
+        if (record != nullptr) record->lights.push_back(light);
     }
 }
 
@@ -80,8 +84,9 @@ void WhittedTracer::branch(const Path& path, const Surface& surface, Terms& term
 
 // Surfaces inside a transparent solid of higher rank are passed over on the same ray, one by one; `media`
 // follows.
-void WhittedTracer::pass_hidden(const Ray& ray, Hit& hit, const Media*& media) {
+void WhittedTracer::pass_hidden(const Ray& ray, Hit& hit, const Media*& media, int node) {
     while (hit && hidden(media, hit.object, scene_)) {
+        if (RayNode* record = node_at(node)) record->passed_over.push_back(hit);
         if (holds_media(hit.object)) media = across(media, hit.object, enters(ray, hit), scene_, arena_);
         hit = scene_.world.next(ray, hit);
     }
@@ -91,8 +96,10 @@ void WhittedTracer::pass_hidden(const Ray& ray, Hit& hit, const Media*& media) {
 Terms WhittedTracer::missed(const Path& path, int node) const {
     Terms terms{};
     if (path.media == nullptr) terms[Term::emission] = scene_.background;
-    if (RayNode* record = node_at(node))
+    if (RayNode* record = node_at(node)) {
         record->end = path.media == nullptr ? RayEnd::background : RayEnd::absorbed;
+        note_media(path.media, *record);
+    }
     note_terms(terms, node);
     return terms;
 }
@@ -215,13 +222,16 @@ void WhittedTracer::aim(const Surface& s, const LightNode& light, Ray& ray) {
 }
 
 /// The share of the light that gets through what the ray meets.
-float WhittedTracer::behind_blockers(const Ray& ray, const Surface& s, const Media* media) {
+float WhittedTracer::behind_blockers(const Ray& ray, const Surface& s, const Media* media,
+                                     ShadowNode* record) {
     // Light on a back that is lit as stored arrives on the other side of the surface.
     if (s.lit_side < 0.0f && holds_media(s.object))
         media = across(media, s.object, s.entering, scene_, arena_);
     const bool walk =
         scene_.any_transparent && (settings_.shadows == Shadows::transmissive || media != nullptr);
-    return walk ? walk_shadow(ray, media) : 0.0f;
+    // Nothing gets through where there is no need to walk: then only the record wants to know what blocks.
+    if (record != nullptr && !walk) walk_shadow(ray, media, record);
+    return walk ? walk_shadow(ray, media, record) : 0.0f;
 }
 
 void WhittedTracer::add_light(LightNode& light, const Surface& s, Terms& terms) const {
@@ -247,15 +257,19 @@ void WhittedTracer::limit_terms(Terms& terms) const {
 }
 
 // Every visible crossing takes its share: τ only, no bending (docs/light-model.md, "Shadows").
-float WhittedTracer::walk_shadow(const Ray& ray, const Media* media) {
+// A record gets what stands behind the first opaque surface too.
+float WhittedTracer::walk_shadow(const Ray& ray, const Media* media, ShadowNode* record) {
     crossings_.clear();
     scene_.world.crossings(ray, crossings_);
     float factor = 1.0f;
     for (const Hit& hit : crossings_) {
-        if (!hidden(media, hit.object, scene_)) {
-            const float tau = scene_.materials[scene_.objects[hit.object].material].transparency;
-            if (settings_.shadows == Shadows::opaque || !(tau > 0.0f)) return 0.0f;
-            factor = factor * tau;
+        const bool passed_over = hidden(media, hit.object, scene_);
+        const float tau = scene_.materials[scene_.objects[hit.object].material].transparency;
+        if (record != nullptr) record->blockers.push_back({hit.object, hit.t, tau, passed_over});
+        if (!passed_over) {
+            const bool opaque = settings_.shadows == Shadows::opaque || !(tau > 0.0f);
+            if (opaque && record == nullptr) return 0.0f;
+            factor = opaque ? 0.0f : factor * tau;
         }
         if (holds_media(hit.object)) media = across(media, hit.object, enters(ray, hit), scene_, arena_);
     }
@@ -385,8 +399,13 @@ void WhittedTracer::note_surface(const Path& path, const Hit& hit, const Surface
     record->geometric_normal = surface.n_g;
     record->shading_normal = surface.n;
     record->color = surface.color;
+    record->lit_side = surface.lit_side;
     record->entering = surface.entering;
-    for (const Media* m = path.media; m != nullptr; m = m->rest) record->media.push_back(m->object);
+    note_media(path.media, *record);
+}
+
+void WhittedTracer::note_media(const Media* media, RayNode& record) const {
+    for (; media != nullptr; media = media->rest) record.media.push_back(media->object);
 }
 
 void WhittedTracer::note_terms(const Terms& terms, int node) const {

@@ -2,6 +2,7 @@
 // Whitted's recursive backward ray tracing: one primary ray in, the light along it out, term by term.
 // T. Whitted, "An Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
+#include "glint/render.h"
 #include "render/ray_tree.h"
 #include "scene/frozen.h"
 #include "scene/media.h"
@@ -110,7 +111,7 @@ class WhittedTracer {
     // The steps of both. `node` is the ray's in the record, or −1. What is large is written where it stays:
     // copying what was just written number by number makes the processor wait.
     void start_primary(const vec3& origin, const vec3& direction, Path& path);
-    void pass_hidden(const Ray& ray, Hit& hit, const Media*& media);
+    void pass_hidden(const Ray& ray, Hit& hit, const Media*& media, int node = -1);
     Terms missed(const Path& path, int node) const;
     Surface surface_at(const Ray& ray, const Hit& hit) const;
     void step_off_edge(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
@@ -121,8 +122,9 @@ class WhittedTracer {
     bool reaches(std::uint32_t index, const Surface& surface, LightNode& node) const;
     void arrive(const FrozenLight& light, const Surface& surface, LightNode& node) const;
     void aim(const Surface& surface, const LightNode& light, Ray& ray);
-    float behind_blockers(const Ray& ray, const Surface& surface, const Media* media);
-    float walk_shadow(const Ray& ray, const Media* media);
+    float behind_blockers(const Ray& ray, const Surface& surface, const Media* media,
+                          ShadowNode* record = nullptr);
+    float walk_shadow(const Ray& ray, const Media* media, ShadowNode* record);
     void add_light(LightNode& light, const Surface& surface, Terms& terms) const;
     void limit_terms(Terms& terms) const;
     bool goes_on(const Path& path, const Surface& surface, int node) const;
@@ -136,6 +138,7 @@ class WhittedTracer {
     // The record.
     int start_node(const Path& path);
     void note_surface(const Path& path, const Hit& hit, const Surface& surface, int node) const;
+    void note_media(const Media* media, RayNode& record) const;
     void note_terms(const Terms& terms, int node) const;
     RayNode* node_at(int node) const;
 

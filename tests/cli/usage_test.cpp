@@ -57,7 +57,6 @@ const Case cases[] = {
     {"KnowsNoUnbuiltCheckpoint", "good.toml --checkpoint x", 2, "unknown option \"--checkpoint\""},
     {"KnowsNoUnbuiltBackend", "good.toml --backend gpu", 2, "unknown option \"--backend\""},
     {"KnowsNoUnbuiltView", "view good.toml", 2, "\"view\" is neither a command nor a file"},
-    {"KnowsNoUnbuiltExplain", "explain good.toml", 2, "neither a command"},
     {"KnowsNoUnbuiltMerge", "merge a b", 2, "neither a command"},
     {"KnowsNoUnbuiltConvert", "convert a b", 2, "neither a command"},
     {"KnowsOptionsOfTheCommandOnly", "check good.toml --spp 4", 2, "see glint check --help"},
@@ -116,6 +115,10 @@ const Case cases[] = {
     {"ChecksNothingWithoutFiles", "check", 2, "glint check FILE..."},
     {"ComparesTwoPictures", "diff a.png", 2, "two pictures are needed"},
     {"KnowsItsTemplates", "new nosuchtemplate", 2, "unknown template \"nosuchtemplate\""},
+    {"ExplainsNothingWithoutAPixel", "explain good.toml", 2, "--pixel X,Y"},
+    {"ExplainsNoPixelOutside", "explain good.toml --pixel 16,0", 2, "the picture has 16×12 pixels"},
+    {"RefusesAPixelOfOneNumber", "explain good.toml --pixel 8", 2, "X,Y such as 320,240"},
+    {"ExplainsAPixel", "explain good.toml --pixel 8,6", 0, "primary ray brings"},
     {"ListsTemplates", "new --list", 0, "\n"},
 };
 
@@ -142,12 +145,12 @@ TEST_P(Help, FitsAScreen) {
 
 TEST_P(Help, SaysNothingOfWhatIsNotBuilt) {
     const std::string text = glint(GetParam() + std::string(" --help")).out;
-    for (const char* word : {"shard", "checkpoint", "resume", "--time", "backend", "frames", "explain ",
-                             "merge", "convert", "gpu"})
+    for (const char* word :
+         {"shard", "checkpoint", "resume", "--time", "backend", "frames", "merge", "convert", "gpu"})
         EXPECT_EQ(text.find(word), std::string::npos) << word;
 }
 
-INSTANTIATE_TEST_SUITE_P(, Help, testing::Values("", "render", "check", "info", "diff", "new"),
+INSTANTIATE_TEST_SUITE_P(, Help, testing::Values("", "render", "check", "info", "explain", "diff", "new"),
                          [](const auto& tested) {
                              return *tested.param ? std::string(tested.param) : "top";
                          });

@@ -134,9 +134,10 @@ std::string against_own(const Source& source, const std::string& owner, const st
 
 std::string room_of_public_header(const std::string& name) {
     static const std::map<std::string, std::string> owners = {
-        {"glint/error.h", "scene"},     {"glint/scene.h", "scene"},      {"glint/image.h", "imaging"},
-        {"glint/formats.h", "formats"}, {"glint/render.h", "render"},    {"glint/trace.h", "trace"},
-        {"glint/kernels.h", "trace"},   {"glint/document.h", "formats"},
+        {"glint/error.h", "scene"},       {"glint/scene.h", "scene"},      {"glint/image.h", "imaging"},
+        {"glint/formats.h", "formats"},   {"glint/render.h", "render"},    {"glint/trace.h", "trace"},
+        {"glint/kernels.h", "trace"},     {"glint/document.h", "formats"}, {"glint/term.h", "scene"},
+        {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;

@@ -1,0 +1,43 @@
+#include "commands.h"
+#include "outputs.h"
+#include "render_request.h"
+#include "scene_input.h"
+
+#include "glint/explain.h"
+#include "glint/formats.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <span>
+
+namespace glint::cli {
+namespace {
+
+std::string written(const Explanation& explanation, const Arguments& arguments, bool to_stdout) {
+    return explanation_text(explanation,
+                            to_stdout && wants_color_on_stdout(arguments.text("color").value_or("auto")));
+}
+
+} // namespace
+
+int explain_command(const Arguments& arguments, Console& console) {
+    const std::string& file = arguments.operands().front();
+    const std::string output = arguments.text("output").value_or("-");
+    const auto pixel = arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, "X,Y such as 320,240");
+    if (!pixel) throw Error(ErrorKind::usage, "no pixel given", "--pixel X,Y; 0,0 is top left");
+    require_mesh_for_up(arguments, file);
+    require_writable(output);
+
+    LoadedScene loaded = load_scene(file, load_options(arguments));
+    apply_flags(arguments, loaded.description);
+    report(loaded, console);
+    const Scene scene = freeze(loaded.description, {threads(arguments)});
+    console.warnings(warnings(scene));
+    const Explanation explanation =
+        explain(scene, static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
+    write_text(output, written(explanation, arguments, output == "-"));
+    return exit_code::done;
+}
+
+} // namespace glint::cli

@@ -1,0 +1,31 @@
+#pragma once
+// The pixel that explains itself.
+
+#include "glint/explanation.h"
+#include "glint/scene.h"
+
+#include <memory>
+
+namespace glint {
+
+/// Traces pixel (x, y) of the scene's picture again and keeps everything: the rays of each of its samples and
+/// every term of the light along them. The same functions compute the picture, so the sum is its pixel, bit
+/// for bit. (0, 0) is top left. Throws Error(usage) for a pixel outside the picture.
+Explanation explain(const Scene& scene, int x, int y);
+
+/// The same for many pixels of one scene. One explainer for each thread.
+class Explainer {
+  public:
+    explicit Explainer(const Scene& scene);
+    ~Explainer();
+    Explainer(Explainer&&) noexcept;
+    Explainer& operator=(Explainer&&) noexcept;
+
+    Explanation pixel(int x, int y);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace glint

@@ -1,0 +1,91 @@
+#include "glint/explain.h"
+
+#include "imaging/film.h"
+#include "render/explain_parts.h"
+#include "render/samples.h"
+
+namespace glint {
+
+struct Explainer::State {
+    explicit State(const Scene& whole)
+        : scene(whole), settings(whole.render_settings()), places(whole.frozen().description),
+          parts(whole.frozen()), tracer(whole.frozen()) {}
+
+    ExplainedSample sample(int x, int y, int i) {
+        const FilterSample place = places.place(x, y, i);
+        Sample camera;
+        places.aim(x, y, place, camera);
+        ExplainedSample out;
+        out.dx = place.dx;
+        out.dy = place.dy;
+        out.weight = place.weight;
+        const Terms terms = tracer.trace(camera.origin, camera.direction, &tree);
+        out.terms = terms.value;
+        out.radiance = terms.sum();
+        out.rays = explain_tree(parts, tree);
+        return out;
+    }
+
+    const Scene scene;
+    const RenderSettings& settings;
+    const SamplePlaces places;
+    const ExplainedScene parts;
+    WhittedTracer tracer;
+    RayTree tree;
+};
+
+namespace {
+
+std::string rule_of(const PixelSum<Terms>& sum, int positive, int negative) {
+    const auto count = [](int n) { return std::to_string(n) + (n == 1 ? " sample" : " samples"); };
+    if (positive + negative == 1) return "one ray through the pixel's centre";
+    if (negative == 0 || positive == 0) return "the mean of " + count(positive + negative);
+    if (sum.counts(-1))
+        return "the sum of " + count(positive) + " minus the sum of " + std::to_string(negative) +
+               " on the filter's negative lobe, divided by " + std::to_string(positive - negative);
+    return "the mean of " + count(positive) + "; " + std::to_string(negative) +
+           " on the filter's negative lobe count only where there are " + std::to_string(samples_for_lobes) +
+           " or more, and not too many of them";
+}
+
+} // namespace
+
+Explainer::Explainer(const Scene& scene) : state_(std::make_unique<State>(scene)) {}
+Explainer::~Explainer() = default;
+Explainer::Explainer(Explainer&&) noexcept = default;
+Explainer& Explainer::operator=(Explainer&&) noexcept = default;
+
+Explanation Explainer::pixel(int x, int y) {
+    static constexpr const char* filters[] = {"box", "tent", "gaussian", "mitchell"};
+    const RenderSettings& r = state_->settings;
+    if (x < 0 || y < 0 || x >= r.width || y >= r.height)
+        throw Error(ErrorKind::usage,
+                    "pixel " + std::to_string(x) + "," + std::to_string(y) + " is not in the picture",
+                    "the picture has " + std::to_string(r.width) + "×" + std::to_string(r.height) +
+                        " pixels; 0,0 is top left");
+    Explanation out;
+    out.x = x;
+    out.y = y;
+    out.width = r.width;
+    out.height = r.height;
+    out.filter = filters[static_cast<std::size_t>(r.filter)];
+    PixelSum<Terms> sum;
+    int negative = 0;
+    for (int i = 0; i < r.spp; ++i) {
+        out.samples.push_back(state_->sample(x, y, i));
+        const ExplainedSample& sample = out.samples.back();
+        sum.add(Terms{sample.terms}, sample.weight);
+        negative += sample.weight > 0 ? 0 : 1;
+    }
+    for (ExplainedSample& sample : out.samples) sample.counts = sum.counts(sample.weight);
+    out.rule = rule_of(sum, r.spp - negative, negative);
+    // One sample is its pixel as it is, like in the picture: no division touches it.
+    const Terms terms = r.spp == 1 ? Terms{out.samples.front().terms} : sum.value();
+    out.terms = terms.value;
+    out.color = terms.sum();
+    return out;
+}
+
+Explanation explain(const Scene& scene, int x, int y) { return Explainer(scene).pixel(x, y); }
+
+} // namespace glint

@@ -1,0 +1,236 @@
+#include "render/explain_parts.h"
+
+#include "math/trig.h"
+#include "shading/whitted.shared.h"
+
+namespace glint {
+namespace {
+
+/// Where the light stands, and what of it arrives.
+class Arrival {
+  public:
+    Arrival(const FrozenLight& light, const RayNode& node, const LightNode& record, ExplainedLight& out)
+        : light_(light), node_(node), record_(record), out_(out), n_(node.shading_normal * node.lit_side),
+          n_g_(node.geometric_normal * node.lit_side) {}
+
+    void explain() {
+        const bool placed = light_.kind != LightKind::directional;
+        step({"I", "", light_.strength, "light", placed ? "colour · intensity" : "colour · irradiance"});
+        placed ? find_place() : find_direction();
+        if (placed && !(record_.distance > 0.0f)) return at_the_light();
+        find_angle();
+        if (light_.kind == LightKind::spot) find_falloff();
+        arrive();
+    }
+
+  private:
+    void step(Step s) { out_.steps.push_back(std::move(s)); }
+
+    void find_place() {
+        const vec3 way = light_.position - node_.position;
+        r_squared_ = dot(way, way);
+        step({"x", "", light_.position, "light", "where the light stands"});
+        step({"r²", "(x − p)·(x − p)", r_squared_, "light", "squared distance", "2.2"});
+        step({"r", "√(r²)", record_.distance, "light", "distance", "2.2"});
+        if (record_.distance > 0.0f)
+            step({"l", "(x − p) / r", record_.direction, "light", "direction to the light", "2.2"});
+    }
+
+    void find_direction() {
+        step({"l", "", record_.direction, "light", "direction to the light", "",
+              "ours: a directional light shines along one direction everywhere; it has no distance"});
+    }
+
+    void at_the_light() {
+        step({"E", "0", record_.arriving, "light", "light arriving", "",
+              "the point lies in the light itself"});
+    }
+
+    void find_angle() {
+        const char* n = "n·l";
+        if (node_.lit_side < 0.0f) {
+            n = "n′·l";
+            step({"n′", "−n", n_, "light", "normal that lights find", "",
+                  "facing = \"stored\": the mesh is lit as its winding has it, through its back"});
+        }
+        out_.degrees = static_cast<float>(acos_degrees(dot(n_, record_.direction)));
+        step({"θ", std::string("arccos(") + n + ")", out_.degrees, "light", "angle to the normal, degrees"});
+        const bool above = dot(n_g_, record_.direction) > 0.0f;
+        const std::string clamped = std::string("max(0, ") + n + ")";
+        step({"cosθ", above ? clamped : "0", record_.cosine, "light", "share that falls on the surface",
+              "2.2",
+              above ? "the report does not clamp n·l at 0; its pictures do"
+                    : "the light stands below the geometric horizon, n_g·l ≤ 0: nothing arrives"});
+    }
+
+    void find_falloff() {
+        const float cosine = -dot(record_.direction, light_.direction);
+        falloff_ = spot_falloff(cosine, light_.cos_outer, light_.cos_inner);
+        step({"a", "", light_.direction, "light", "axis of the spot"});
+        step({"cosα", "−(l·a)", cosine, "light", "cosine of the angle from the axis"});
+        step({"cosα₁", "", light_.cos_inner, "light", "of the inner cone"});
+        step({"cosα₂", "", light_.cos_outer, "light", "of the outer cone"});
+        if (cosine >= light_.cos_inner || cosine <= light_.cos_outer) {
+            const bool inside = cosine >= light_.cos_inner;
+            return step({"f", inside ? "1" : "0", falloff_, "light", "falloff of the spot", "",
+                         inside ? "inside the inner cone" : "outside the outer cone"});
+        }
+        const float u = (cosine - light_.cos_outer) / (light_.cos_inner - light_.cos_outer);
+        step({"u", "(cosα − cosα₂) / (cosα₁ − cosα₂)", u, "light", "way from the outer to the inner cone"});
+        step({"f", "u² · (3 − 2 · u)", falloff_, "light", "falloff of the spot", "",
+              "ours: the report has no spots"});
+    }
+
+    void arrive() {
+        if (light_.kind == LightKind::directional)
+            return step({"E", "I · cosθ", record_.arriving, "light", "light arriving"});
+        out_.attenuation = falloff_ / r_squared_;
+        const bool spot = light_.kind == LightKind::spot;
+        step({"q", spot ? "f / r²" : "1 / r²", out_.attenuation, "light", "attenuation", "2.2"});
+        step({"E", spot ? "I · (cosθ / r²) · f" : "I · (cosθ / r²)", record_.arriving, "light",
+              "light arriving", "2.2"});
+    }
+
+    const FrozenLight& light_;
+    const RayNode& node_;
+    const LightNode& record_;
+    ExplainedLight& out_;
+    const vec3 n_;
+    const vec3 n_g_;
+    float r_squared_ = 0;
+    float falloff_ = 1;
+};
+
+/// The shadow ray, and what the surface makes of the light.
+class Shown {
+  public:
+    Shown(const ExplainedScene& scene, const RayNode& node, const LightNode& record, ExplainedLight& out)
+        : scene_(scene), material_(scene.material(node.hit.object)), node_(node), record_(record), out_(out) {
+    }
+
+    void explain(const ShadowNode& shadow) {
+        list_blockers(shadow);
+        weigh_shadow();
+        show_diffuse();
+        if (material_.highlight > 0.0f) show_highlight();
+    }
+
+  private:
+    void step(Step s) { out_.steps.push_back(std::move(s)); }
+    bool opaque() const { return scene_.settings.shadows == Shadows::opaque; }
+
+    void list_blockers(const ShadowNode& shadow) {
+        out_.asked = shadow.asked;
+        out_.shadow_origin = shadow.origin;
+        const float length = sqrt(dot(shadow.direction, shadow.direction));
+        for (const BlockerNode& b : shadow.blockers) {
+            const float share = b.passed_over ? 1.0f : opaque() ? 0.0f : b.transparency;
+            out_.blockers.push_back({b.object, scene_.label(b.object), scene_.material_name(b.object),
+                                     b.t * length, b.transparency, share, b.passed_over});
+        }
+    }
+
+    void weigh_shadow() {
+        const char* note = "nothing stands between";
+        std::string formula = "1";
+        if (!out_.asked) {
+            note = record_.arriving == vec3(0.0f)
+                       ? "no shadow ray: nothing arrives"
+                       : "no shadow ray: the surface shows neither diffuse light nor highlight";
+        } else if (!out_.blockers.empty()) {
+            formula = product_of_blockers();
+            note = opaque() ? "shadows = \"opaque\": glass casts full shadows, as in the report's pictures"
+                            : "shadow through glass: not bent, not absorbed, not reflected; the model omits "
+                              "caustics";
+            if (out_.shadow == 0.0f && !opaque()) note = "something opaque stands between";
+        }
+        step({"s", std::move(formula), record_.shadow, "shadow", "share that gets through", "2.1", note});
+    }
+
+    /// Gives the blockers' shares as τ₁, τ₂ … and returns what multiplies them.
+    std::string product_of_blockers() {
+        std::string formula;
+        for (std::size_t i = 0; i < out_.blockers.size(); ++i) {
+            const Blocker& b = out_.blockers[i];
+            if (b.passed_over) continue;
+            const std::string symbol = numbered("τ", i + 1);
+            step({symbol, "", b.share, "shadow", "what a surface on the way lets through"});
+            formula += (formula.empty() ? "" : " · ") + symbol;
+        }
+        return formula.empty() ? "1" : formula;
+    }
+
+    void show_diffuse() {
+        const vec3 whole = diffuse_term(record_.arriving, node_.color, material_.diffuse) * record_.shadow;
+        const bool clamp = scene_.settings.clamp;
+        step({clamp ? "D₀" : "D", "E ⊙ c · k_d · s", whole, "diffuse",
+              clamp ? "diffuse light before the clamp" : "diffuse light", "2.2",
+              "the report prints sums of colours; its pictures show products"});
+        if (clamp)
+            step({"D", "min(1, D₀)", record_.diffuse, "diffuse", "diffuse light after the clamp", "",
+                  "clamp = true: as the report's program, 1 a channel for each light"});
+    }
+
+    void show_highlight() {
+        const vec3 n = node_.shading_normal * node_.lit_side;
+        const std::string normal = node_.lit_side < 0.0f ? "n′" : "n";
+        const vec3 v = -node_.direction;
+        const vec3 l = record_.direction;
+        const bool blinn = scene_.settings.highlight_model == HighlightModel::blinn;
+        float cosine = 0;
+        if (blinn) {
+            const vec3 sum = l + v;
+            const float squared = dot(sum, sum);
+            cosine = squared > 0.0f ? dot(n, sum) / sqrt(squared) : 0.0f;
+            step({"cosδ", squared > 0.0f ? normal + "·(l + v) / |l + v|" : "0", cosine, "highlight",
+                  "n·h, h the halfway vector", "2.5"});
+        } else {
+            const vec3 mirrored = n * (2.0f * dot(n, l)) - l;
+            cosine = dot(v, mirrored);
+            step({"R_l", normal + " · (2 · (" + normal + "·l)) − l", mirrored, "highlight",
+                  "mirror direction of the light", "2.5"});
+            step({"cosδ", "v·R_l", cosine, "highlight", "v·R, Phong's cosine", "2.5"});
+        }
+        const float m = material_.shininess;
+        const float lobe = blinn ? blinn_lobe(n, l, v, m) : phong_lobe(n, l, v, m);
+        step(
+            {"lobe", "min(1, max(0, cosδ))^m", lobe, "highlight", "how near to the mirror direction", "2.5"});
+        step(
+            {"H", "E · (k · lobe) · s", record_.highlight, "highlight", "highlight", "2.5",
+             "the report's formula has neither n·l nor 1/r², its pictures have both; the light's colour, not "
+             "the material's"});
+    }
+
+    const ExplainedScene& scene_;
+    const FrozenMaterial& material_;
+    const RayNode& node_;
+    const LightNode& record_;
+    ExplainedLight& out_;
+};
+
+std::string light_label(LightKind kind, std::uint32_t number) {
+    const char* name = kind == LightKind::point ? "point" : kind == LightKind::spot ? "spot" : "directional";
+    return std::string(name) + " light " + std::to_string(number + 1);
+}
+
+} // namespace
+
+ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, std::size_t index) {
+    const FrozenLight& light = scene.scene.lights[index];
+    const LightNode& record = node.lights[index];
+    ExplainedLight out;
+    out.light = scene.light_numbers[index];
+    out.label = light_label(light.kind, out.light);
+    out.direction = record.direction;
+    out.distance = record.distance;
+    out.cosine = record.cosine;
+    out.arriving = record.arriving;
+    out.shadow = record.shadow;
+    out.diffuse = record.diffuse;
+    out.highlight = record.highlight;
+    Arrival(light, node, record, out).explain();
+    Shown(scene, node, record, out).explain(node.shadows[index]);
+    return out;
+}
+
+} // namespace glint

@@ -1,0 +1,42 @@
+#pragma once
+// The parts of explain(): from a recorded ray tree to steps with formulas. Every result is the recorded one,
+// or comes from the function of shading/whitted.shared.h that the tracer called, with the recorded numbers.
+
+#include "glint/explanation.h"
+#include "render/ray_tree.h"
+#include "scene/frozen.h"
+
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// What the parts need of a scene, put together once.
+struct ExplainedScene {
+    explicit ExplainedScene(const FrozenScene& scene);
+
+    /// sphere "ball", or sphere #3: the third object of the file.
+    std::string label(std::uint32_t object) const;
+    const std::string& material_name(std::uint32_t object) const;
+    const FrozenMaterial& material(std::uint32_t object) const {
+        return scene.materials[scene.objects[object].material];
+    }
+
+    const FrozenScene& scene;
+    const WhittedSettings& settings;
+    std::vector<std::uint32_t> light_numbers; ///< by FrozenScene::lights: index in SceneDescription::lights
+};
+
+/// "τ₁₂"
+std::string numbered(const char* symbol, std::size_t number);
+
+/// The light of number `index` at a hit: its own formulas and its shadow ray.
+ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, std::size_t index);
+
+/// Adds to `steps` where the light goes on from a hit, and what share of it: mirror and refracted ray.
+void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& ray);
+
+/// All rays of a recorded tree.
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree);
+
+} // namespace glint

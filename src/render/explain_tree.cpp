@@ -1,0 +1,275 @@
+#include "render/explain_parts.h"
+
+#include "shading/whitted.shared.h"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+/// One ray: what it met, its local terms, its branches, their sum.
+class RayWorking {
+  public:
+    RayWorking(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& out)
+        : scene_(scene), tree_(tree), node_(node), out_(out) {}
+
+    void explain() {
+        copy_path();
+        if (!node_.hit) return missed();
+        copy_hit();
+        give_surface();
+        for (std::size_t i = 0; i < node_.lights.size(); ++i)
+            out_.lights.push_back(explain_light(scene_, node_, i));
+        sum_lights();
+        if (scene_.settings.clamp) clamp();
+        absorb();
+        end_local_terms();
+        if (node_.end == RayEnd::bounced) explain_bounce(scene_, tree_, node_, out_);
+        emit();
+        add_up();
+        weigh_gain();
+    }
+
+  private:
+    void give(Step s) { out_.given.push_back(std::move(s)); }
+    void step(Step s) { out_.steps.push_back(std::move(s)); }
+    const FrozenMaterial& material() const { return scene_.material(node_.hit.object); }
+    bool clamps() const { return scene_.settings.clamp; }
+    bool absorbs() const { return node_.transmittance != vec3(1.0f); }
+
+    void copy_path() {
+        out_.kind = node_.kind;
+        out_.end = node_.end;
+        out_.parent = node_.parent;
+        out_.reflected = node_.reflected;
+        out_.refracted = node_.refracted;
+        out_.depth = node_.depth;
+        out_.origin = node_.origin;
+        out_.direction = node_.direction;
+        out_.terms = node_.terms.value;
+        out_.radiance = node_.radiance;
+        out_.transmittance = node_.transmittance;
+        for (const std::uint32_t object : node_.media) out_.inside.push_back(scene_.label(object));
+        for (const Hit& hit : node_.passed_over) out_.passed_over.push_back(scene_.label(hit.object));
+        give({"W", "", out_.weight, "weight", "this ray's weight in the sample"});
+        give({"d", "", node_.direction, "ray", "direction of the ray"});
+        out_.why = reason();
+    }
+
+    std::string reason() const {
+        switch (node_.end) {
+        case RayEnd::bounced:
+            return "goes on";
+        case RayEnd::matte:
+            return "ends: the surface neither reflects nor transmits";
+        case RayEnd::depth_limit:
+            return "ends at the depth limit, max_depth = " + std::to_string(scene_.settings.max_depth) +
+                   ": its local light counts whole";
+        case RayEnd::background:
+            return "ends: nothing was hit, the background shows";
+        case RayEnd::absorbed:
+            return "ends: it never leaves " + scene_.label(node_.media.front()) + ", so nothing comes back";
+        }
+        return "";
+    }
+
+    void missed() {
+        if (node_.end == RayEnd::absorbed)
+            return step({"L", "0", node_.radiance, "radiance", "what comes back", "",
+                         "ours: what never leaves a solid brings nothing, not even the background"});
+        give({"B", "", scene_.scene.background, "emission", "background"});
+        step({"emission", "B", node_.terms[Term::emission], "emission", "the background counts as emission"});
+        step({"L", "emission", node_.radiance, "radiance", "what comes back"});
+    }
+
+    void copy_hit() {
+        out_.hit = true;
+        out_.object = node_.hit.object;
+        out_.label = scene_.label(node_.hit.object);
+        out_.material = scene_.material_name(node_.hit.object);
+        out_.distance = node_.hit.t;
+        out_.position = node_.position;
+        out_.geometric_normal = node_.geometric_normal;
+        out_.shading_normal = node_.shading_normal;
+        out_.color = node_.color;
+        out_.entering = node_.entering;
+        out_.total_reflection = node_.total_reflection;
+        out_.index_before = node_.index_before;
+        out_.index_after = node_.index_after;
+    }
+
+    void give_surface() {
+        const FrozenMaterial& m = material();
+        give({"t", "", node_.hit.t, "ray", "length of the way"});
+        give({"p", "", node_.position, "hit", "the point that is hit"});
+        give({"n_g", "", node_.geometric_normal, "hit", "geometric normal, toward the viewer"});
+        give({"n", "", node_.shading_normal, "hit", "shading normal, on the same side"});
+        give({"v", "−d", -node_.direction, "hit", "direction to the viewer"});
+        give({"c", "", node_.color, "material", "colour"});
+        give({"k_a", "", m.ambient, "material", "ambient coefficient"});
+        give({"k_d", "", m.diffuse, "material", "diffuse coefficient"});
+        if (m.highlight > 0.0f) {
+            give({"k", "", m.highlight, "material", "strength of the highlight"});
+            give({"m", "", m.shininess, "material", "exponent of the highlight"});
+        }
+        give({"ρ", "", m.reflectivity, "material", "reflectivity"});
+        give({"τ", "", m.transparency, "material", "transparency"});
+        give({"A", "", scene_.scene.ambient, "ambient", "sum of the ambient lights"});
+    }
+
+    void sum_lights() {
+        const FrozenMaterial& m = material();
+        const vec3 whole = ambient_term(scene_.scene.ambient, node_.color, m.ambient);
+        ambient_ = clamps() ? limit_to_range(whole) : whole;
+        const bool limited = ambient_ != whole;
+        step({"a", limited ? "min(4194304, A ⊙ c · k_a)" : "A ⊙ c · k_a", ambient_, "ambient",
+              "ambient light", "2.2",
+              "ambient stands for indirect light, which the model omits; the report prints a sum"});
+        diffuse_ = sum("ΣD", "D", "diffuse", "diffuse light of all lights", &ExplainedLight::diffuse);
+        if (m.highlight > 0.0f)
+            highlight_ = sum("ΣH", "H", "highlight", "highlights of all lights", &ExplainedLight::highlight);
+    }
+
+    /// One line for what each light gives, one for the sum.
+    vec3 sum(const char* symbol, const char* part, const char* topic, const char* meaning,
+             vec3 ExplainedLight::*value) {
+        std::string formula;
+        vec3 total(0.0f);
+        for (const ExplainedLight& light : out_.lights) {
+            const std::string name = numbered(part, light.light + 1);
+            step({name, "", light.*value, topic, "what this light gives"});
+            formula += (formula.empty() ? "" : " + ") + name;
+            total = total + light.*value;
+        }
+        step({symbol, formula.empty() ? "0" : formula, total, topic, meaning});
+        return total;
+    }
+
+    void clamp() {
+        const bool shiny = material().highlight > 0.0f;
+        const vec3 before = (ambient_ + diffuse_) + highlight_;
+        const vec3 after = limit_to_one(before);
+        step({"S₀", shiny ? "a + ΣD + ΣH" : "a + ΣD", before, "clamp", "local light before the clamp"});
+        step({"S", "min(1, S₀)", after, "clamp", "local light after the clamp", "",
+              "clamp = true: as the report's program, 1 a channel"});
+        clamp_ = after - before;
+        step({"C", "S − S₀", clamp_, "clamp", "what the clamp takes"});
+    }
+
+    void absorb() {
+        if (!absorbs()) return;
+        give({"σ", "", scene_.material(node_.media.front()).absorption, "absorption",
+              "absorption a unit of length, in the solid around the ray"});
+        step({"β", "e^(−σ · t)", node_.transmittance, "absorption",
+              "what is left after the way (Beer, Lambert)", "", "ours: the report's glass does not absorb"});
+    }
+
+    void end_local_terms() {
+        weigh_local();
+        term("ambient", "a", "ambient light that counts", Term::ambient, true);
+        term("diffuse", "ΣD", "diffuse light that counts", Term::diffuse, true);
+        if (material().highlight > 0.0f)
+            term("highlight", "ΣH", "highlight that counts", Term::highlight, true);
+        if (clamps()) term("clamp", "C", "what the clamp takes of it", Term::clamp, true);
+    }
+
+    void weigh_local() {
+        if (node_.end != RayEnd::bounced) {
+            const char* note =
+                node_.end == RayEnd::depth_limit ? "at the depth limit the local light counts whole" : "";
+            return step({"w", "1", node_.local_weight, "weight", "weight of the local light", "2.1", note});
+        }
+        const bool balanced = scene_.settings.energy == Energy::balanced;
+        step({"w", balanced ? "max(0, (1 − τ) − ρ)" : "1 − τ", node_.local_weight, "weight",
+              "weight of the local light", "2.1",
+              balanced ? "energy = \"balanced\": no more light leaves than arrives"
+                       : "as the report's pictures: local light is not scaled by 1 − ρ"});
+    }
+
+    void term(const char* symbol, std::string formula, const char* meaning, Term which, bool weighted) {
+        if (weighted) formula += " · w";
+        if (absorbs()) formula += " ⊙ β";
+        step({symbol, std::move(formula), node_.terms[which], symbol, meaning});
+        sum_ += (sum_.empty() ? "" : " + ") + std::string(symbol);
+    }
+
+    void emit() {
+        if (node_.reflected >= 0) sum_ += " + reflection";
+        if (node_.refracted >= 0) sum_ += " + transmission";
+        if (material().emission == vec3(0.0f)) return;
+        give({"M", "", material().emission, "material", "emission"});
+        term("emission", "M", "the surface's own light", Term::emission, false);
+    }
+
+    void add_up() { step({"L", sum_, node_.radiance, "radiance", "what comes back along the ray", "2.1"}); }
+
+    void weigh_gain() {
+        const FrozenMaterial& m = material();
+        const bool balanced = scene_.settings.energy == Energy::balanced;
+        const float kept = local_weight(m.reflectivity, m.transparency, balanced);
+        const float brightest = std::max({node_.color.x, node_.color.y, node_.color.z});
+        out_.gain = kept * brightest * m.diffuse + m.reflectivity + m.transparency;
+        step({"gain", std::string(balanced ? "max(0, (1 − τ) − ρ)" : "(1 − τ)") + " · max(c) · k_d + ρ + τ",
+              out_.gain, "gain", "light that can leave for each light that arrives", "",
+              out_.gain > 1.0000001f
+                  ? "above 1: more light leaves than arrives; energy = \"balanced\" prevents it"
+                  : ""});
+    }
+
+    const ExplainedScene& scene_;
+    const RayTree& tree_;
+    const RayNode& node_;
+    ExplainedRay& out_;
+    vec3 ambient_{0.0f};
+    vec3 diffuse_{0.0f};
+    vec3 highlight_{0.0f};
+    vec3 clamp_{0.0f};
+    std::string sum_; ///< the terms there are
+};
+
+} // namespace
+
+std::string numbered(const char* symbol, std::size_t number) {
+    static constexpr const char* digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    std::string subscript;
+    for (; number > 0; number /= 10) subscript = digits[number % 10] + subscript;
+    return symbol + subscript;
+}
+
+ExplainedScene::ExplainedScene(const FrozenScene& frozen)
+    : scene(frozen), settings(frozen.description.whitted) {
+    const std::vector<Light>& lights = frozen.description.lights;
+    for (std::uint32_t i = 0; i < lights.size(); ++i)
+        if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
+}
+
+std::string ExplainedScene::label(std::uint32_t object) const {
+    static constexpr const char* types[] = {"plane",      "sphere", "cylinder", "triangle",
+                                            "polyhedron", "mesh",   "instance"};
+    const Object& o = scene.description.objects[object];
+    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
+    return std::string(types[o.shape.index()]) + " " + name;
+}
+
+const std::string& ExplainedScene::material_name(std::uint32_t object) const {
+    return scene.description.materials[scene.objects[object].material].name;
+}
+
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree) {
+    std::vector<ExplainedRay> rays(tree.nodes.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const RayNode& node = tree.nodes[i];
+        // Parents stand before their children: they know what their branches weigh.
+        if (node.parent >= 0) {
+            const auto parent = static_cast<std::size_t>(node.parent);
+            const RayNode& from = tree.nodes[parent];
+            const bool mirror = node.kind == RayKind::reflected;
+            rays[i].weight = rays[parent].weight * from.transmittance *
+                             (mirror ? from.reflected_weight : from.refracted_weight);
+        }
+        RayWorking(scene, tree, node, rays[i]).explain();
+    }
+    return rays;
+}
+
+} // namespace glint

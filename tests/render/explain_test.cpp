@@ -1,0 +1,71 @@
+// An explanation is the picture, taken apart: its sums are the picture's bits, its formulas hold.
+
+#include "gallery.h"
+#include "scene_kit.h"
+
+#include "glint/explain.h"
+
+#include <gtest/gtest.h>
+
+namespace glint {
+namespace {
+
+using namespace kit;
+
+vec3 pixel_of(const Image& image, int x, int y) {
+    const float* p = image.at(x, y);
+    return {p[0], p[1], p[2]};
+}
+
+class ExplanationOf : public testing::TestWithParam<Exhibit> {
+  protected:
+    static SceneDescription sized(int width, int height, int spp) {
+        SceneDescription scene = GetParam().scene;
+        scene.render.width = width;
+        scene.render.height = height;
+        scene.render.spp = spp;
+        return scene;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Gallery, ExplanationOf, testing::ValuesIn(gallery()),
+                         [](const auto& exhibit) { return exhibit.param.name; });
+
+TEST_P(ExplanationOf, EveryPixelSumsToThePictureBitForBit) {
+    const Scene scene = freeze(sized(160, 120, 1));
+    RenderOptions options;
+    options.terms = true;
+    const Picture picture = render(scene, options);
+    Explainer explainer(scene);
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const Explanation e = explainer.pixel(x, y);
+            ASSERT_EQ(e.color, pixel_of(picture.image, x, y)) << "pixel " << x << "," << y;
+            for (std::size_t i = 0; i < e.terms.size(); ++i)
+                ASSERT_EQ(e.terms[i], pixel_of(picture.terms[i], x, y))
+                    << term_name(static_cast<Term>(i)) << " of pixel " << x << "," << y;
+        }
+}
+
+TEST_P(ExplanationOf, SamplesMakeThePixelHoweverManyThereAre) {
+    for (const int spp : {2, 5, 16, 23}) {
+        const Scene scene = freeze(sized(16, 12, spp));
+        const Picture picture = render(scene);
+        Explainer explainer(scene);
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < 16; ++x) {
+                const Explanation e = explainer.pixel(x, y);
+                ASSERT_EQ(e.samples.size(), static_cast<std::size_t>(spp));
+                ASSERT_EQ(e.color, pixel_of(picture.image, x, y)) << "pixel " << x << "," << y;
+            }
+    }
+}
+
+TEST(ExplainedPixel, MustLieInThePicture) {
+    const Scene scene = freeze(empty_scene());
+    for (const auto& [x, y] : {std::pair{-1, 0}, {0, -1}, {16, 0}, {0, 16}})
+        EXPECT_THROW(explain(scene, x, y), Error) << x << "," << y;
+}
+
+} // namespace
+} // namespace glint
