@@ -112,16 +112,16 @@ void SceneDocument::put(std::string_view path, std::string_view given) {
     }
     const TextEdit change = edit_for(parsed.source, parsed.root, target, as_it_was ? *edit->original : value);
 
-    // Edits of parts are overtaken by one of the whole.
+    // A value set back needs no edit; edits of its parts are overtaken in any case.
     if (edit == edits_.end()) {
         std::optional<std::string> original;
         if (entry) original = text_of(parsed.source, entry->value);
-        std::erase_if(edits_, [&](const Edit& each) { return each.target.starts_with(target.path + "."); });
         edits_.push_back({std::string(path), target.path, std::move(value), std::move(original)});
-    } else if (as_it_was)
-        edits_.erase(edit);
-    else
+    } else
         edit->value = std::move(value);
+    std::erase_if(edits_, [&](const Edit& each) {
+        return each.target.starts_with(target.path + ".") || (as_it_was && each.target == target.path);
+    });
 
     const std::size_t mark = text_.size() - parsed.source.text().size(); // of the byte order
     text_.replace(mark + change.begin, change.end - change.begin, change.text);

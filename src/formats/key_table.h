@@ -28,6 +28,10 @@ enum class KeyType {
     vertices,       ///< three points
     matrix,         ///< 16 numbers by rows, affine and regular
     transform,      ///< a list of tables, applied in order
+    key_path,       ///< as -D names one value of the scene
+    frame_range,    ///< [first, last], integers
+    frames,         ///< ascending numbers, at least one
+    values,         ///< a list of values of another key
 };
 
 /// The allowed numbers, both ends included unless open.

@@ -1,3 +1,4 @@
+#include "formats/animation_keys.h"
 #include "formats/key_table.h"
 
 #include <algorithm>
@@ -467,9 +468,10 @@ TableSpec transform_table() {
 
 const std::vector<TableSpec>& table_specs() {
     static const std::vector<TableSpec> tables = {
-        root_table(),  camera_table(),   render_table(),   whitted_table(),   material_table(),
-        plane_table(), sphere_table(),   cylinder_table(), triangle_table(),  polyhedron_table(),
-        mesh_table(),  instance_table(), light_table(),    transform_table(),
+        root_table(),     camera_table(),     render_table(),    whitted_table(),
+        material_table(), plane_table(),      sphere_table(),    cylinder_table(),
+        triangle_table(), polyhedron_table(), mesh_table(),      instance_table(),
+        light_table(),    transform_table(),  animation_table(), animate_table(),
     };
     return tables;
 }

@@ -1,11 +1,12 @@
 // load_scene() and parse_scene(): text or mesh in, description out.
 
+#include "formats/open_scene.h"
 #include "formats/read_text.h"
-#include "formats/scene_check.h"
-#include "formats/scene_meshes.h"
 #include "formats/scene_overrides.h"
 #include "formats/scene_words.h"
 #include "glint/formats.h"
+
+#include <cmath>
 
 namespace glint {
 namespace {
@@ -17,7 +18,7 @@ void refuse_overrides_of_lists(const SceneSource& source, Problems& problems) {
     for (const std::string& text : source.overrides()) {
         const TableSpec* spec = find_table(text.substr(0, text.find('.')));
         ++origin;
-        if (spec && spec->form == TableForm::list)
+        if (spec && (spec->form == TableForm::list || spec->name == "animation"))
             problems.error({origin, 0, 0}, "a bare mesh has no " + spec->header() + " to change",
                            "write a scene around it: glint new mesh");
     }
@@ -66,24 +67,15 @@ void refuse_other_meshes(const std::string& path) {
 
 LoadedScene parse_scene(std::string_view text, const std::string& name, const LoadOptions& options) {
     require_scene_size(text, name);
-    const SceneSource source(text, name, options.overrides);
-    Problems problems(source);
-    TreeValue root = parse_tree(source);
-    apply_overrides(root, source, problems);
-
-    ReadScene scene = read_scene(root, problems);
-    check_scene(scene, problems);
-    LoadedScene loaded;
-    if (name != stdin_name) loaded.files.push_back(name);
-    load_meshes(scene, {name, options.allow_outside, options.load_meshes}, problems, loaded.warnings,
-                loaded.files);
-    check_mesh_extents(scene, problems);
-    problems.throw_if_any();
-
-    const auto own = problems.warnings();
-    loaded.warnings.insert(loaded.warnings.begin(), own.begin(), own.end());
-    loaded.description = std::move(scene.description);
+    const auto scene = std::make_shared<OpenScene>(std::string(text), name, options);
+    LoadedScene loaded = scene->load();
+    if (!loaded.animation.keys.empty()) loaded.animation.scene = scene;
     return loaded;
+}
+
+SceneDescription scene_at(const LoadedScene& scene, double frame) {
+    if (!std::isfinite(frame)) throw Error(ErrorKind::usage, "there is no frame " + show(frame));
+    return scene.animation.scene ? scene.animation.scene->at(frame) : scene.description;
 }
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <system_error>
 
@@ -35,9 +34,10 @@ fs::path folder_of(const std::string& scene_file) {
 
 class MeshLoader {
   public:
-    MeshLoader(const FilePolicy& policy, Problems& problems, std::vector<Diagnostic>& warnings)
-        : policy_(policy), problems_(problems), warnings_(warnings), folder_(folder_of(policy.scene_file)),
-          fence_(resolve_links(folder_)) {}
+    MeshLoader(const FilePolicy& policy, Problems& problems, MeshCache& loaded,
+               std::vector<Diagnostic>& warnings)
+        : policy_(policy), problems_(problems), loaded_(loaded), warnings_(warnings),
+          fence_(resolve_links(folder_of(policy.scene_file))) {}
 
     /// Adds the files' names to `files`, each once, before they are read.
 
@@ -51,8 +51,8 @@ class MeshLoader {
             const std::string called = name.empty() ? std::to_string(number) : name;
             ++number;
             if (!mesh->file.empty())
-                wanted.push_back(
-                    {mesh, resolved(mesh->file, scene.objects[i].shape), scene.objects[i].shape, called});
+                wanted.push_back({mesh, mesh_path(policy_.scene_file, mesh->file, scene.objects[i].shape),
+                                  scene.objects[i].shape, called});
         }
         for (const Wanted& each : wanted) {
             check(each);
@@ -70,12 +70,6 @@ class MeshLoader {
         Place where;
         std::string called; ///< how -D names the mesh
     };
-
-    /// Names of the command line are relative to the working directory, those of the scene to its folder.
-    fs::path resolved(const std::string& file, const Place& where) const {
-        const bool relative = fs::path(file).is_relative() && where.origin == 0;
-        return (relative ? folder_ / file : fs::path(file)).lexically_normal();
-    }
 
     void check(const Wanted& wanted) {
         const bool trusted = policy_.allow_outside || wanted.where.origin > 0;
@@ -125,18 +119,22 @@ class MeshLoader {
 
     const FilePolicy& policy_;
     Problems& problems_;
+    MeshCache& loaded_;
     std::vector<Diagnostic>& warnings_;
-    fs::path folder_;
     fs::path fence_;
     std::set<std::string> named_;
-    std::map<std::string, std::shared_ptr<const Mesh>> loaded_;
 };
 
 } // namespace
 
-void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems,
+std::string mesh_path(const std::string& scene_file, const std::string& file, const Place& named_at) {
+    const bool relative = fs::path(file).is_relative() && named_at.origin == 0;
+    return (relative ? folder_of(scene_file) / file : fs::path(file)).lexically_normal().string();
+}
+
+void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems, MeshCache& cache,
                  std::vector<Diagnostic>& warnings, std::vector<std::string>& files) {
-    MeshLoader(policy, problems, warnings).run(scene, files);
+    MeshLoader(policy, problems, cache, warnings).run(scene, files);
 }
 
 } // namespace glint

@@ -322,7 +322,8 @@ class SceneReader {
     std::vector<Element> elements() const {
         std::vector<Element> all;
         for (const TableSpec& spec : table_specs()) {
-            const TreeEntry* entry = spec.form == TableForm::list ? root_.find(spec.name) : nullptr;
+            const bool placed = spec.object || spec.name == "light";
+            const TreeEntry* entry = placed ? root_.find(spec.name) : nullptr;
             if (!entry || entry->value.kind != Kind::list) continue;
             for (const TreeValue& item : entry->value.items)
                 if (item.kind == Kind::table) all.push_back({&spec, &item});
@@ -381,6 +382,11 @@ class SceneReader {
 };
 
 } // namespace
+
+ColorValues color_values_of(const TreeValue& root) {
+    const TreeEntry* entry = root.find("color_values");
+    return entry && entry->value.text == "linear" ? ColorValues::linear : ColorValues::srgb;
+}
 
 ReadScene read_scene(const TreeValue& root, Problems& problems) {
     return SceneReader(root, problems, false).run({});

@@ -28,7 +28,11 @@ struct ReadScene {
     std::vector<Place> materials; ///< energies: where reflectivity stands, else the header
 };
 
-/// Reads a scene. Reports what is wrong with single tables; check_scene() does the rest.
+/// How colours by name are meant, as the top of the file says.
+ColorValues color_values_of(const TreeValue& root);
+
+/// Reads a scene, but not how it moves. Reports what is wrong with single tables; check_scene() does the
+/// rest.
 ReadScene read_scene(const TreeValue& root, Problems& problems);
 
 /// Changes settings, camera and materials of a description that exists already, as the tree says.

@@ -100,6 +100,14 @@ std::string type_text(const KeySpec& key) {
         return "`[[x, y, z], [x, y, z], [x, y, z]]`";
     case KeyType::matrix:
         return "16 numbers by rows";
+    case KeyType::key_path:
+        return "key path";
+    case KeyType::frame_range:
+        return "`[first, last]`, integers";
+    case KeyType::frames:
+        return "list of numbers, ascending";
+    case KeyType::values:
+        return "list of values";
     case KeyType::transform:
         break;
     }

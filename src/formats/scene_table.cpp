@@ -286,6 +286,37 @@ void TableReader::read_size(std::string_view key, int& width, int& height) {
     height = static_cast<int>(value.items[1].integer);
 }
 
+void TableReader::read_range(std::string_view key, int& first, int& last) {
+    const Found found = find(key);
+    if (!found.value) return;
+    const TreeValue& value = *found.value;
+    if (value.kind != Kind::list || value.items.size() != 2) return wrong_type(found, value, "[first, last]");
+    const bool good_first = check_integer(found, value.items[0]);
+    const bool good_last = check_integer(found, value.items[1]);
+    if (!good_first || !good_last) return;
+    if (value.items[1].integer < value.items[0].integer)
+        return error(value.where, "the last of " + label_of(*found.spec) + " comes before the first");
+    first = static_cast<int>(value.items[0].integer);
+    last = static_cast<int>(value.items[1].integer);
+}
+
+void TableReader::read_ascending(std::string_view key, std::vector<double>& target) {
+    const Found found = find(key);
+    if (!found.value) return;
+    const TreeValue& value = *found.value;
+    if (value.kind != Kind::list) return wrong_type(found, value, "a list of numbers");
+    if (value.items.empty()) return error(value.where, label_of(*found.spec) + " must not be empty");
+    for (const TreeValue& item : value.items) {
+        if (!check_number(found, item)) return;
+        if (!target.empty() && item.number <= target.back())
+            return error(item.where,
+                         label_of(*found.spec) + " must ascend, found " + show(item.number) + " after " +
+                             show(target.back()),
+                         "sort the keyframes by their frames");
+        target.push_back(item.number);
+    }
+}
+
 void TableReader::read_choice(std::string_view key, std::string& target) {
     if (const auto index = choice(key)) target = split_words(find(key).spec->choices)[*index];
 }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace glint {
 
@@ -49,6 +50,10 @@ class TableReader {
     /// "auto" empties the target.
     void read(std::string_view key, std::optional<double>& target);
     void read_size(std::string_view key, int& width, int& height);
+    /// [first, last], the last not before the first.
+    void read_range(std::string_view key, int& first, int& last);
+    /// Numbers in ascending order, at least one.
+    void read_ascending(std::string_view key, std::vector<double>& target);
     /// An enumeration whose values stand in the order of the key's choices.
     template <class Enum>
     void read_choice(std::string_view key, Enum& target) {

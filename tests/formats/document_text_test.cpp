@@ -94,6 +94,7 @@ TEST(SceneText, SaysEveryKeyOfTheKeyTable) {
     int tables = 0;
     for (const TableSpec& spec : table_specs()) {
         if (spec.form == TableForm::root || spec.form == TableForm::entry) continue;
+        if (spec.name == "animation" || spec.name == "animate") continue; // no part of a description
         const KeySpec* selector = spec.selector.empty() ? nullptr : find_key(spec, spec.selector, {});
         for (const std::string& type :
              selector ? split_words(selector->choices) : std::vector<std::string>{""}) {
