@@ -8,13 +8,15 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-#include <span>
+#include <filesystem>
 
 namespace glint::cli {
 namespace {
 
 std::string written(const Explanation& explanation, const Arguments& arguments, bool to_stdout) {
+    const std::string format = arguments.text("format").value_or("text");
+    if (format == "json") return explanation_json(explanation);
+    if (format == "svg") return explanation_svg(explanation);
     return explanation_text(explanation,
                             to_stdout && wants_color_on_stdout(arguments.text("color").value_or("auto")));
 }
@@ -34,8 +36,8 @@ int explain_command(const Arguments& arguments, Console& console) {
     report(loaded, console);
     const Scene scene = freeze(loaded.description, {threads(arguments)});
     console.warnings(warnings(scene));
-    const Explanation explanation =
-        explain(scene, static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
+    Explanation explanation = explain(scene, static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
+    explanation.scene = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
     write_text(output, written(explanation, arguments, output == "-"));
     return exit_code::done;
 }

@@ -56,7 +56,7 @@ constexpr std::array info_options{
 
 constexpr std::array explain_options{
     Option{0, "pixel", "X,Y", "which; 0,0 is top left"},
-    Option{0, "format", "text", "a tree of lines"},
+    Option{0, "format", "text|json|svg", "default: text"},
     Option{'o', "output", "FILE", "where to; default: stdout"},
     size,
     spp,

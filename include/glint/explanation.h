@@ -148,6 +148,7 @@ struct Explanation {
     int y = 0; ///< from the top
     int width = 0;
     int height = 0;
+    std::string scene;  ///< what to call the scene: its file; empty unless the caller names it
     std::string filter; ///< "mitchell" …; of no effect with one sample, which is the pixel's centre
     std::string rule;   ///< how the samples make the pixel, in a sentence
     std::vector<ExplainedSample> samples;

@@ -133,6 +133,12 @@ PictureDifference diff_pictures(const LoadedPicture& a, const LoadedPicture& b, 
 /// A readable tree of 6 digits, UTF-8; `color` adds a terminal's escape sequences.
 std::string explanation_text(const Explanation& explanation, bool color = false);
 
+/// JSON with nine digits, which read back as the same floats; docs/explain.md lists the names.
+std::string explanation_json(const Explanation& explanation);
+
+/// A picture of the trees: SVG, for reading and for showing around.
+std::string explanation_svg(const Explanation& explanation);
+
 // ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Writes a file under a temporary name in the same folder, fsyncs, renames: whole or not at all.

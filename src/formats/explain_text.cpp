@@ -155,10 +155,12 @@ class TextTree {
     void write_step(const Scope& scope, const Step& step, const std::string& inner) {
         const std::string numbers = scope.filled_in(step.formula, digits);
         const std::string result = text_of(step.result);
-        const std::string left = step.symbol + " = " + step.formula;
+        // A formula that is a number is its own result.
+        const std::string formula = step.formula == result ? "" : " = " + step.formula;
+        const std::string left = step.symbol + formula;
         const std::string aside =
             std::string(step.meaning) + (*step.section ? " [" + std::string(step.section) + "]" : "");
-        const std::string colored = c_.name + step.symbol + c_.plain + " = " + step.formula;
+        const std::string colored = c_.name + step.symbol + c_.plain + formula;
         const std::string value = c_.value + result + c_.plain;
         const std::string middle = numbers == result || numbers == step.formula ? "" : " = " + numbers;
         const bool short_enough =

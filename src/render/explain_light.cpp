@@ -60,7 +60,8 @@ class Arrival {
         step({"cosθ", above ? clamped : "0", record_.cosine, "light", "share that falls on the surface",
               "2.2",
               above ? "the report does not clamp n·l at 0; its pictures do"
-                    : "the light stands below the geometric horizon, n_g·l ≤ 0: nothing arrives"});
+                    : "the light stands below the geometric horizon, n_g·l ≤ 0: nothing arrives, no shadow "
+                      "ray"});
     }
 
     void find_falloff() {
@@ -109,9 +110,10 @@ class Shown {
     }
 
     void explain(const ShadowNode& shadow) {
+        if (record_.arriving == vec3(0.0f)) return;
         list_blockers(shadow);
         weigh_shadow();
-        show_diffuse();
+        if (material_.diffuse > 0.0f) show_diffuse();
         if (material_.highlight > 0.0f) show_highlight();
     }
 
@@ -134,9 +136,7 @@ class Shown {
         const char* note = "nothing stands between";
         std::string formula = "1";
         if (!out_.asked) {
-            note = record_.arriving == vec3(0.0f)
-                       ? "no shadow ray: nothing arrives"
-                       : "no shadow ray: the surface shows neither diffuse light nor highlight";
+            note = "no shadow ray: the surface shows neither diffuse light nor highlight";
         } else if (!out_.blockers.empty()) {
             formula = product_of_blockers();
             note = opaque() ? "shadows = \"opaque\": glass casts full shadows, as in the report's pictures"

@@ -21,7 +21,7 @@ class RayWorking {
         for (std::size_t i = 0; i < node_.lights.size(); ++i)
             out_.lights.push_back(explain_light(scene_, node_, i));
         sum_lights();
-        if (scene_.settings.clamp) clamp();
+        if (clamps() && !local_.empty()) clamp();
         absorb();
         end_local_terms();
         if (node_.end == RayEnd::bounced) explain_bounce(scene_, tree_, node_, out_);
@@ -103,7 +103,8 @@ class RayWorking {
         give({"t", "", node_.hit.t, "ray", "length of the way"});
         give({"p", "", node_.position, "hit", "the point that is hit"});
         give({"n_g", "", node_.geometric_normal, "hit", "geometric normal, toward the viewer"});
-        give({"n", "", node_.shading_normal, "hit", "shading normal, on the same side"});
+        const bool flat = node_.shading_normal == node_.geometric_normal;
+        give({"n", flat ? "n_g" : "", node_.shading_normal, "hit", "shading normal, on the same side"});
         give({"v", "−d", -node_.direction, "hit", "direction to the viewer"});
         give({"c", "", node_.color, "material", "colour"});
         give({"k_a", "", m.ambient, "material", "ambient coefficient"});
@@ -119,15 +120,26 @@ class RayWorking {
 
     void sum_lights() {
         const FrozenMaterial& m = material();
-        const vec3 whole = ambient_term(scene_.scene.ambient, node_.color, m.ambient);
-        ambient_ = clamps() ? limit_to_range(whole) : whole;
-        const bool limited = ambient_ != whole;
-        step({"a", limited ? "min(4194304, A ⊙ c · k_a)" : "A ⊙ c · k_a", ambient_, "ambient",
-              "ambient light", "2.2",
-              "ambient stands for indirect light, which the model omits; the report prints a sum"});
-        diffuse_ = sum("ΣD", "D", "diffuse", "diffuse light of all lights", &ExplainedLight::diffuse);
-        if (m.highlight > 0.0f)
+        if (m.ambient > 0.0f) {
+            const vec3 whole = ambient_term(scene_.scene.ambient, node_.color, m.ambient);
+            ambient_ = clamps() ? limit_to_range(whole) : whole;
+            step({"a", ambient_ == whole ? "A ⊙ c · k_a" : "min(4194304, A ⊙ c · k_a)", ambient_, "ambient",
+                  "ambient light", "2.2",
+                  "ambient stands for indirect light, which the model omits; the report prints a sum"});
+            join(local_, "a");
+        }
+        if (m.diffuse > 0.0f) {
+            diffuse_ = sum("ΣD", "D", "diffuse", "diffuse light of all lights", &ExplainedLight::diffuse);
+            join(local_, "ΣD");
+        }
+        if (m.highlight > 0.0f) {
             highlight_ = sum("ΣH", "H", "highlight", "highlights of all lights", &ExplainedLight::highlight);
+            join(local_, "ΣH");
+        }
+    }
+
+    static void join(std::string& sum, const char* term) {
+        sum += (sum.empty() ? "" : " + ") + std::string(term);
     }
 
     /// One line for what each light gives, one for the sum.
@@ -138,7 +150,7 @@ class RayWorking {
         for (const ExplainedLight& light : out_.lights) {
             const std::string name = numbered(part, light.light + 1);
             step({name, "", light.*value, topic, "what this light gives"});
-            formula += (formula.empty() ? "" : " + ") + name;
+            join(formula, name.c_str());
             total = total + light.*value;
         }
         step({symbol, formula.empty() ? "0" : formula, total, topic, meaning});
@@ -146,10 +158,9 @@ class RayWorking {
     }
 
     void clamp() {
-        const bool shiny = material().highlight > 0.0f;
         const vec3 before = (ambient_ + diffuse_) + highlight_;
         const vec3 after = limit_to_one(before);
-        step({"S₀", shiny ? "a + ΣD + ΣH" : "a + ΣD", before, "clamp", "local light before the clamp"});
+        step({"S₀", local_, before, "clamp", "local light before the clamp"});
         step({"S", "min(1, S₀)", after, "clamp", "local light after the clamp", "",
               "clamp = true: as the report's program, 1 a channel"});
         clamp_ = after - before;
@@ -165,11 +176,12 @@ class RayWorking {
     }
 
     void end_local_terms() {
+        if (local_.empty()) return;
         weigh_local();
-        term("ambient", "a", "ambient light that counts", Term::ambient, true);
-        term("diffuse", "ΣD", "diffuse light that counts", Term::diffuse, true);
-        if (material().highlight > 0.0f)
-            term("highlight", "ΣH", "highlight that counts", Term::highlight, true);
+        const FrozenMaterial& m = material();
+        if (m.ambient > 0.0f) term("ambient", "a", "ambient light that counts", Term::ambient, true);
+        if (m.diffuse > 0.0f) term("diffuse", "ΣD", "diffuse light that counts", Term::diffuse, true);
+        if (m.highlight > 0.0f) term("highlight", "ΣH", "highlight that counts", Term::highlight, true);
         if (clamps()) term("clamp", "C", "what the clamp takes of it", Term::clamp, true);
     }
 
@@ -190,18 +202,21 @@ class RayWorking {
         if (weighted) formula += " · w";
         if (absorbs()) formula += " ⊙ β";
         step({symbol, std::move(formula), node_.terms[which], symbol, meaning});
-        sum_ += (sum_.empty() ? "" : " + ") + std::string(symbol);
+        join(sum_, symbol);
     }
 
     void emit() {
-        if (node_.reflected >= 0) sum_ += " + reflection";
-        if (node_.refracted >= 0) sum_ += " + transmission";
+        if (node_.reflected >= 0) join(sum_, "reflection");
+        if (node_.refracted >= 0) join(sum_, "transmission");
         if (material().emission == vec3(0.0f)) return;
         give({"M", "", material().emission, "material", "emission"});
         term("emission", "M", "the surface's own light", Term::emission, false);
     }
 
-    void add_up() { step({"L", sum_, node_.radiance, "radiance", "what comes back along the ray", "2.1"}); }
+    void add_up() {
+        step({"L", sum_.empty() ? "0" : sum_, node_.radiance, "radiance", "what comes back along the ray",
+              "2.1"});
+    }
 
     void weigh_gain() {
         const FrozenMaterial& m = material();
@@ -224,7 +239,8 @@ class RayWorking {
     vec3 diffuse_{0.0f};
     vec3 highlight_{0.0f};
     vec3 clamp_{0.0f};
-    std::string sum_; ///< the terms there are
+    std::string local_; ///< the local terms there are
+    std::string sum_;   ///< all terms there are
 };
 
 } // namespace
