@@ -9,37 +9,30 @@ GLINT_SHARED_BEGIN
 
 /// log2 x for finite x > 0. Relative error below 4e-7 everywhere, near x = 1 too: the mantissa is brought
 /// into [√½, √2) and log m = 2 atanh((m − 1)/(m + 1)) is summed as an odd series, in which m − 1 is exact.
-GLINT_FN float log2_of(float x) {
-    float scale = 0.0f;
-    if (x < 1.17549435e-38f) {
-        x = x * 16777216.0f;
-        scale = -24.0f;
-    }
-    int bits = floatBitsToInt(x);
-    int exponent = (bits >> 23) - 127;
-    float m = intBitsToFloat((bits & 0x007fffff) | 0x3f800000);
-    if (m > 1.41421356f) {
-        m = m * 0.5f;
-        exponent = exponent + 1;
-    }
-    float s = (m - 1.0f) / (m + 1.0f);
-    float z = s * s;
-    float series = 1.0f / 11.0f;
+GLINT_FN real log2_of(real x) {
+    real scale = pick(x < 1.17549435e-38f, -24.0f, 0.0f);
+    integer bits = floatBitsToInt(pick(x < 1.17549435e-38f, x * 16777216.0f, x));
+    integer exponent = (bits >> 23) - 127;
+    real m = intBitsToFloat((bits & 0x007fffff) | 0x3f800000);
+    exponent = pick(m > 1.41421356f, exponent + 1, exponent);
+    m = pick(m > 1.41421356f, m * 0.5f, m);
+    real s = (m - 1.0f) / (m + 1.0f);
+    real z = s * s;
+    real series = 1.0f / 11.0f;
     series = series * z + 1.0f / 9.0f;
     series = series * z + 1.0f / 7.0f;
     series = series * z + 1.0f / 5.0f;
     series = series * z + 1.0f / 3.0f;
-    float ln_m = 2.0f * s + 2.0f * s * z * series;
-    return (float(exponent) + scale) + ln_m * 1.44269504f;
+    real ln_m = 2.0f * s + 2.0f * s * z * series;
+    return (real(exponent) + scale) + ln_m * 1.44269504f;
 }
 
 /// 2^x; 0 below −149, infinite from 128. The fraction in [−½, ½] goes through the exponential series.
-GLINT_FN float exp2_of(float x) {
-    if (x >= 128.0f) return intBitsToFloat(0x7f800000);
-    if (!(x > -150.0f)) return 0.0f;
-    float whole = floor(x + 0.5f);
-    float f = (x - whole) * 0.693147181f;
-    float series = 1.0f / 5040.0f;
+GLINT_FN real exp2_of(real power) {
+    real x = pick(power > -150.0f, pick(power < 128.0f, power, 128.0f), -150.0f);
+    real rounded = floor(x + 0.5f);
+    real f = (x - rounded) * 0.693147181f;
+    real series = 1.0f / 5040.0f;
     series = series * f + 1.0f / 720.0f;
     series = series * f + 1.0f / 120.0f;
     series = series * f + 1.0f / 24.0f;
@@ -48,21 +41,21 @@ GLINT_FN float exp2_of(float x) {
     series = series * f + 1.0f;
     series = series * f + 1.0f;
     // Two factors, so that results below the normal range are rounded once, by the last product.
-    int e = int(whole);
-    int first = e / 2;
-    float a = intBitsToFloat((first + 127) << 23);
-    float b = intBitsToFloat((e - first + 127) << 23);
-    return series * a * b;
+    integer e = integer(rounded);
+    integer first = e >> 1;
+    real a = intBitsToFloat((first + 127) << 23);
+    real b = intBitsToFloat((e - first + 127) << 23);
+    real result = series * a * b;
+    return pick(power >= 128.0f, intBitsToFloat(0x7f800000), pick(power > -150.0f, result, 0.0f));
 }
 
 /// e^x.
-GLINT_FN float exp_of(float x) { return exp2_of(x * 1.44269504f); }
+GLINT_FN real exp_of(real x) { return exp2_of(x * 1.44269504f); }
 
 /// x^y for x ≥ 0, y ≥ 0; 0^0 = 1.
-GLINT_FN float pow_of(float x, float y) {
-    if (y == 0.0f) return 1.0f;
-    if (x <= 0.0f) return 0.0f;
-    return exp2_of(y * log2_of(x));
+GLINT_FN real pow_of(real x, real y) {
+    real power = exp2_of(y * log2_of(x));
+    return pick(y == 0.0f, 1.0f, pick(x <= 0.0f, 0.0f, power));
 }
 
 GLINT_SHARED_END

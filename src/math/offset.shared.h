@@ -5,27 +5,23 @@
 GLINT_SHARED_BEGIN
 
 /// The float next to x in the direction of `toward` (±); 0 steps to the least subnormal.
-GLINT_FN float next_float(float x, float toward) {
-    if (x == 0.0f) return toward > 0.0f ? intBitsToFloat(1) : intBitsToFloat(int(0x80000001u));
+GLINT_FN real next_float(real x, real toward) {
     // +1 away from 0, −1 toward it, by the signs alone: which it is cannot be predicted.
-    int bits = floatBitsToInt(x);
-    int step = 1 | ((bits ^ floatBitsToInt(toward)) >> 31);
-    return intBitsToFloat(bits + step);
+    integer bits = floatBitsToInt(x);
+    integer step = 1 | ((bits ^ floatBitsToInt(toward)) >> 31);
+    integer least = pick(toward > 0.0f, 1, int(0x80000001u));
+    return intBitsToFloat(pick(x == 0.0f, least, bits + step));
 }
 
 /// One float further than x in the direction of w; x itself where w is 0.
-GLINT_FN float step_toward(float x, float w) {
-    if (w == 0.0f) return x;
-    return next_float(x, w);
-}
+GLINT_FN real step_toward(real x, real w) { return pick(w == 0.0f, x, next_float(x, w)); }
 
 /// An origin for rays that leave p toward w (any length): on w's side of the surface with unit normal n,
 /// beyond the error bound of p. Units: those of p. After Pharr, Jakob, Humphreys, "Physically Based
 /// Rendering", section 6.8.6.
 GLINT_FN vec3 offset_ray_origin(vec3 p, vec3 p_error, vec3 n, vec3 w) {
-    float distance = dot(abs(n), p_error);
-    vec3 shift = n * distance;
-    if (dot(n, w) < 0.0f) shift = -shift;
+    real distance = dot(abs(n), p_error);
+    vec3 shift = n * pick(dot(n, w) < 0.0f, -distance, distance);
     vec3 origin = p + shift;
     return vec3(step_toward(origin.x, shift.x), step_toward(origin.y, shift.y),
                 step_toward(origin.z, shift.z));

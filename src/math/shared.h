@@ -5,6 +5,10 @@
 // GLSL's reserved words as names (sample, input, output, half, active, common, partition, smooth, flat,
 // precise …). Only + - * / sqrt floor reach the machine: everything else is computed by ourselves, with the
 // same bits anywhere.
+//
+// What differs from ray to ray is `real`, `integer` or vec3, and choices between such values are made by
+// pick(condition, one, other), which computes both: so the same functions serve vectors of rays
+// (math/lanes-inl.h). There a `real` holds one float for each of several rays.
 
 #ifndef GLINT_GLSL
 
@@ -22,6 +26,8 @@
 namespace glint {
 
 using uint = std::uint32_t;
+using real = float;
+using integer = int;
 using glm::abs;
 using glm::clamp;
 using glm::cross;
@@ -32,6 +38,11 @@ using glm::max;
 using glm::min;
 using glm::normalize;
 using std::sqrt;
+
+/// `one` where the condition holds, else `other`.
+inline float pick(bool condition, float one, float other) { return condition ? one : other; }
+inline int pick(bool condition, int one, int other) { return condition ? one : other; }
+inline vec3 pick(bool condition, const vec3& one, const vec3& other) { return condition ? one : other; }
 
 inline int floatBitsToInt(float x) {
     int bits;
@@ -52,5 +63,8 @@ inline float intBitsToFloat(int bits) {
 #define GLINT_SHARED_END
 #define GLINT_FN
 #define GLINT_OUT(type) out type
+#define real float
+#define integer int
+#define pick(condition, one, other) ((condition) ? (one) : (other))
 
 #endif

@@ -1,6 +1,7 @@
 #include "render/whitted.h"
 
 #include "math/offset.shared.h"
+#include "render/shade_batch.h"
 #include "shading/whitted.shared.h"
 
 #include <limits>
@@ -8,7 +9,14 @@
 namespace glint {
 
 WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel, const KernelChoice& kernel)
-    : scene_(scene), settings_(scene.description.whitted), cancel_(cancel), kernel_(kernel) {}
+    : scene_(scene), settings_(scene.description.whitted), cancel_(cancel), kernel_(kernel),
+      shade_(&shade_kernels[row_of(kernel.target)]) {
+    darkness_.color = vec3(0.0f);
+    darkness_.ambient = 0;
+    darkness_.diffuse = 0;
+    background_ = darkness_;
+    background_.emission = scene.background;
+}
 
 void WhittedTracer::start_primary(const vec3& origin, const vec3& direction, Path& path) {
     path = Path{};
@@ -196,13 +204,12 @@ void WhittedTracer::arrive(const FrozenLight& light, const Surface& s, LightNode
         node.arriving = directional_light_arriving(light.strength, node.cosine);
         return;
     }
-    const vec3 to_light = light.position - s.point.p;
-    const float r_squared = dot(to_light, to_light);
-    node.distance = sqrt(r_squared);
-    if (!(node.distance > 0.0f)) return;
-    node.direction = to_light / node.distance;
-    node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
-    node.arriving = point_light_arriving(light.strength, node.cosine, r_squared);
+    const LightArrival arrival =
+        arrival_from_point(light.position, light.strength, s.point.p, s.n * s.lit_side, s.n_g * s.lit_side);
+    node.direction = arrival.direction;
+    node.distance = arrival.distance;
+    node.cosine = arrival.cosine;
+    node.arriving = arrival.arriving;
     if (light.kind == LightKind::spot)
         node.arriving = node.arriving *
                         spot_falloff(-dot(node.direction, light.direction), light.cos_outer, light.cos_inner);
@@ -345,8 +352,7 @@ bool WhittedTracer::refract(const Surface& s, const vec3& n, Split& split) const
 
 void WhittedTracer::reflect(const Path& path, const Surface& s, int node, Path& next) {
     ++counts_.reflected;
-    next.direction = normalize(mirror_direction(s.v, s.n));
-    if (!(dot(next.direction, s.n_g) > 0.0f)) next.direction = normalize(mirror_direction(s.v, s.n_g));
+    next.direction = mirror_ray_direction(s.v, s.n, s.n_g);
     next.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, next.direction);
     next.media = path.media;
     next.depth = path.depth + 1;

@@ -3,14 +3,18 @@
 // T. Whitted, "An Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
 #include "glint/render.h"
+#include "render/flights.h"
 #include "render/ray_tree.h"
 #include "scene/frozen.h"
 #include "scene/media.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace glint {
+
+struct ShadeKernels;
 
 struct RayCounts {
     std::uint64_t primary = 0;
@@ -77,23 +81,6 @@ class WhittedTracer {
         bool total = false;
     };
 
-    /// A ray of a batch, with what it met and what grew from it.
-    struct Flight {
-        Path path;
-        Hit hit;
-        Surface surface;
-        Terms terms{};
-        float reflected_weight = 0;
-        float refracted_weight = 0;
-        int reflected = -1; ///< flights; −1: none
-        int refracted = -1;
-    };
-    /// Light on its way to a flight, before the shadow is known.
-    struct Pending {
-        Flight* flight = nullptr;
-        LightNode light;
-    };
-
     // One ray, its branches by recursion.
     Terms follow(Path path, bool* covered = nullptr);
     void light_surface(const Surface& surface, const Media* media, Terms& terms, int node);
@@ -101,11 +88,19 @@ class WhittedTracer {
 
     // A batch of rays, level by level (whitted_batch.cpp).
     void trace_alone(std::span<Sample> samples);
-    void find_hits(std::span<Flight> level);
-    void light(std::span<Flight> level, std::uint32_t index);
-    void grow(Flight& flight);
-    bool has_room() const;
-    Flight& launch();
+    void start(std::span<const Sample> samples);
+    void find_hits(Level level);
+    bool is_special(std::uint32_t object) const;
+    void set_up_alone(std::size_t i);
+    void add_light(const FrozenLight& light, Level level);
+    Level grow(Level level, int depth);
+    void cross_alone(std::size_t i, int depth, Level& next);
+    void launch(const Path& path, std::size_t parent, Term term, float weight, Level& next);
+    void branch_alone(std::size_t i, int depth);
+    Path path_of(std::size_t i, int depth) const;
+    Surface surface_of(std::size_t i) const;
+    Terms terms_of(std::size_t i) const;
+    void put_terms(const Terms& terms, std::size_t i);
     void gather();
 
     // The steps of both. `node` is the ray's in the record, or −1. What is large is written where it stays:
@@ -150,12 +145,11 @@ class WhittedTracer {
     std::vector<Hit> crossings_;
     RayCounts counts_;
     RayTree* record_ = nullptr;
-    std::vector<Flight> flights_; ///< used again and again: the first flight_count_ count
-    std::size_t flight_count_ = 0;
-    std::vector<Pending> pending_;
-    std::vector<Ray> rays_;
-    std::vector<Hit> hits_;
-    std::vector<std::uint8_t> blocked_;
+    const ShadeKernels* shade_;
+    FrozenMaterial background_; ///< what is behind everything, as if it were a surface
+    FrozenMaterial darkness_;
+    std::unique_ptr<Flights> flights_; ///< made for the first batch, used again and again
+    std::vector<Level> levels_;
     World::Scratch scratch_;
 };
 

@@ -1,60 +1,60 @@
-// Many camera rays at once, breadth first: every level's rays are traced together, light by light its shadow
-// rays, and hits are shaded one by one by the steps of whitted.cpp. So the picture is the same to the bit as
-// by recursion.
+// Many camera rays at once, breadth first: every level's rays are traced together, then light by light its
+// shadow rays, and shaded in vectors (shade_batch.h); what is rare is shaded one by one by the steps of
+// whitted.cpp. The picture is the same to the bit as by recursion.
 
+#include "render/shade_batch.h"
 #include "render/whitted.h"
 
-#include <new>
+#include <algorithm>
 
 namespace glint {
 
 namespace {
 
-/// Ray trees grow without end where glass meets glass: what has no room here is followed by recursion.
-constexpr std::size_t most_flights = 4096;
+vec3 at(const Flights::Vectors& rows, std::size_t i) { return {rows[0][i], rows[1][i], rows[2][i]}; }
+
+void put(const vec3& v, Flights::Vectors& rows, std::size_t i) {
+    for (int axis = 0; axis < 3; ++axis) rows[static_cast<std::size_t>(axis)][i] = v[axis];
+}
+
+template <class T>
+std::span<T> part(Flights::Row<T>& row, Level level) {
+    return {row.data() + level.first, level.count};
+}
+
+SurfaceRows surface_rows(Flights& f, std::size_t first) {
+    SurfaceRows rows{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        rows.p[axis] = f.p[axis].data() + first;
+        rows.p_error[axis] = f.p_error[axis].data() + first;
+        rows.n[axis] = f.n[axis].data() + first;
+    }
+    return rows;
+}
 
 } // namespace
 
-bool WhittedTracer::has_room() const { return flight_count_ + 2 <= most_flights; }
-
-WhittedTracer::Flight& WhittedTracer::launch() {
-    // Clearing a flight would cost as much as lighting it: the caller sets its path, find_hits() the rest.
-    Flight& flight = flights_[flight_count_++];
-    flight.reflected = -1;
-    flight.refracted = -1;
-    return flight;
-}
-
 void WhittedTracer::trace(std::span<Sample> samples) {
-    for (; samples.size() > most_flights; samples = samples.subspan(most_flights))
-        trace(samples.first(most_flights));
+    for (; samples.size() > Flights::most; samples = samples.subspan(Flights::most))
+        trace(samples.first(Flights::most));
     if (kernel_.kernel == Kernel::scalar) return trace_alone(samples);
     arena_.clear();
     record_ = nullptr;
-    if (flights_.empty()) {
-        flights_.resize(most_flights);
-        pending_.resize(most_flights);
-        rays_.resize(most_flights);
-        hits_.resize(most_flights);
-        blocked_.resize(most_flights);
-    }
-    flight_count_ = 0;
-    for (const Sample& sample : samples) start_primary(sample.origin, sample.direction, launch().path);
-
-    std::size_t first = 0;
-    while (first < flight_count_) {
+    if (flights_ == nullptr) flights_ = std::make_unique<Flights>();
+    start(samples);
+    levels_.clear();
+    for (Level level{0, samples.size()}; level.count > 0;) {
         if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
-        const std::span<Flight> level(flights_.data() + first, flight_count_ - first);
-        first = flight_count_;
+        levels_.push_back(level);
         find_hits(level);
-        for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) light(level, i);
-        for (Flight& flight : level)
-            if (flight.hit) grow(flight);
+        for (const FrozenLight& light : scene_.lights) add_light(light, level);
+        shade_->limit_terms(scene_, level, *flights_);
+        level = grow(level, static_cast<int>(levels_.size()) - 1);
     }
     gather();
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        samples[i].terms = flights_[i].terms;
-        samples[i].covered = static_cast<bool>(flights_[i].hit);
+        samples[i].terms = terms_of(i);
+        samples[i].covered = static_cast<bool>(flights_->hits[i]);
     }
 }
 
@@ -63,77 +63,175 @@ void WhittedTracer::trace_alone(std::span<Sample> samples) {
         sample.terms = trace(sample.origin, sample.direction, nullptr, &sample.covered);
 }
 
-void WhittedTracer::find_hits(std::span<Flight> level) {
-    for (std::size_t i = 0; i < level.size(); ++i) {
-        rays_[i] = Ray{};
-        rays_[i].origin = level[i].path.origin;
-        rays_[i].direction = level[i].path.direction;
+void WhittedTracer::start(std::span<const Sample> samples) {
+    Path path;
+    start_primary(vec3(0.0f), vec3(0.0f), path);
+    counts_.primary += samples.size() - 1;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        flights_->rays[i] = Ray{};
+        flights_->rays[i].origin = samples[i].origin;
+        flights_->rays[i].direction = samples[i].direction;
+        flights_->media[i] = path.media;
     }
-    scene_.world.closest({rays_.data(), level.size()}, {hits_.data(), level.size()}, RayHint::coherent,
-                         scratch_, kernel_);
-    for (std::size_t i = 0; i < level.size(); ++i) {
-        Flight& flight = level[i];
-        flight.hit = hits_[i];
-        pass_hidden(rays_[i], flight.hit, flight.path.media);
-        if (flight.hit) {
-            ::new (&flight.surface) Surface(surface_at(rays_[i], flight.hit)); // made in its place
-            start_terms(flight.surface, flight.terms);
-        } else {
-            flight.terms = missed(flight.path, -1);
-        }
+}
+
+void WhittedTracer::find_hits(Level level) {
+    Flights& f = *flights_;
+    const std::span<Hit> hits = part(f.hits, level);
+    scene_.world.closest(part(f.rays, level), hits, RayHint::coherent, scratch_, kernel_);
+    for (std::size_t i = level.first; i < level.first + level.count; ++i) {
+        Hit& hit = f.hits[i];
+        if (f.media[i] != nullptr) pass_hidden(f.rays[i], hit, f.media[i]);
+        if (hit)
+            f.materials[i] = &scene_.materials[scene_.objects[hit.object].material];
+        else
+            f.materials[i] = f.media[i] == nullptr ? &background_ : &darkness_;
     }
+    std::fill(&f.materials[level.first + level.count], f.materials.data() + level.end(), &darkness_);
+    const std::span<std::uint8_t> done = part(f.blocked, level);
+    scene_.world.surfaces(part(f.rays, level), hits, surface_rows(f, level.first), done, kernel_);
+    shade_->set_up(scene_, level, f);
+    for (std::size_t i = level.first; i < level.first + level.count; ++i)
+        if (f.hits[i] && (f.blocked[i] == 0 || is_special(f.hits[i].object))) set_up_alone(i);
+    shade_->start_terms(scene_, level, f);
+}
+
+/// Is more to be known of its surfaces than planes and spheres tell?
+bool WhittedTracer::is_special(std::uint32_t object) const {
+    return scene_.objects[object].attributes != no_attributes || scene_.objects[object].lit_as_stored;
+}
+
+void WhittedTracer::set_up_alone(std::size_t i) {
+    Flights& f = *flights_;
+    const Surface s = surface_at(f.rays[i], f.hits[i]);
+    put(s.point.p, f.p, i);
+    put(s.point.p_error, f.p_error, i);
+    put(s.n_g, f.n_g, i);
+    put(s.n, f.n, i);
+    put(s.color, f.color, i);
+    f.entering[i] = s.entering ? 1.0f : 0.0f;
+    f.lit_side[i] = s.lit_side;
 }
 
 /// Adds one light to all flights that it can reach.
-void WhittedTracer::light(std::span<Flight> level, std::uint32_t index) {
-    std::size_t count = 0;
-    for (Flight& flight : level) {
-        if (!flight.hit || !reaches(index, flight.surface, pending_[count].light)) continue;
-        pending_[count].flight = &flight;
-        aim(flight.surface, pending_[count].light, rays_[count]);
-        ++count;
-    }
-    scene_.world.occluded({rays_.data(), count}, {blocked_.data(), count}, RayHint::coherent, scratch_,
+void WhittedTracer::add_light(const FrozenLight& light, Level level) {
+    Flights& f = *flights_;
+    const std::size_t count = shade_->aim(scene_, light, level, f);
+    if (count == 0) return;
+    counts_.shadow += count;
+    scene_.world.occluded(part(f.shadow_rays, level), part(f.blocked, level), RayHint::coherent, scratch_,
                           kernel_);
-    for (std::size_t i = 0; i < count; ++i) {
-        Flight& flight = *pending_[i].flight;
-        LightNode& light = pending_[i].light;
-        if (blocked_[i] != 0) light.shadow = behind_blockers(rays_[i], flight.surface, flight.path.media);
-        add_light(light, flight.surface, flight.terms);
-    }
+    if (scene_.any_transparent)
+        for (std::size_t i = level.first; i < level.first + level.count; ++i)
+            f.through[i] =
+                f.blocked[i] != 0 ? behind_blockers(f.shadow_rays[i], surface_of(i), f.media[i]) : 0.0f;
+    shade_->add_light(scene_, level, f);
 }
 
-/// Ends the local terms of a flight and launches its branches.
-void WhittedTracer::grow(Flight& flight) {
-    limit_terms(flight.terms);
-    if (!goes_on(flight.path, flight.surface, -1)) return;
-    if (!has_room()) return branch(flight.path, flight.surface, flight.terms, -1);
-    const Split split = split_at(flight.path, flight.surface, flight.terms, -1);
-    flight.reflected_weight = split.reflected;
-    flight.refracted_weight = split.refracted;
+/// Launches the branches of a level: the next level.
+Level WhittedTracer::grow(Level level, int depth) {
+    Level next{level.end(), 0};
+    if (depth >= settings_.max_depth) return next;
+    const std::size_t most = level.count * (scene_.any_transparent ? 2 : 1);
+    if (next.first + most > Flights::most) {
+        for (std::size_t i = level.first; i < level.first + level.count; ++i) branch_alone(i, depth);
+        return next;
+    }
+    next.count = shade_->reflect(scene_, level, next.first, *flights_);
+    counts_.reflected += next.count;
+    if (scene_.any_transparent)
+        for (std::size_t i = level.first; i < level.first + level.count; ++i)
+            if (flights_->transparency[i] > 0.0f) cross_alone(i, depth, next);
+    return next;
+}
+
+/// Launches the branches of what light goes through.
+void WhittedTracer::cross_alone(std::size_t i, int depth, Level& next) {
+    const Path path = path_of(i, depth);
+    const Surface surface = surface_of(i);
+    Terms terms = terms_of(i);
+    const Split split = split_at(path, surface, terms, -1);
+    put_terms(terms, i);
+    Path branch;
     if (split.reflected > 0.0f) {
-        flight.reflected = static_cast<int>(flight_count_);
-        reflect(flight.path, flight.surface, -1, launch().path);
+        reflect(path, surface, -1, branch);
+        launch(branch, i, Term::reflection, split.reflected, next);
     }
     if (split.refracted > 0.0f) {
-        flight.refracted = static_cast<int>(flight_count_);
-        transmit(flight.path, flight.surface, split, -1, launch().path);
+        transmit(path, surface, split, -1, branch);
+        launch(branch, i, Term::transmission, split.refracted, next);
     }
 }
 
-/// What branches bring, the youngest first: children stand behind their parents.
+void WhittedTracer::launch(const Path& path, std::size_t parent, Term term, float weight, Level& next) {
+    Flights& f = *flights_;
+    const std::size_t i = next.first + next.count++;
+    f.rays[i] = Ray{};
+    f.rays[i].origin = path.origin;
+    f.rays[i].direction = path.direction;
+    f.media[i] = path.media;
+    f.parents[i] = static_cast<std::uint32_t>(parent);
+    f.branches[i] = term;
+    f.weights[i] = weight;
+}
+
+/// Follows the branches by recursion.
+void WhittedTracer::branch_alone(std::size_t i, int depth) {
+    const Path path = path_of(i, depth);
+    const Surface surface = surface_of(i);
+    if (!flights_->hits[i] || !goes_on(path, surface, -1)) return;
+    Terms terms = terms_of(i);
+    branch(path, surface, terms, -1);
+    put_terms(terms, i);
+}
+
+WhittedTracer::Path WhittedTracer::path_of(std::size_t i, int depth) const {
+    Path path;
+    path.origin = flights_->rays[i].origin;
+    path.direction = flights_->rays[i].direction;
+    path.media = flights_->media[i];
+    path.depth = depth;
+    return path;
+}
+
+WhittedTracer::Surface WhittedTracer::surface_of(std::size_t i) const {
+    const Flights& f = *flights_;
+    Surface s;
+    s.point.p = at(f.p, i);
+    s.point.p_error = at(f.p_error, i);
+    s.material = f.materials[i];
+    s.object = f.hits[i].object;
+    s.v = at(f.v, i);
+    s.n_g = at(f.n_g, i);
+    s.n = at(f.n, i);
+    s.lit_side = f.lit_side[i];
+    s.color = at(f.color, i);
+    s.entering = f.entering[i] != 0.0f;
+    return s;
+}
+
+Terms WhittedTracer::terms_of(std::size_t i) const {
+    Terms terms;
+    for (std::size_t t = 0; t < term_count; ++t) terms.value[t] = at(flights_->terms[t], i);
+    return terms;
+}
+
+void WhittedTracer::put_terms(const Terms& terms, std::size_t i) {
+    for (std::size_t t = 0; t < term_count; ++t) put(terms.value[t], flights_->terms[t], i);
+}
+
+/// What branches bring, the youngest first.
 void WhittedTracer::gather() {
-    for (std::size_t i = flight_count_; i-- > 0;) {
-        Flight& flight = flights_[i];
-        if (!flight.hit) continue;
-        const auto brought = [&](int child, float weight) {
-            return flights_[static_cast<std::size_t>(child)].terms.sum() * weight;
-        };
-        if (flight.reflected >= 0)
-            flight.terms[Term::reflection] = brought(flight.reflected, flight.reflected_weight);
-        if (flight.refracted >= 0)
-            flight.terms[Term::transmission] = brought(flight.refracted, flight.refracted_weight);
-        absorb(flight.path.media, flight.hit.t, flight.terms, -1);
+    Flights& f = *flights_;
+    for (std::size_t n = levels_.size(); n-- > 0;) {
+        const Level level = levels_[n];
+        for (std::size_t i = level.first; i < level.first + level.count; ++i) {
+            if (f.media[i] == nullptr || !f.hits[i]) continue;
+            Terms terms = terms_of(i);
+            absorb(f.media[i], f.hits[i].t, terms, -1);
+            put_terms(terms, i);
+        }
+        if (n > 0) shade_->bring(level, f);
     }
 }
 

@@ -12,86 +12,14 @@
 
 #include <hwy/highway.h>
 
+#include "trace/surface_rays-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-const hn::CappedTag<double, 8> dd;
-const hn::Rebind<float, decltype(dd)> df;
-using Doubles = hn::Vec<decltype(dd)>;
-using Mask = hn::Mask<decltype(dd)>;
-constexpr std::size_t lanes = hn::MaxLanes(dd);
-
-Doubles all(double x) { return hn::Set(dd, x); }
-Doubles rounded(Doubles x) {
-    const Doubles finite = hn::PromoteTo(dd, hn::DemoteTo(df, x));
-#if HWY_TARGET == HWY_SCALAR
-    // What rounds to infinity: without vectors Highway would take it to the greatest float.
-    const Mask infinite = hn::Ge(hn::Abs(x), all(0x1.ffffffp127));
-    return hn::IfThenElse(infinite, hn::Mul(x, all(std::numeric_limits<double>::infinity())), finite);
-#else
-    return finite;
-#endif
-}
-
-struct Vec {
-    Doubles x, y, z;
-};
-
-Vec all(const dvec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
-Vec operator+(const Vec& a, const Vec& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-Vec operator-(const Vec& a, const Vec& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-Vec operator*(const Vec& a, Doubles s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
-Doubles dot(const Vec& a, const Vec& b) {
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-Vec transformed(const dmat3& m, const Vec& v) {
-    const auto row = [&](int i) {
-        return hn::Add(hn::Add(hn::Mul(all(m[0][i]), v.x), hn::Mul(all(m[1][i]), v.y)),
-                       hn::Mul(all(m[2][i]), v.z));
-    };
-    return {row(0), row(1), row(2)};
-}
-
-struct Lines {
-    Vec origin, direction;
-};
-
-/// Rays side by side. One that can hit nothing has an empty interval.
-struct Rays {
-    Lines line;
-    Doubles tmin, limit; ///< hits count up to the limit, inclusive
-
-    explicit Rays(const Ray* rays) {
-        alignas(32) float side[8][lanes];
-        for (std::size_t i = 0; i < lanes; ++i) {
-            for (int axis = 0; axis < 3; ++axis) {
-                side[axis][i] = rays[i].origin[axis];
-                side[3 + axis][i] = rays[i].direction[axis];
-            }
-            side[6][i] = rays[i].tmin;
-            side[7][i] = limit_below(rays[i].tmax);
-        }
-        const auto column = [&](int k) { return hn::PromoteTo(dd, hn::Load(df, side[k])); };
-        line = {{column(0), column(1), column(2)}, {column(3), column(4), column(5)}};
-        tmin = column(6);
-        // Each product is 0, or NaN where a value is not finite.
-        const Doubles zero = hn::Zero(dd);
-        const Vec none = line.origin * zero + line.direction * zero;
-        const Vec& d = line.direction;
-        const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
-        const Mask traceable =
-            hn::And(hn::Eq(hn::Add(none.x, hn::Add(none.y, none.z)), zero), hn::Gt(most, zero));
-        limit = hn::IfThenElse(traceable, column(7), all(-std::numeric_limits<double>::infinity()));
-    }
-};
 
 /// Rays against boxes that lie within `bounds`, with the slack that bvh/traverse.h derives, and `more` times
 /// the origin's largest |coordinate|.
@@ -135,36 +63,6 @@ class BoxRays {
     Doubles tmin_, pad_;
 };
 
-/// Where lines are inside a convex solid, and which are.
-struct Inside {
-    Doubles enter, leave;
-    Mask met;
-};
-
-/// line_in_ball of geometry/quadric.cpp. False if all lines miss.
-bool in_ball(const Vec& f, const Vec& d, double radius, Inside& in) {
-    const Doubles zero = hn::Zero(dd);
-    const Doubles squared = all(radius * radius);
-    const Doubles a = dot(d, d);
-    const Doubles b = hn::Neg(dot(f, d));
-    const Vec nearest = f + d * hn::Div(b, a);
-    const Doubles delta = hn::Sub(squared, dot(nearest, nearest));
-    const Mask still = hn::Eq(a, zero);
-    const Doubles ff = dot(f, f);
-    in.met = hn::Or(hn::And(still, hn::Le(ff, squared)), hn::AndNot(still, hn::Ge(delta, zero)));
-    if (hn::AllFalse(dd, in.met)) return false;
-
-    const Doubles root = hn::Sqrt(hn::Mul(a, delta));
-    const Doubles q = hn::IfThenElse(hn::Ge(b, zero), hn::Add(b, root), hn::Sub(b, root));
-    const Doubles one = hn::Div(q, a);
-    const Doubles other = hn::IfThenElse(hn::Eq(q, zero), zero, hn::Div(hn::Sub(ff, squared), q));
-    const Mask ordered = hn::Lt(one, other);
-    const Doubles infinity = all(std::numeric_limits<double>::infinity());
-    in.enter = hn::IfThenElse(still, hn::Sub(zero, infinity), hn::IfThenElse(ordered, one, other));
-    in.leave = hn::IfThenElse(still, infinity, hn::IfThenElse(ordered, other, one));
-    return true;
-}
-
 Vec across(const Vec& axis, const Vec& v) { return v - axis * dot(axis, v); }
 
 /// The solid cylinder of geometry/quadric.cpp. False if all lines miss.
@@ -205,7 +103,7 @@ bool in_quadric(const WorldData& world, const Quadric& quadric, Lines line, Insi
 
 /// Does a hit at `exact` count, its t rounded to float?
 Mask takes(const Rays& rays, Mask met, Doubles exact, Doubles near) {
-    return hn::And(met, hn::And(hn::Gt(exact, rays.tmin), hn::Le(near, rays.limit)));
+    return hn::And(met, hn::And(hn::Gt(exact, rays.tmin), hn::Lt(near, rays.tmax)));
 }
 
 /// Keeps the least (t, root) of each ray.
@@ -223,7 +121,7 @@ struct Least {
         root = hn::IfThenElse(better, it, root);
     }
     bool done() const { return false; }
-    Doubles limit() const { return hn::Min(t, rays.limit); } ///< beyond it nothing counts
+    Doubles limit() const { return hn::Min(t, rays.tmax); } ///< beyond it nothing counts
 };
 
 /// Finds which rays meet anything.
@@ -236,7 +134,7 @@ struct AnyHit {
     }
     bool done() const { return hn::AllTrue(dd, found); }
     Doubles limit() const {
-        return hn::IfThenElse(found, all(-std::numeric_limits<double>::infinity()), rays.limit);
+        return hn::IfThenElse(found, all(-std::numeric_limits<double>::infinity()), rays.tmax);
     }
 };
 
@@ -298,18 +196,6 @@ void meet_all(const WorldData& world, const Rays& rays, Sink& sink) {
         meet_quadrics(world, 0, world.quadrics.size(), rays.line, sink);
     else
         meet_tree(world, rays, sink);
-}
-
-/// Hands each vector of rays to `use(first, count, rays)`; the last ray fills what is left of the last
-/// vector.
-template <class Use>
-void for_vectors(const Ray* rays, std::size_t count, Use&& use) {
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) use(i, lanes, Rays(rays + i));
-    if (i == count) return;
-    Ray last[lanes];
-    for (std::size_t k = 0; k < lanes; ++k) last[k] = rays[std::min(i + k, count - 1)];
-    use(i, count - i, Rays(last));
 }
 
 std::uint32_t bits_of(Mask mask) {

@@ -24,4 +24,9 @@ struct SurfaceKernels {
 };
 extern const std::array<SurfaceKernels, kernel_targets> surface_kernels;
 
+/// What World::surfaces() does.
+using PointKernel = void (*)(const WorldData& world, const Ray* rays, const Hit* hits, std::size_t count,
+                             const SurfaceRows& rows, std::uint8_t* done);
+extern const std::array<PointKernel, kernel_targets> point_kernels;
+
 } // namespace glint

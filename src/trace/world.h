@@ -9,6 +9,7 @@
 #include "trace/instance_tree.h"
 #include "trace/mesh_tree.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -43,6 +44,12 @@ struct SurfacePoint {
     vec3 p_error{0.0f}; ///< absolute bound, per axis
     vec3 n{0.0f}; ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
                   ///< triangles, as given for planes
+};
+
+/// Surface points of many hits: each row has one number of each, at the hit's place. Up to seven more numbers
+/// are written behind the last.
+struct SurfaceRows {
+    std::array<float*, 3> p, p_error, n;
 };
 
 /// Plain input of World. Quadrics in double: their equations are solved in double and rounded once. An object
@@ -146,6 +153,10 @@ class World {
     bool occluded_brute_force(const Ray& ray) const;
 
     SurfacePoint surface(const Ray& ray, const Hit& hit) const;
+    /// The same for many, but only where done[i] becomes 1: on planes, and on spheres that are not stretched.
+    /// Else it becomes 0, and what is written for the hit has no meaning.
+    void surfaces(std::span<const Ray> rays, std::span<const Hit> hits, const SurfaceRows& rows,
+                  std::span<std::uint8_t> done, const KernelChoice& choice = {}) const;
 
     Bounds bounds() const; ///< of everything finite
     WorldStats stats() const;

@@ -89,4 +89,9 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
     for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = answers[i];
 }
 
+void World::surfaces(std::span<const Ray> rays, std::span<const Hit> hits, const SurfaceRows& rows,
+                     std::span<std::uint8_t> done, const KernelChoice& choice) const {
+    point_kernels[row_of(choice.target)](*data_, rays.data(), hits.data(), rays.size(), rows, done.data());
+}
+
 } // namespace glint

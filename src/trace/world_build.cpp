@@ -92,31 +92,29 @@ void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
         boxes.push_back(box);
     }
     world.quadric_tree = build_tree(std::move(boxes), quadrics_a_leaf, pool);
-    for (const std::uint32_t id : std::exchange(world.quadric_tree.order, {})) {
-        world.quadrics_by_number.push_back(static_cast<std::uint32_t>(world.quadrics.size()));
+    for (const std::uint32_t id : std::exchange(world.quadric_tree.order, {}))
         world.quadrics.push_back(quadrics[id]);
-    }
-    std::sort(world.quadrics_by_number.begin(), world.quadrics_by_number.end(), [&](auto a, auto b) {
-        const Quadric& x = world.quadrics[a];
-        const Quadric& y = world.quadrics[b];
-        return std::pair(x.object, x.prim) < std::pair(y.object, y.prim);
-    });
 }
 
 /// One running number for planes and quadrics, in the order in which hits at one t count.
 void number_surfaces(WorldData& world) {
-    for (const NumberedPlane& p : world.planes) world.surfaces.push_back({PrimKind::plane, p.object, 0});
-    for (const Quadric& q : world.quadrics) world.surfaces.push_back({q.kind, q.object, q.prim});
-    const auto before = [](const SurfaceName& a, const SurfaceName& b) {
+    std::vector<SurfaceName>& names = world.surfaces;
+    std::uint32_t index = 0;
+    for (const NumberedPlane& p : world.planes) names.push_back({PrimKind::plane, p.object, 0, index++});
+    index = 0;
+    for (const Quadric& q : world.quadrics) names.push_back({q.kind, q.object, q.prim, index++});
+    std::sort(names.begin(), names.end(), [](const SurfaceName& a, const SurfaceName& b) {
         return std::pair(a.object, a.prim) < std::pair(b.object, b.prim);
-    };
-    std::sort(world.surfaces.begin(), world.surfaces.end(), before);
-    const auto number = [&](const SurfaceName& name) {
-        const auto at = std::lower_bound(world.surfaces.begin(), world.surfaces.end(), name, before);
-        return static_cast<std::uint32_t>(at - world.surfaces.begin());
-    };
-    for (NumberedPlane& p : world.planes) p.surface = number({PrimKind::plane, p.object, 0});
-    for (Quadric& q : world.quadrics) q.surface = number({q.kind, q.object, q.prim});
+    });
+    for (std::uint32_t number = 0; number < names.size(); ++number) {
+        const SurfaceName& name = names[number];
+        world.first_surface.resize(std::max<std::size_t>(world.first_surface.size(), name.object + 1),
+                                   number);
+        if (name.kind == PrimKind::plane)
+            world.planes[name.index].surface = number;
+        else
+            world.quadrics[name.index].surface = number;
+    }
 }
 
 /// Shared meshes and their instances.
@@ -150,8 +148,8 @@ void count(WorldData& world, const WorldInput& input) {
     stats.nodes += world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
     stats.depth = std::max({stats.depth, world.mesh_tree.depth, world.quadric_tree.depth});
     stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
-                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.quadrics_by_number) +
-                   bytes_of(world.surfaces);
+                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.surfaces) +
+                   bytes_of(world.first_surface);
 }
 
 } // namespace

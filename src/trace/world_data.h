@@ -40,6 +40,7 @@ struct SurfaceName {
     PrimKind kind = PrimKind::none;
     std::uint32_t object = 0;
     std::uint32_t prim = 0;
+    std::uint32_t index = 0; ///< into WorldData::planes or quadrics
 };
 
 /// A local space: p_world = linear · p_local + translation.
@@ -74,14 +75,14 @@ struct WorldData {
     std::vector<Quadric> quadrics; ///< in the order of the leaves
     std::vector<NumberedPlane> planes;
     std::vector<Affine> affines;
-    std::vector<SurfaceName> surfaces; ///< of planes and quadrics by (object, prim)
+    std::vector<SurfaceName> surfaces;        ///< of planes and quadrics by (object, prim)
+    std::vector<std::uint32_t> first_surface; ///< by object: the first of `surfaces` not before it
 
-    std::vector<WorldInput::Triangles> meshes;     ///< by object
-    std::vector<std::uint32_t> first_numbers;      ///< the number of each mesh's first triangle
-    std::vector<SharedMesh> shared_meshes;         ///< never moved: the trees point to theirs
-    std::vector<PlacedMesh> instances;             ///< by object
-    InstanceTree instance_tree;                    ///< of `instances`, in their order
-    std::vector<std::uint32_t> quadrics_by_number; ///< into `quadrics`, by (object, prim)
+    std::vector<WorldInput::Triangles> meshes; ///< by object
+    std::vector<std::uint32_t> first_numbers;  ///< the number of each mesh's first triangle
+    std::vector<SharedMesh> shared_meshes;     ///< never moved: the trees point to theirs
+    std::vector<PlacedMesh> instances;         ///< by object
+    InstanceTree instance_tree;                ///< of `instances`, in their order
     WorldStats stats;
 };
 
@@ -162,6 +163,40 @@ inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint
 inline TriangleVertices vertices_of(const WorldData& world, const PlacedMesh& placed, std::uint32_t prim) {
     const WorldInput::SharedMesh& mesh = world.shared_meshes[placed.mesh].source;
     return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
+}
+
+/// The number of the plane or quadric that was hit.
+inline std::uint32_t surface_number(const WorldData& world, const Hit& hit) {
+    // The primitives of an object are mostly numbered without gaps.
+    const std::uint32_t first = world.first_surface[hit.object];
+    const std::size_t guess = std::size_t{first} + hit.prim;
+    const auto is_it = [&](const SurfaceName& s) { return s.object == hit.object && s.prim == hit.prim; };
+    if (guess < world.surfaces.size() && is_it(world.surfaces[guess]))
+        return static_cast<std::uint32_t>(guess);
+    const auto at = std::lower_bound(
+        world.surfaces.begin() + first, world.surfaces.end(), hit.prim,
+        [&](const SurfaceName& s, std::uint32_t prim) { return s.object == hit.object && s.prim < prim; });
+    return static_cast<std::uint32_t>(at - world.surfaces.begin());
+}
+
+inline constexpr std::uint32_t no_surface = 0xffffffffu;
+
+/// The same for planes and for spheres of the world's own space; no_surface for all else.
+inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
+    if (hit.kind != PrimKind::plane && hit.kind != PrimKind::sphere) return no_surface;
+    const std::uint32_t number = surface_number(world, hit);
+    const bool plain = hit.kind == PrimKind::plane || world.quadrics[world.surfaces[number].index].affine < 0;
+    return plain ? number : no_surface;
+}
+
+/// Errors of the arithmetic in double, relative to the largest number in it, with a wide margin.
+inline constexpr double surface_error = 0x1p-45;
+
+inline double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The largest number that a point on it is computed from.
+inline double size_of(const Quadric& quadric) {
+    return largest(quadric.shape.base) + quadric.shape.radius + quadric.shape.height;
 }
 
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }

@@ -9,11 +9,6 @@ namespace glint {
 
 namespace {
 
-/// Errors of the arithmetic in double, relative to the largest number in it, with a wide margin.
-constexpr double double_error = 0x1p-45;
-
-double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// Rounds to float, with half a float's spacing and `slack` as the error.
 SurfacePoint rounded(const ExactPoint& point, double slack) {
     SurfacePoint result;
@@ -58,18 +53,8 @@ SurfacePoint triangle_surface(const WorldData& world, const Ray& ray, const Hit&
     return result;
 }
 
-const Quadric& numbered_quadric(const WorldData& world, const Hit& hit) {
-    const auto at = std::lower_bound(world.quadrics_by_number.begin(), world.quadrics_by_number.end(), hit,
-                                     [&](std::uint32_t index, const Hit& wanted) {
-                                         const Quadric& q = world.quadrics[index];
-                                         return q.object != wanted.object ? q.object < wanted.object
-                                                                          : q.prim < wanted.prim;
-                                     });
-    return world.quadrics[*at];
-}
-
 SurfacePoint quadric_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
-    const Quadric& quadric = numbered_quadric(world, hit);
+    const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
     const Line line = exact_line(ray);
     CylinderInterval inside{};
     intersect(world, line, quadric, inside);
@@ -80,8 +65,8 @@ SurfacePoint quadric_surface(const WorldData& world, const Ray& ray, const Hit& 
         return quadric.kind == PrimKind::cylinder ? surface(quadric.shape, part, p)
                                                   : surface(quadric.sphere(), p);
     };
-    const double size = largest(quadric.shape.base) + quadric.shape.radius + quadric.shape.height;
-    if (quadric.affine < 0) return rounded(on_shape(line.origin + line.direction * t), double_error * size);
+    const double size = size_of(quadric);
+    if (quadric.affine < 0) return rounded(on_shape(line.origin + line.direction * t), surface_error * size);
 
     // Solved in local space with the same t; normals go by the inverse transpose.
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
@@ -91,18 +76,16 @@ SurfacePoint quadric_surface(const WorldData& world, const Ray& ray, const Hit& 
     const double stretch = largest(affine.linear[0]) + largest(affine.linear[1]) + largest(affine.linear[2]);
     return rounded(
         {affine.linear * point.p + affine.translation, normal / std::sqrt(glm::dot(normal, normal))},
-        double_error * (largest(affine.translation) + stretch * size));
+        surface_error * (largest(affine.translation) + stretch * size));
 }
 
 SurfacePoint plane_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
-    const auto numbered =
-        std::lower_bound(world.planes.begin(), world.planes.end(), hit.object,
-                         [](const auto& p, std::uint32_t object) { return p.object < object; });
+    const Plane& plane = world.planes[world.surfaces[surface_number(world, hit)].index].plane;
     const Line line = exact_line(ray);
     double t = 0;
-    intersect(line, numbered->plane, t);
+    intersect(line, plane, t);
     const dvec3 p = line.origin + line.direction * t;
-    return rounded(surface(numbered->plane, p), double_error * (largest(line.origin) + largest(p)));
+    return rounded(surface(plane, p), surface_error * (largest(line.origin) + largest(p)));
 }
 
 } // namespace

@@ -35,7 +35,7 @@ struct Foreign {
 const std::vector<Foreign>& foreign_headers() {
     static const std::vector<Foreign> table = {
         {"glm/", {}, true},
-        {"hwy/", {"trace"}, true},
+        {"hwy/", {"math", "trace", "shading", "render"}, true},
         {"fmt/", {"scene", "render", "formats", "apps"}, false},
         {"toml++/", {"formats"}, false},
         {"nlohmann/", {"formats", "apps"}, false},

@@ -1,0 +1,120 @@
+// From hits on planes and spheres back to the surface, for every SIMD target: several hits at once, with the
+// bits of World::surface().
+
+#include "trace/surface_batch.h"
+
+#include <cmath>
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/surface_points.cpp"
+#include <hwy/foreach_target.h> // IWYU pragma: keep
+
+#include <hwy/highway.h>
+
+#include "trace/surface_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Exact points with their normals, and what the arithmetic may have lost.
+struct Points {
+    Vec p, n;
+    Doubles slack;
+};
+
+Doubles largest(const Vec& v) { return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z))); }
+Vec at(const Lines& line, Doubles t) { return line.origin + line.direction * t; }
+Vec chosen(Mask mask, const Vec& one, const Vec& other) {
+    return {hn::IfThenElse(mask, one.x, other.x), hn::IfThenElse(mask, one.y, other.y),
+            hn::IfThenElse(mask, one.z, other.z)};
+}
+
+Points on_plane(const Plane& plane, const Lines& line) {
+    const Vec normal = all(plane.normal);
+    const double squared = glm::dot(plane.normal, plane.normal);
+    const Doubles offset = all(plane.offset);
+    const Doubles t = hn::Div(hn::Sub(offset, dot(normal, line.origin)), dot(normal, line.direction));
+    const Vec p = at(line, t);
+    const Doubles off = hn::Div(hn::Sub(offset, dot(normal, p)), all(squared));
+    return {p + normal * off, all(plane.normal / std::sqrt(squared)),
+            hn::Mul(all(surface_error), hn::Add(largest(line.origin), largest(p)))};
+}
+
+Points on_sphere(const Quadric& sphere, const Lines& line, Mask leaving) {
+    const Vec center = all(sphere.shape.base);
+    Inside in{hn::Zero(dd), hn::Zero(dd), hn::FirstN(dd, 0)};
+    in_ball(line.origin - center, line.direction, sphere.shape.radius, in);
+    const Vec v = at(line, hn::IfThenElse(leaving, in.leave, in.enter)) - center;
+    const Doubles length = hn::Sqrt(dot(v, v));
+    const Vec n{hn::Div(v.x, length), hn::Div(v.y, length), hn::Div(v.z, length)};
+    return {center + n * all(sphere.shape.radius), n, all(surface_error * size_of(sphere))};
+}
+
+Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, Mask leaving) {
+    const SurfaceName& name = world.surfaces[number];
+    if (name.kind == PrimKind::plane) return on_plane(world.planes[name.index].plane, line);
+    return on_sphere(world.quadrics[name.index], line, leaving);
+}
+
+/// Rounds to float, with half a float's spacing and the slack as the error.
+void store(const Points& points, const SurfaceRows& rows, std::size_t first) {
+    const auto slack = hn::DemoteTo(df, points.slack);
+    const Doubles p[3] = {points.p.x, points.p.y, points.p.z};
+    const Doubles n[3] = {points.n.x, points.n.y, points.n.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto near = hn::DemoteTo(df, p[axis]);
+        const auto error = hn::Add(hn::Mul(hn::Abs(near), hn::Set(df, 0x1p-24f)), slack);
+        hn::StoreU(near, df, rows.p[axis] + first);
+        hn::StoreU(error, df, rows.p_error[axis] + first);
+        hn::StoreU(hn::DemoteTo(df, n[axis]), df, rows.n[axis] + first);
+    }
+}
+
+} // namespace
+
+void surfaces_in_vectors(const WorldData& world, const Ray* rays, const Hit* hits, std::size_t count,
+                         const SurfaceRows& rows, std::uint8_t* done) {
+    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
+        alignas(64) double number[lanes];
+        alignas(64) double root[lanes];
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const Hit& hit = hits[first + std::min(k, n - 1)];
+            root[k] = double(hit.u);
+            const std::uint32_t surface = plain_surface(world, hit);
+            number[k] = double(surface);
+            if (k < n) done[first + k] = surface != no_surface ? 1 : 0;
+        }
+        // Neighbours mostly hit the same: few rounds, one for each of the surfaces hit.
+        const Doubles numbers = hn::Load(dd, number);
+        const Mask leaving = hn::Ne(hn::Load(dd, root), hn::Zero(dd));
+        Points points{vector.line.origin, vector.line.origin, hn::Zero(dd)};
+        for (std::size_t k = 0; k < lanes; ++k) {
+            if (!(number[k] < double(no_surface))) continue;
+            const Points found =
+                on_surface(world, static_cast<std::uint32_t>(number[k]), vector.line, leaving);
+            const Mask same = hn::Eq(numbers, all(number[k]));
+            points = {chosen(same, found.p, points.p), chosen(same, found.n, points.n),
+                      hn::IfThenElse(same, found.slack, points.slack)};
+            for (std::size_t i = lanes; i-- > k;)
+                if (number[i] == number[k]) number[i] = double(no_surface);
+        }
+        store(points, rows, first);
+    });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint {
+
+const std::array<PointKernel, kernel_targets> point_kernels{{HWY_CHOOSE_FALLBACK(surfaces_in_vectors),
+                                                             HWY_CHOOSE_SSE4(surfaces_in_vectors),
+                                                             HWY_CHOOSE_AVX2(surfaces_in_vectors)}};
+
+} // namespace glint
+#endif
