@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "frames.h"
 #include "scene_input.h"
 #include "text.h"
 
@@ -19,10 +20,13 @@ std::string verdict(const std::string& file, const SceneDescription& description
 }
 
 /// Prints all that is wrong with one file. Is it good?
-bool check_file(const std::string& file, const LoadOptions& options, Console& console) {
+bool check_file(const std::string& file, const LoadOptions& options, const FrameRange& frames,
+                Console& console) {
     try {
         const LoadedScene loaded = load_scene(file, options);
         report(loaded, console);
+        if (!loaded.animation.keys.empty())
+            for (const int frame : frames.of(loaded.animation)) scene_at(loaded, frame);
         const Scene scene = freeze(loaded.description);
         const std::vector<Diagnostic> of_meaning = warnings(scene);
         console.warnings(of_meaning);
@@ -42,9 +46,10 @@ bool check_file(const std::string& file, const LoadOptions& options, Console& co
 int check_command(const Arguments& arguments, Console& console) {
     const LoadOptions options = load_options(arguments);
     for (const std::string& file : arguments.operands()) require_mesh_for_up(arguments, file);
+    const FrameRange frames = frame_range(arguments).value_or(FrameRange{.all = true});
     std::size_t bad = 0;
     for (const std::string& file : arguments.operands())
-        if (!check_file(file, options, console)) ++bad;
+        if (!check_file(file, options, frames, console)) ++bad;
 
     const std::size_t count = arguments.operands().size();
     if (bad > 0 && count > 1) console.line(fmt::format("{} of {} files have errors", bad, count));

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "frames.h"
 #include "outputs.h"
 #include "render_request.h"
 #include "scene_input.h"
@@ -31,10 +32,11 @@ int explain_command(const Arguments& arguments, Console& console) {
     require_mesh_for_up(arguments, file);
     require_writable(output);
 
-    LoadedScene loaded = load_scene(file, load_options(arguments));
-    apply_flags(arguments, loaded.description);
+    const LoadedScene loaded = load_scene(file, load_options(arguments));
+    SceneDescription description = at_frame(arguments, loaded);
+    apply_flags(arguments, description);
     report(loaded, console);
-    const Scene scene = freeze(loaded.description, {threads(arguments)});
+    const Scene scene = freeze(description, {threads(arguments)});
     console.warnings(warnings(scene));
     Explanation explanation = explain(scene, static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
     explanation.scene = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "frames.h"
 #include "json_output.h"
 #include "scene_input.h"
 #include "text.h"
@@ -102,10 +103,11 @@ int info_command(const Arguments& arguments, Console& console) {
     require_mesh_for_up(arguments, file);
     const LoadedScene loaded = load_scene(file, load_options(arguments));
     report(loaded, console);
-    const Scene scene = freeze(loaded.description, {threads(arguments)});
+    const SceneDescription description = at_frame(arguments, loaded);
+    const Scene scene = freeze(description, {threads(arguments)});
     console.warnings(warnings(scene));
-    print_data(arguments.has("json") ? info_json(file, loaded.description, scene)
-                                     : info_text(file, loaded.description, scene));
+    print_data(arguments.has("json") ? info_json(file, description, scene)
+                                     : info_text(file, description, scene));
     return exit_code::done;
 }
 

@@ -47,10 +47,9 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
     const RenderStats& stats = picture.stats;
     const double total =
         record.load_seconds + record.build_seconds + stats.wall_seconds + record.write_seconds;
-    return document({
-        {"glint", version()},
-        {"file", record.scene},
-        {"output", record.output},
+    Json json{{"glint", version()}, {"file", record.scene}, {"output", record.output}};
+    if (record.frame) json["frame"] = *record.frame;
+    json.update(Json{
         {"complete", picture.complete},
         {"fraction", record.fraction},
         {"width", picture.image.width},
@@ -74,6 +73,13 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
         {"mrays_per_second", mega_rays(stats.rays(), stats.wall_seconds)},
         {"threads", stats.threads},
     });
+    return document(json);
+}
+
+std::string stats_list_json(const std::vector<std::string>& documents) {
+    Json list = Json::array();
+    for (const std::string& each : documents) list.push_back(Json::parse(each));
+    return document(list);
 }
 
 std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene) {

@@ -4,7 +4,9 @@
 #include "glint/render.h"
 #include "glint/scene.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace glint::cli {
 
@@ -13,6 +15,7 @@ struct RenderRecord {
     std::string scene;  ///< as named on the command line
     std::string output; ///< likewise
     std::string hash;
+    std::optional<int> frame;
     double fraction = 1; ///< share of the tiles rendered
     double load_seconds = 0;
     double build_seconds = 0;
@@ -21,6 +24,9 @@ struct RenderRecord {
 
 /// The document of --stats, with a line feed at its end.
 std::string stats_json(const RenderRecord& record, const Scene& scene, const Picture& picture);
+
+/// The document of --stats for several pictures: a list of theirs.
+std::string stats_list_json(const std::vector<std::string>& documents);
 
 /// The document of info --json, with a line feed at its end.
 std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene);

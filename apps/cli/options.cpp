@@ -13,6 +13,7 @@ constexpr Option max_depth{0, "max-depth", "N", "bounces after the first hit"};
 constexpr Option seed{0, "seed", "N", "of the random numbers"};
 constexpr Option set{'D',   "",  "PATH=VALUE", "set one value of the scene: -D material.glass.index=1.33",
                      false, true};
+constexpr Option frame{0, "frame", "N", "of an animated scene: as it is at this frame"};
 constexpr Option up{0, "up", "y|z|auto", "the axis of a bare mesh that points up"};
 constexpr Option allow_outside{0, "allow-outside", "", "let a scene read files outside its own folder"};
 constexpr Option threads{'t', "threads", "N", "default: one for each core", false, true};
@@ -28,11 +29,12 @@ constexpr std::array render_options{
     Option{0, "integrator", "whitted", "the light model"},
     seed,
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
+    Option{0, "frames", "A..B[:STEP]", "or all, of what moves: one file each, -o frame-%04d.png"},
     up,
     set,
     allow_outside,
     Option{0, "view", "srgb|raw", "PNG: the sRGB curve, or plain numbers"},
-    Option{0, "bits", "8|16", "PNG: bits per channel"},
+    Option{0, "bits", "8|16", "bits per channel", true},
     Option{0, "alpha", "", "PNG, EXR: what each pixel covers, as alpha"},
     Option{0, "layers", "", "EXR: each term of the light as a layer"},
     Option{0, "keep-partial", "", "Ctrl-C writes what is done instead of nothing"},
@@ -48,14 +50,22 @@ constexpr std::array render_options{
     help,
 };
 
-constexpr std::array check_options{set, up, allow_outside, color, quiet, help};
+constexpr std::array check_options{
+    Option{0, "frames", "A..B[:STEP]", "check these frames of animated scenes; default: all"},
+    set,
+    up,
+    allow_outside,
+    color,
+    quiet,
+    help};
 
 constexpr std::array info_options{
-    Option{0, "json", "", "for programs"}, set, up, allow_outside, threads, color, quiet, help,
+    Option{0, "json", "", "for programs"}, frame, set, up, allow_outside, threads, color, quiet, help,
 };
 
 constexpr std::array explain_options{
     Option{0, "pixel", "X,Y", "which; 0,0 is top left"},
+    frame,
     Option{0, "format", "text|json|svg", "default: text"},
     Option{'o', "output", "FILE", "where to; default: stdout"},
     size,

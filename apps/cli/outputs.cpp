@@ -65,8 +65,12 @@ void write_text(const std::string& path, const std::string& text) {
     write_file(path, std::as_bytes(std::span(text)));
 }
 
-std::string default_output(const std::string& scene) {
-    return scene == "-" ? "stdin.png" : fs::path(scene).stem().string() + ".png";
+std::string default_output(const std::string& scene, bool frames) {
+    const std::string stem = scene == "-" ? "stdin" : fs::path(scene).stem().string();
+    if (!frames) return stem + ".png";
+    std::string pattern;
+    for (const char c : stem) pattern.append(c == '%' ? 2 : 1, c);
+    return pattern + "-%04d.png";
 }
 
 std::string shown_name(const std::string& path) { return path == "-" ? "stdout" : path; }

@@ -16,8 +16,8 @@ void require_writable(const std::string& path);
 /// Writes a file whole or not at all; "-" is stdout. Throws Error(output).
 void write_text(const std::string& path, const std::string& text);
 
-/// The scene's stem + ".png", in the working directory; "stdin.png" for "-".
-std::string default_output(const std::string& scene);
+/// The scene's stem + ".png", in the working directory; "stdin.png" for "-". Of several frames with "-%04d".
+std::string default_output(const std::string& scene, bool frames = false);
 
 /// How messages name an output: "stdout" for "-".
 std::string shown_name(const std::string& path);

@@ -35,8 +35,9 @@ ProgressStyle progress_style(const std::string& word) {
 }
 
 // The first plain line waits its ten seconds: short renders need none.
-ProgressMeter::ProgressMeter(Console& console, ProgressStyle style)
-    : console_(console), style_(style), next_show_(style == ProgressStyle::plain ? interval(style) : 0) {}
+ProgressMeter::ProgressMeter(Console& console, ProgressStyle style, std::string task)
+    : console_(console), style_(style), task_(std::move(task)),
+      next_show_(style == ProgressStyle::plain ? interval(style) : 0) {}
 
 void ProgressMeter::update(const Progress& progress) {
     last_ = progress;
@@ -60,16 +61,18 @@ void ProgressMeter::show() {
     if (style_ == ProgressStyle::json) {
         // Asked for by name, so -q does not hide it.
         console_.always(
-            fmt::format(R"({{"event":"progress","tiles_done":{},"tiles":{},"rays":{},"seconds":{:.3f},)"
+            fmt::format(R"({{"event":"progress",{}"tiles_done":{},"tiles":{},"rays":{},"seconds":{:.3f},)"
                         R"("seconds_left":{:.3f}}})",
-                        last_.tiles_done, last_.tiles, last_.rays, last_.seconds, left));
+                        task_.empty() ? "" : fmt::format("\"task\":\"{}\",", task_), last_.tiles_done,
+                        last_.tiles, last_.rays, last_.seconds, left));
         return;
     }
     const std::string state = fmt::format("{:3.0f} %  {}  {} left", std::floor(done * 100),
                                           ray_rate(last_.rays, last_.seconds), whole_duration(left));
-    if (style_ == ProgressStyle::plain) return console_.line("rendering " + state);
+    const std::string task = task_.empty() ? "" : task_ + " ";
+    if (style_ == ProgressStyle::plain) return console_.line("rendering " + task + state);
     const int filled = static_cast<int>(done * bar_width);
-    console_.status(fmt::format("[{:#<{}}{:{}}] {}", "", filled, "", bar_width - filled, state));
+    console_.status(fmt::format("{}[{:#<{}}{:{}}] {}", task, "", filled, "", bar_width - filled, state));
 }
 
 } // namespace glint::cli

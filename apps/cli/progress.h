@@ -16,7 +16,8 @@ ProgressStyle progress_style(const std::string& word);
 
 class ProgressMeter {
   public:
-    ProgressMeter(Console& console, ProgressStyle style);
+    /// `task` is what is rendered, "" or "frame 7 of 0..119"; JSON names it too.
+    ProgressMeter(Console& console, ProgressStyle style, std::string task = {});
 
     /// Takes the news and shows it if it is time to: ten times a second for a bar, every ten seconds for
     /// plain lines, once a second for JSON. One call at a time.
@@ -31,6 +32,7 @@ class ProgressMeter {
 
     Console& console_;
     ProgressStyle style_;
+    std::string task_;
     Progress last_;
     double next_show_; ///< seconds of rendering
 };

@@ -1,4 +1,5 @@
 #include "commands.h"
+#include "frames.h"
 #include "interrupt.h"
 #include "json_output.h"
 #include "outputs.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <set>
 
 namespace glint::cli {
 namespace {
@@ -69,61 +71,148 @@ void print_details(Console& console, const Scene& scene, const RenderRecord& rec
                                counted(static_cast<std::uint64_t>(stats.threads), "thread")));
 }
 
-/// Reads the scene, applies the flags and reports what is odd about it.
-SceneDescription read_scene(const Arguments& arguments, const RenderRequest& request, Console& console) {
-    LoadedScene loaded = load_scene(request.scene, request.load);
-    apply_flags(arguments, loaded.description);
-    require_possible(request, loaded.description.render);
-    report(loaded, console);
-    return std::move(loaded.description);
+/// Renders pictures of one scene, one after the other.
+class Renderer {
+  public:
+    Renderer(const Arguments& arguments, const RenderRequest& request, Console& console)
+        : arguments_(arguments), request_(request), console_(console) {}
+
+    /// Reads the scene and reports what is odd about it. Later frames that are wrong are told now.
+    LoadedScene read() {
+        const Stopwatch loading;
+        LoadedScene loaded = load_scene(request_.scene, request_.load);
+        load_seconds_ = loading.seconds();
+        apply_flags(arguments_, loaded.description);
+        require_possible(request_, loaded.description.render);
+        report(loaded, console_);
+        return loaded;
+    }
+
+    /// Renders and writes one picture; false where a signal stopped it. `task` is for the progress.
+    bool picture(const SceneDescription& description, RenderRecord record, const std::string& task) {
+        record.load_seconds = load_seconds_;
+        console_.status("building the tree");
+        const Stopwatch building;
+        const Scene scene = freeze(description, {request_.render.threads});
+        record.build_seconds = building.seconds();
+        warn(scene);
+
+        Picture picture = render_with_progress(scene, record, task);
+        if (!picture.complete && !request_.keep_partial) {
+            stopped_at_ = record.fraction;
+            return false;
+        }
+        record.hash = picture_hash(picture.image);
+        const Stopwatch writing;
+        write_picture(record.output, picture.image, picture_options(request_, scene, picture, record.hash));
+        record.write_seconds = writing.seconds();
+        if (request_.stats) stats_.push_back(stats_json(record, scene, picture));
+        print_details(console_, scene, record, picture.stats);
+        console_.line(closing_line(record, scene, picture));
+        return picture.complete;
+    }
+
+    /// Writes --stats: a document, or of --frames a list of them.
+    void write_stats() const {
+        if (!request_.stats || (stats_.empty() && !request_.frames)) return;
+        write_text(*request_.stats, request_.frames ? stats_list_json(stats_) : stats_.front());
+    }
+
+    /// Share of the last picture that was done when a signal came.
+    double stopped_at() const { return stopped_at_; }
+
+  private:
+    /// What was said of an earlier frame is not said again.
+    void warn(const Scene& scene) {
+        for (const Diagnostic& diagnostic : warnings(scene))
+            if (warned_.insert(to_string(diagnostic)).second) console_.warning(diagnostic);
+    }
+
+    Picture render_with_progress(const Scene& scene, RenderRecord& record, const std::string& task) {
+        ProgressMeter meter(console_, progress_style(arguments_.text("progress").value_or("auto")), task);
+        RenderOptions options = request_.render;
+        options.progress = [&](const Progress& progress) { meter.update(progress); };
+        options.cancel = &cancel_flag();
+        stop_gently();
+        Picture picture = render(scene, options);
+        meter.finish();
+        record.fraction = picture.complete ? 1 : meter.fraction();
+        return picture;
+    }
+
+    const Arguments& arguments_;
+    const RenderRequest& request_;
+    Console& console_;
+    double load_seconds_ = 0;
+    double stopped_at_ = 0;
+    std::vector<std::string> stats_;
+    std::set<std::string> warned_;
+};
+
+RenderRecord record_of(const RenderRequest& request) {
+    RenderRecord record;
+    record.scene = request.scene;
+    record.output = request.output;
+    return record;
 }
 
-Picture render_with_progress(const Arguments& arguments, const RenderRequest& request, const Scene& scene,
-                             Console& console, RenderRecord& record) {
-    ProgressMeter meter(console, progress_style(arguments.text("progress").value_or("auto")));
-    RenderOptions options = request.render;
-    options.progress = [&](const Progress& progress) { meter.update(progress); };
-    options.cancel = &cancel_flag();
-    stop_gently();
-    Picture picture = render(scene, options);
-    meter.finish();
-    record.fraction = picture.complete ? 1 : meter.fraction();
-    return picture;
+int render_still(const RenderRequest& request, Renderer& renderer, Console& console) {
+    const LoadedScene loaded = renderer.read();
+    if (!loaded.animation.keys.empty())
+        console.note("the scene moves, and this is how it stands; --frames all renders its frames");
+    const bool done = renderer.picture(loaded.description, record_of(request), {});
+    renderer.write_stats();
+    if (done) return exit_code::done;
+    if (!request.keep_partial)
+        console.error(fmt::format("stopped with {:.0f} % done, nothing written", renderer.stopped_at() * 100),
+                      "--keep-partial would write what there is");
+    return stopped_by();
+}
+
+int render_frames(const Arguments& arguments, const RenderRequest& request, Renderer& renderer,
+                  Console& console) {
+    const LoadedScene loaded = renderer.read();
+    if (loaded.animation.keys.empty()) console.note("nothing in the scene moves: it has no [[animate]]");
+    const std::vector<int> frames = request.frames->of(loaded.animation);
+    // A fault of a late frame is better told before the first is rendered.
+    for (const int frame : frames) scene_at(loaded, frame);
+
+    const Stopwatch rendering;
+    std::size_t done = 0;
+    for (const int frame : frames) {
+        SceneDescription description = scene_at(loaded, frame);
+        apply_flags(arguments, description);
+        require_possible(request, description.render);
+        RenderRecord record = record_of(request);
+        record.output = frame_name(request.output, frame);
+        record.frame = frame;
+        const std::string task = fmt::format("frame {} ({} of {})", frame, done + 1, frames.size());
+        if (!renderer.picture(description, record, task)) break;
+        ++done;
+    }
+    renderer.write_stats();
+    if (done == frames.size()) {
+        console.line(fmt::format("{} in {}", counted(done, "frame"), duration(rendering.seconds())));
+        return exit_code::done;
+    }
+    console.error(fmt::format("stopped in frame {}; {}", frames[done],
+                              done == 0 ? "no frame is done"
+                                        : fmt::format("{} of {} frames are done, {} to {}", done,
+                                                      frames.size(), frames[0], frames[done - 1])),
+                  fmt::format("go on with --frames {}..{}", frames[done], frames.back()) +
+                      (request.frames->step > 1 ? fmt::format(":{}", request.frames->step) : ""));
+    return stopped_by();
 }
 
 } // namespace
 
 int render_command(const Arguments& arguments, Console& console) {
     const RenderRequest request = read_render_request(arguments);
-    RenderRecord record{request.scene, request.output, {}, 1, 0, 0, 0};
     watch_signals();
-
     console.status("reading " + request.scene);
-    const Stopwatch loading;
-    const SceneDescription description = read_scene(arguments, request, console);
-    record.load_seconds = loading.seconds();
-
-    console.status("building the tree");
-    const Stopwatch building;
-    const Scene scene = freeze(description, {request.render.threads});
-    record.build_seconds = building.seconds();
-    console.warnings(warnings(scene));
-
-    Picture picture = render_with_progress(arguments, request, scene, console, record);
-    if (!picture.complete && !request.keep_partial) {
-        console.error(fmt::format("stopped with {:.0f} % done, nothing written", record.fraction * 100),
-                      "--keep-partial would write what there is");
-        return stopped_by();
-    }
-
-    record.hash = picture_hash(picture.image);
-    const Stopwatch writing;
-    write_picture(request.output, picture.image, picture_options(request, scene, picture, record.hash));
-    record.write_seconds = writing.seconds();
-    if (request.stats) write_text(*request.stats, stats_json(record, scene, picture));
-    print_details(console, scene, record, picture.stats);
-    console.line(closing_line(record, scene, picture));
-    return picture.complete ? exit_code::done : stopped_by();
+    Renderer renderer(arguments, request, console);
+    return request.frames ? render_frames(arguments, request, renderer, console)
+                          : render_still(request, renderer, console);
 }
 
 } // namespace glint::cli

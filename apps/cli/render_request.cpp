@@ -41,6 +41,15 @@ void require_apart(const RenderRequest& request) {
                     "name a file with -o, or redirect stdout");
 }
 
+/// Frames in one file would overwrite each other.
+void require_frame_names(const RenderRequest& request) {
+    if (request.output == "-" ? request.frames->single()
+                              : has_frame_number(request.output) || request.frames->single())
+        return;
+    throw Error(ErrorKind::usage, fmt::format("all frames would go to {}", shown_name(request.output)),
+                "put %04d into the name, where the frame's number goes: -o frame-%04d.png");
+}
+
 Kernel kernel(const Arguments& arguments) {
     const std::string name = arguments.text("kernel").value_or("auto");
     if (name == "scalar") return Kernel::scalar;
@@ -109,9 +118,12 @@ void require_memory(const RenderSettings& settings, const RenderOptions& options
 RenderRequest read_render_request(const Arguments& arguments) {
     RenderRequest request;
     request.scene = arguments.operands().front();
-    request.output = arguments.text("output").value_or(default_output(request.scene));
+    request.frames = frame_range(arguments);
+    request.output = arguments.text("output").value_or(
+        default_output(request.scene, request.frames && !request.frames->single()));
     request.stats = arguments.text("stats");
     require_format(arguments, request.output);
+    if (request.frames) require_frame_names(request);
     require_apart(request);
     require_mesh_for_up(arguments, request.scene);
     request.load = load_options(arguments);

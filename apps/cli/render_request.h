@@ -2,6 +2,7 @@
 // The options of `glint render`, read and checked before the scene is.
 
 #include "arguments.h"
+#include "frames.h"
 
 #include "glint/formats.h"
 #include "glint/render.h"
@@ -16,7 +17,8 @@ inline constexpr int most_pixels_a_side = 65536;
 /// What the command line asks for, beyond the scene itself.
 struct RenderRequest {
     std::string scene;
-    std::string output;
+    std::string output;               ///< a name with a place for the frame's number where there are several
+    std::optional<FrameRange> frames; ///< none: the scene as it stands
     std::optional<std::string> stats;
     LoadOptions load;
     RenderOptions render;
