@@ -29,7 +29,8 @@ std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh) 
     using tracing::SimdTarget;
     std::vector<Peer> ways;
     ways.push_back(way("glint, scalar", mesh, {Kernel::scalar, SimdTarget::best}));
-    for (const SimdTarget target : {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2}) {
+    for (const SimdTarget target :
+         {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
         if (!is_available(target)) continue;
         ways.push_back(way("glint, lone", mesh, {Kernel::lone, target}));
         ways.push_back(way("glint, packets", mesh, {Kernel::packets, target}));

@@ -61,10 +61,11 @@ Kernel kernel(const Arguments& arguments) {
 
 SimdTarget simd_target(const Arguments& arguments) {
     const std::string name = arguments.text("simd").value_or("auto");
-    const SimdTarget target = name == "plain"  ? SimdTarget::plain
-                              : name == "sse4" ? SimdTarget::sse4
-                              : name == "avx2" ? SimdTarget::avx2
-                                               : SimdTarget::best;
+    const SimdTarget target = name == "plain"    ? SimdTarget::plain
+                              : name == "sse4"   ? SimdTarget::sse4
+                              : name == "avx2"   ? SimdTarget::avx2
+                              : name == "avx512" ? SimdTarget::avx512
+                                                 : SimdTarget::best;
     if (!is_available(target))
         throw Error(ErrorKind::usage, "--simd " + name + ": this machine or this build has no such vectors",
                     "leave --simd away for the widest there are");

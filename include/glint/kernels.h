@@ -17,7 +17,8 @@ enum class SimdTarget : std::uint8_t {
     best,  ///< the widest that the machine has
     plain, ///< what every machine of this kind has
     sse4,
-    avx2
+    avx2,
+    avx512
 };
 
 /// A kernel and the instructions it may use.

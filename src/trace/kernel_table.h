@@ -25,8 +25,8 @@ struct LoneKernels {
     bool (*occluded)(const MeshTree& tree, const Ray& ray);
 };
 
-/// Plain, SSE4, AVX2, in this order.
-inline constexpr std::size_t kernel_targets = 3;
+/// Plain, SSE4, AVX2, AVX-512, in this order.
+inline constexpr std::size_t kernel_targets = 4;
 extern const std::array<BatchKernels, kernel_targets> batch_kernels;
 extern const std::array<LoneKernels, kernel_targets> lone_kernels;
 

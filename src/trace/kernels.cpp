@@ -7,28 +7,26 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t plain = 0;
-constexpr std::size_t sse4 = 1;
-constexpr std::size_t avx2 = 2;
-
-/// Asked of the processor once: in a virtual machine each question costs a microsecond.
-std::int64_t machine_targets() {
+/// Asked of the machine once, as that may take longer than many rays; a function's static costs one branch.
+bool has(std::size_t row) {
+    constexpr std::int64_t needs[kernel_targets] = {0, HWY_SSE4, HWY_AVX2, HWY_AVX3};
     static const std::int64_t machine = hwy::SupportedTargets();
-    return machine;
+    return batch_kernels[row].closest != nullptr && (machine & needs[row]) == needs[row];
 }
 
-bool has(std::size_t target) {
-    const bool compiled = batch_kernels[target].closest != nullptr;
-    const std::int64_t machine = machine_targets();
-    if (target == avx2) return compiled && (machine & HWY_AVX2) != 0;
-    if (target == sse4) return compiled && (machine & HWY_SSE4) != 0;
-    return compiled;
-}
-
-/// The table's row of the best target.
+/// The table's row of the widest target.
 std::size_t best_row() {
-    static const std::size_t best = has(avx2) ? avx2 : (has(sse4) ? sse4 : plain);
+    static const std::size_t best = [] {
+        std::size_t row = kernel_targets - 1;
+        while (row > 0 && !has(row)) --row;
+        return row;
+    }();
     return best;
+}
+
+/// The table's row of a target that is not the best: they stand in one order.
+std::size_t own_row(SimdTarget target) {
+    return static_cast<std::size_t>(target) - static_cast<std::size_t>(SimdTarget::plain);
 }
 
 BatchForm form_of(Kernel kernel, RayHint hint) {
@@ -42,21 +40,10 @@ BatchForm form_of(Kernel kernel, RayHint hint) {
 std::size_t row_of(SimdTarget target) {
     if (target == SimdTarget::best) return best_row();
     if (!is_available(target)) throw std::invalid_argument("this machine lacks the SIMD target asked for");
-    return target == SimdTarget::plain ? plain : (target == SimdTarget::sse4 ? sse4 : avx2);
+    return own_row(target);
 }
 
-bool is_available(SimdTarget target) {
-    switch (target) {
-    case SimdTarget::sse4:
-        return has(sse4);
-    case SimdTarget::avx2:
-        return has(avx2);
-    case SimdTarget::plain:
-    case SimdTarget::best:
-        return true;
-    }
-    return false;
-}
+bool is_available(SimdTarget target) { return target == SimdTarget::best || has(own_row(target)); }
 
 TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice) {
     if (choice.kernel == Kernel::scalar) return closest_scalar(tree, ray);

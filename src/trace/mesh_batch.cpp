@@ -12,7 +12,7 @@
 #include <cstring>
 #include <type_traits>
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/mesh_batch.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
@@ -84,10 +84,27 @@ HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float k
     return wants & mask;
 }
 
+/// Fewer rays than this are not worth a look at the box that they sweep.
+constexpr int least_swept = 16;
+
+/// The rays that enter each child which the sweep meets, box by box; false where ray by ray is cheaper.
+HWY_INLINE bool enter_swept(const float* node, const Sweep* sweep, const Group& group, std::uint64_t mask,
+                            Entered& entered) {
+    const int rays = std::popcount(mask);
+    if (sweep == nullptr || rays < least_swept) return false;
+    const std::uint32_t met = sweep->meets(node);
+    const std::uint64_t vectors = vectors_of(mask);
+    if (std::popcount(met) * std::popcount(vectors) >= rays) return false;
+    enter_boxes<true>(node, met, group, vectors, mask, entered);
+    return true;
+}
+
 /// Those rays of a group that `alive` names, all of one octant, ray by ray from a node on; returns the rays
 /// that hit.
+/// `sweep` culls children for all of them; it may be missing.
 template <bool any>
-std::uint64_t trace_stream(const MeshTree& tree, Group& group, std::uint32_t code, std::uint64_t alive) {
+std::uint64_t trace_stream(const MeshTree& tree, const Sweep* sweep, Group& group, std::uint32_t code,
+                           std::uint64_t alive) {
     std::uint64_t hits = 0;
     Entry stack[stack_size];
     std::size_t size = 0;
@@ -107,7 +124,8 @@ std::uint64_t trace_stream(const MeshTree& tree, Group& group, std::uint32_t cod
         tally(&TraceCounters::nodes, 1);
         const WideNode& node = tree.nodes[entry.code];
         Entered entered;
-        enter_by_ray<true>(&node.lo[0][0], group, mask, entered);
+        if (!enter_swept(&node.lo[0][0], sweep, group, mask, entered))
+            enter_by_ray<true>(&node.lo[0][0], group, mask, entered);
         size = push(tree, node, entered, stack, size);
     }
     return hits;
@@ -152,18 +170,14 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
         // Where few rays are left in each vector they go on one by one.
         const std::uint64_t vectors = vectors_of(mask);
         if (std::popcount(met) * std::popcount(vectors) > std::popcount(mask) + 2) {
-            const std::uint64_t found = trace_stream<any>(tree, group, entry.code, mask);
+            const std::uint64_t found = trace_stream<any>(tree, nullptr, group, entry.code, mask);
             hits |= found;
             is_stale = is_stale || found != 0;
             if (any) alive &= ~found;
             if (any && alive == 0) break;
             continue;
         }
-        for (std::uint32_t rest = met; rest != 0; rest &= rest - 1) {
-            const auto child = static_cast<std::size_t>(std::countr_zero(rest));
-            entered.mask[child] = enter_box<!any>(node, child, group, vectors, entered.key[child]) & mask;
-            if (entered.mask[child] != 0) entered.children |= 1u << child;
-        }
+        enter_boxes<!any>(node, met, group, vectors, mask, entered);
         size = push(tree, tree.nodes[entry.code], entered, stack, size);
     }
     return hits;
@@ -258,8 +272,9 @@ class Batch {
     }
 
     std::uint64_t trace_group(bool is_packet) {
-        return is_packet ? trace_packet<any>(tree_, frame_, group_)
-                         : trace_stream<any>(tree_, group_, 0, group_.all());
+        if (is_packet) return trace_packet<any>(tree_, frame_, group_);
+        const Sweep sweep(group_, frame_);
+        return trace_stream<any>(tree_, &sweep, group_, 0, group_.all());
     }
 
     void trace_tile(std::size_t at, std::size_t count) {
@@ -336,6 +351,7 @@ const std::array<BatchKernels, kernel_targets> batch_kernels{{
     {HWY_CHOOSE_FALLBACK(closest_batch), HWY_CHOOSE_FALLBACK(occluded_batch)},
     {HWY_CHOOSE_SSE4(closest_batch), HWY_CHOOSE_SSE4(occluded_batch)},
     {HWY_CHOOSE_AVX2(closest_batch), HWY_CHOOSE_AVX2(occluded_batch)},
+    {HWY_CHOOSE_AVX3(closest_batch), HWY_CHOOSE_AVX3(occluded_batch)},
 }};
 
 } // namespace glint

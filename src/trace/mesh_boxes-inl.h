@@ -58,6 +58,10 @@ struct Entered {
 
 /// A bit of each of 64 bytes.
 HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
+#if HWY_TARGET == HWY_AVX3
+    const hn::ScalableTag<std::uint8_t> d8;
+    return hn::TestBit(hn::Load(d8, rows), hn::Set(d8, static_cast<std::uint8_t>(1u << bit))).raw;
+#else
     const hn::CappedTag<std::uint16_t, 16> d16;
     const hn::Repartition<std::int8_t, decltype(d16)> d8;
     constexpr std::size_t bytes = hn::MaxLanes(d8);
@@ -77,6 +81,7 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
         all |= std::uint64_t{bits} << i;
     }
     return all;
+#endif
 }
 
 /// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
@@ -106,7 +111,7 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
             if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
             const std::uint32_t bits = bits_of(hit) << i;
             children |= bits;
-            rows[r] = static_cast<std::uint8_t>(rows[r] | bits);
+            rows[r] = static_cast<std::uint8_t>(lanes == 8 ? bits : rows[r] | bits);
         }
         if (with_keys) hn::Store(key, df, entered.key + i);
     }
@@ -145,6 +150,18 @@ HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const G
     }
     if (with_key) key = hn::GetLane(hn::MinOfLanes(df, least));
     return inside;
+}
+
+/// The same for those children of a node that `met` names, and those rays that `mask` does. Without keys
+/// entered.key stays as it is.
+template <bool with_keys>
+HWY_INLINE void enter_boxes(const float* node, std::uint32_t met, const Group& group, std::uint64_t vectors,
+                            std::uint64_t mask, Entered& entered) {
+    for (; met != 0; met &= met - 1) {
+        const auto child = static_cast<std::size_t>(std::countr_zero(met));
+        entered.mask[child] = enter_box<with_keys>(node, child, group, vectors, entered.key[child]) & mask;
+        if (entered.mask[child] != 0) entered.children |= 1u << child;
+    }
 }
 
 } // namespace

@@ -49,7 +49,12 @@ constexpr std::size_t parts = 8 / lanes;
 /// A mask's lanes as bits; Highway's own way leads through memory.
 template <class D, class M>
 HWY_INLINE std::uint32_t bits_of(D d, M mask) {
-#if HWY_TARGET == HWY_AVX2
+#if HWY_TARGET == HWY_AVX3
+    // Left to itself, g++ 12 keeps one byte of the mask in memory and reads four.
+    std::uint32_t bits;
+    asm("kmovb %1, %0" : "=r"(bits) : "k"(mask.raw));
+    return hn::MaxLanes(D()) == 8 ? bits : bits & ((1u << hn::MaxLanes(d)) - 1u);
+#elif HWY_TARGET == HWY_AVX2
     if constexpr (hn::MaxLanes(D()) == 8) {
         return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw));
     } else {
@@ -111,13 +116,14 @@ struct LeafVectors {
     }
 };
 
-/// The triangles that lanes of three edges' values do not rule out, as in surely_outside(): the product of
-/// the least and the greatest is negative, or vanishes, where both signs occur.
-HWY_INLINE std::uint32_t not_outside(Floats u, Floats v, Floats w) {
+/// Where three edges' values rule a triangle out, as in surely_outside(): the product of the least and the
+/// greatest is negative, or vanishes, where both signs occur.
+HWY_INLINE Lanes outside(Floats u, Floats v, Floats w) {
     const Floats least = hn::Min(u, hn::Min(v, w));
     const Floats most = hn::Max(u, hn::Max(v, w));
-    return ~bits_of(hn::Lt(hn::Mul(least, most), hn::Zero(df)));
+    return hn::Lt(hn::Mul(least, most), hn::Zero(df));
 }
+HWY_INLINE std::uint32_t not_outside(Floats u, Floats v, Floats w) { return ~bits_of(outside(u, v, w)); }
 
 /// One ray as a leaf sees it, with what it has found.
 struct Probe {

@@ -4,7 +4,7 @@
 
 #include "trace/kernel_table.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/mesh_lone.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
@@ -178,6 +178,7 @@ const std::array<LoneKernels, kernel_targets> lone_kernels{{
     {HWY_CHOOSE_FALLBACK(closest_lone), HWY_CHOOSE_FALLBACK(occluded_lone)},
     {HWY_CHOOSE_SSE4(closest_lone), HWY_CHOOSE_SSE4(occluded_lone)},
     {HWY_CHOOSE_AVX2(closest_lone), HWY_CHOOSE_AVX2(occluded_lone)},
+    {HWY_CHOOSE_AVX3(closest_lone), HWY_CHOOSE_AVX3(occluded_lone)},
 }};
 
 } // namespace glint

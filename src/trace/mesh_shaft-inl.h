@@ -1,4 +1,4 @@
-// The space that a group's rays sweep, for every SIMD target.
+// The space that a group's rays sweep, as a shaft or a box, for every SIMD target.
 
 #include "trace/mesh_tree.h"
 
@@ -171,6 +171,49 @@ class Shaft {
     float low_slope_[2] = {}, low_base_[2] = {};
     float high_slope_[2] = {}, high_base_[2] = {};
     std::size_t low_at_[2] = {}, high_at_[2] = {}; ///< the planes of a node where the lines are compared
+};
+
+/// The box that a group's rays sweep: for rays of one octant, but of any axes.
+class Sweep {
+  public:
+    Sweep(const Group& group, const Frame& frame) {
+        const float slack = 4.0f * group.pad;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Floats least = hn::Set(df, infinity);
+            Floats most = hn::Set(df, -infinity);
+            for (std::size_t i = 0; i < group.count; i += lanes) {
+                const Floats o = hn::Load(df, group.origin[axis] + i);
+                const Floats d = hn::Load(df, group.direction[axis] + i);
+                const Floats way = hn::Mul(d, hn::Load(df, group.limit + i));
+                // Without a limit, what stands still would go NaN far.
+                const Floats end = hn::Add(o, hn::IfThenElse(hn::Eq(way, way), way, hn::Zero(df)));
+                least = hn::Min(least, hn::Min(o, end));
+                most = hn::Max(most, hn::Max(o, end));
+            }
+            // Beyond the tree there is nothing to be told apart, and floats are coarse.
+            const float low = hn::GetLane(hn::MinOfLanes(df, least));
+            const float high = hn::GetLane(hn::MaxOfLanes(df, most));
+            low_[axis] = low >= frame.bounds.lo[static_cast<int>(axis)] ? low - slack : -infinity;
+            high_[axis] = high <= frame.bounds.hi[static_cast<int>(axis)] ? high + slack : infinity;
+        }
+    }
+
+    /// The children of a node that the box meets, as bits.
+    HWY_INLINE std::uint32_t meets(const float* node) const {
+        std::uint32_t met = 0;
+        for (std::size_t i = 0; i < 8; i += lanes) {
+            const auto overlap = [&](std::size_t axis) {
+                const float* const planes = node + low_planes(axis) + i;
+                return hn::And(hn::Le(hn::Load(df, planes), hn::Set(df, high_[axis])),
+                               hn::Ge(hn::Load(df, planes + between_planes), hn::Set(df, low_[axis])));
+            };
+            met |= bits_of(hn::And(overlap(0), hn::And(overlap(1), overlap(2)))) << i;
+        }
+        return met;
+    }
+
+  private:
+    float low_[3], high_[3];
 };
 
 } // namespace

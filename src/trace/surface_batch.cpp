@@ -266,6 +266,8 @@ const std::array<SurfaceKernels, kernel_targets> surface_kernels{{
     {HWY_CHOOSE_FALLBACK(closest_in_vectors), HWY_CHOOSE_FALLBACK(occluded_in_vectors)},
     {HWY_CHOOSE_SSE4(closest_in_vectors), HWY_CHOOSE_SSE4(occluded_in_vectors)},
     {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
+    // Wider vectors would gain nothing here.
+    {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
 }};
 
 } // namespace glint

@@ -48,7 +48,8 @@ TEST_P(Rendering, KernelsAndSimdTargetsChangeNoBit) {
     const Scene frozen = freeze(scene(2));
     const std::string expected = picture_hash(render(frozen, with(1, 16)).image);
     for (const Kernel kernel : {Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
-        for (const SimdTarget target : {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2}) {
+        for (const SimdTarget target :
+             {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
             if (!is_available(target)) continue;
             RenderOptions options = with(2, 16);
             options.kernel = {kernel, target};

@@ -116,6 +116,7 @@ std::vector<NamedChoice> choices() {
     const std::pair<const char*, SimdTarget> targets[] = {{"plain", SimdTarget::plain},
                                                           {"sse4", SimdTarget::sse4},
                                                           {"avx2", SimdTarget::avx2},
+                                                          {"avx512", SimdTarget::avx512},
                                                           {"best", SimdTarget::best}};
     for (const auto& [name, target] : targets)
         for (const Kernel kernel : {Kernel::automatic, Kernel::lone, Kernel::packets, Kernel::streams})
@@ -203,7 +204,7 @@ TEST(Kernels, HitTheFirstOfEqualTriangles) {
 
 TEST(Kernels, RefuseTargetsThatTheMachineLacks) {
     const MeshTree tree = soup(2, 10, 1.0f).tree();
-    for (const SimdTarget target : {SimdTarget::sse4, SimdTarget::avx2}) {
+    for (const SimdTarget target : {SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
         const KernelChoice choice{Kernel::lone, target};
         if (is_available(target)) {
             EXPECT_NO_THROW(closest(tree, Ray{}, choice));

@@ -47,7 +47,7 @@ TEST(Tracing, EveryKernelAndTargetGivesTheBitsOfBruteForce) {
     for (const Kernel kernel :
          {Kernel::automatic, Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
         for (const SimdTarget target :
-             {SimdTarget::best, SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2}) {
+             {SimdTarget::best, SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
             const KernelChoice choice{kernel, target};
             std::vector<Hit> hits(rays.size());
             std::vector<std::uint8_t> blocked(rays.size());

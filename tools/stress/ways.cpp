@@ -11,12 +11,15 @@ std::span<const Way> ways() {
         {"single plain", {Kernel::lone, SimdTarget::plain}},
         {"single sse4", {Kernel::lone, SimdTarget::sse4}},
         {"single avx2", {Kernel::lone, SimdTarget::avx2}},
+        {"single avx512", {Kernel::lone, SimdTarget::avx512}},
         {"packet plain", {Kernel::packets, SimdTarget::plain}},
         {"packet sse4", {Kernel::packets, SimdTarget::sse4}},
         {"packet avx2", {Kernel::packets, SimdTarget::avx2}},
+        {"packet avx512", {Kernel::packets, SimdTarget::avx512}},
         {"stream plain", {Kernel::streams, SimdTarget::plain}},
         {"stream sse4", {Kernel::streams, SimdTarget::sse4}},
         {"stream avx2", {Kernel::streams, SimdTarget::avx2}},
+        {"stream avx512", {Kernel::streams, SimdTarget::avx512}},
     };
     static_assert(std::size(all) <= most_ways);
     static const std::vector<Way> here = [] {
