@@ -25,7 +25,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// the origin's largest |coordinate|.
 class BoxRays {
   public:
-    BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
+    HWY_INLINE BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
         : origin_(rays.line.origin), tmin_(rays.tmin) {
         const Vec& d = rays.line.direction;
         const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
@@ -42,7 +42,7 @@ class BoxRays {
     }
 
     /// Which rays may meet the box between their tmin and `limit`; `enter` says where.
-    Mask meet(const vec3& lo, const vec3& hi, Doubles limit, Doubles& enter) const {
+    HWY_INLINE Mask meet(const vec3& lo, const vec3& hi, Doubles limit, Doubles& enter) const {
         Doubles leave = limit;
         enter = tmin_;
         slab(origin_.x, inverse_.x, lo.x, hi.x, enter, leave);
@@ -52,7 +52,8 @@ class BoxRays {
     }
 
   private:
-    void slab(Doubles from, Doubles inverse, float lo, float hi, Doubles& enter, Doubles& leave) const {
+    HWY_INLINE void slab(Doubles from, Doubles inverse, float lo, float hi, Doubles& enter,
+                         Doubles& leave) const {
         const Doubles one = hn::Mul(hn::Sub(hn::Sub(all(double(lo)), pad_), from), inverse);
         const Doubles other = hn::Mul(hn::Sub(hn::Add(all(double(hi)), pad_), from), inverse);
         enter = hn::Max(enter, hn::Min(one, other));
@@ -91,7 +92,7 @@ bool in_cylinder(const Lines& line, const Cylinder& cylinder, Inside& in) {
     return true;
 }
 
-bool in_quadric(const WorldData& world, const Quadric& quadric, Lines line, Inside& in) {
+bool in_special(const WorldData& world, const Quadric& quadric, Lines line, Inside& in) {
     if (quadric.affine >= 0) {
         const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
         line = {transformed(affine.inverse, line.origin - all(affine.translation)),
@@ -101,8 +102,15 @@ bool in_quadric(const WorldData& world, const Quadric& quadric, Lines line, Insi
     return in_ball(line.origin - all(quadric.shape.base), line.direction, quadric.shape.radius, in);
 }
 
+/// Most are plain spheres: they need no call.
+HWY_INLINE bool in_quadric(const WorldData& world, const Quadric& quadric, const Lines& line, Inside& in) {
+    if (quadric.kind == PrimKind::sphere && quadric.affine < 0)
+        return in_ball(line.origin - all(quadric.shape.base), line.direction, quadric.shape.radius, in);
+    return in_special(world, quadric, line, in);
+}
+
 /// Does a hit at `exact` count, its t rounded to float?
-Mask takes(const Rays& rays, Mask met, Doubles exact, Doubles near) {
+HWY_INLINE Mask takes(const Rays& rays, Mask met, Doubles exact, Doubles near) {
     return hn::And(met, hn::And(hn::Gt(exact, rays.tmin), hn::Lt(near, rays.tmax)));
 }
 
@@ -112,7 +120,7 @@ struct Least {
     Doubles t = all(std::numeric_limits<double>::infinity());
     Doubles root = hn::Zero(dd);
 
-    void add(Mask met, Doubles exact, double number) {
+    HWY_INLINE void add(Mask met, Doubles exact, double number) {
         const Doubles near = rounded(exact);
         const Doubles it = all(number);
         const Mask closer = hn::Or(hn::Lt(near, t), hn::And(hn::Eq(near, t), hn::Lt(it, root)));
@@ -129,7 +137,7 @@ struct AnyHit {
     const Rays& rays;
     Mask found = hn::FirstN(dd, 0);
 
-    void add(Mask met, Doubles exact, double) {
+    HWY_INLINE void add(Mask met, Doubles exact, double) {
         found = hn::Or(found, takes(rays, met, exact, rounded(exact)));
     }
     bool done() const { return hn::AllTrue(dd, found); }
@@ -139,7 +147,7 @@ struct AnyHit {
 };
 
 template <class Sink>
-void meet_plane(const NumberedPlane& numbered, const Lines& line, Sink& sink) {
+HWY_INLINE void meet_plane(const NumberedPlane& numbered, const Lines& line, Sink& sink) {
     const Vec normal = all(numbered.plane.normal);
     const Doubles fall = dot(normal, line.direction);
     const Doubles t = hn::Div(hn::Sub(all(numbered.plane.offset), dot(normal, line.origin)), fall);
@@ -147,8 +155,8 @@ void meet_plane(const NumberedPlane& numbered, const Lines& line, Sink& sink) {
 }
 
 template <class Sink>
-void meet_quadrics(const WorldData& world, std::size_t first, std::size_t count, const Lines& line,
-                   Sink& sink) {
+HWY_INLINE void meet_quadrics(const WorldData& world, std::size_t first, std::size_t count, const Lines& line,
+                              Sink& sink) {
     for (std::size_t i = first; i < first + count && !sink.done(); ++i) {
         const Quadric& quadric = world.quadrics[i];
         Inside in;
@@ -204,7 +212,7 @@ std::uint32_t bits_of(Mask mask) {
     return bits[0];
 }
 
-std::uint32_t mesh_ahead_of(const TriangleBounds& bounds, const Rays& rays, Doubles limit) {
+HWY_INLINE std::uint32_t mesh_ahead_of(const TriangleBounds& bounds, const Rays& rays, Doubles limit) {
     if (bounds.box.empty()) return 0u;
     Doubles enter;
     return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box.lo, bounds.box.hi, limit, enter));

@@ -25,14 +25,16 @@ struct Points {
     Doubles slack;
 };
 
-Doubles largest(const Vec& v) { return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z))); }
-Vec at(const Lines& line, Doubles t) { return line.origin + line.direction * t; }
-Vec chosen(Mask mask, const Vec& one, const Vec& other) {
+HWY_INLINE Doubles largest(const Vec& v) {
+    return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
+}
+HWY_INLINE Vec at(const Lines& line, Doubles t) { return line.origin + line.direction * t; }
+HWY_INLINE Vec chosen(Mask mask, const Vec& one, const Vec& other) {
     return {hn::IfThenElse(mask, one.x, other.x), hn::IfThenElse(mask, one.y, other.y),
             hn::IfThenElse(mask, one.z, other.z)};
 }
 
-Points on_plane(const Plane& plane, const Lines& line) {
+HWY_INLINE Points on_plane(const Plane& plane, const Lines& line) {
     const Vec normal = all(plane.normal);
     const double squared = glm::dot(plane.normal, plane.normal);
     const Doubles offset = all(plane.offset);
@@ -43,7 +45,7 @@ Points on_plane(const Plane& plane, const Lines& line) {
             hn::Mul(all(surface_error), hn::Add(largest(line.origin), largest(p)))};
 }
 
-Points on_sphere(const Quadric& sphere, const Lines& line, Mask leaving) {
+HWY_INLINE Points on_sphere(const Quadric& sphere, const Lines& line, Mask leaving) {
     const Vec center = all(sphere.shape.base);
     Inside in{hn::Zero(dd), hn::Zero(dd), hn::FirstN(dd, 0)};
     in_ball(line.origin - center, line.direction, sphere.shape.radius, in);
@@ -53,14 +55,18 @@ Points on_sphere(const Quadric& sphere, const Lines& line, Mask leaving) {
     return {center + n * all(sphere.shape.radius), n, all(surface_error * size_of(sphere))};
 }
 
-Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, Mask leaving) {
+HWY_INLINE Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, Mask leaving) {
     const SurfaceName& name = world.surfaces[number];
     if (name.kind == PrimKind::plane) return on_plane(world.planes[name.index].plane, line);
     return on_sphere(world.quadrics[name.index], line, leaving);
 }
 
+HWY_INLINE bool same_primitive(const Hit& a, const Hit& b) {
+    return a.object == b.object && a.prim == b.prim && a.kind == b.kind;
+}
+
 /// Rounds to float, with half a float's spacing and the slack as the error.
-void store(const Points& points, const SurfaceRows& rows, std::size_t first) {
+HWY_INLINE void store(const Points& points, const SurfaceRows& rows, std::size_t first) {
     const auto slack = hn::DemoteTo(df, points.slack);
     const Doubles p[3] = {points.p.x, points.p.y, points.p.z};
     const Doubles n[3] = {points.n.x, points.n.y, points.n.z};
@@ -80,14 +86,17 @@ void surfaces_in_vectors(const WorldData& world, const Ray* rays, const Hit* hit
     for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
         alignas(64) double number[lanes];
         alignas(64) double root[lanes];
+        // Neighbours mostly hit the same: few searches, and few rounds, one for each of the surfaces hit.
+        const Hit* last = nullptr;
+        std::uint32_t surface = no_surface;
         for (std::size_t k = 0; k < lanes; ++k) {
             const Hit& hit = hits[first + std::min(k, n - 1)];
+            if (last == nullptr || !same_primitive(*last, hit)) surface = plain_surface(world, hit);
+            last = &hit;
             root[k] = double(hit.u);
-            const std::uint32_t surface = plain_surface(world, hit);
             number[k] = double(surface);
             if (k < n) done[first + k] = surface != no_surface ? 1 : 0;
         }
-        // Neighbours mostly hit the same: few rounds, one for each of the surfaces hit.
         const Doubles numbers = hn::Load(dd, number);
         const Mask leaving = hn::Ne(hn::Load(dd, root), hn::Zero(dd));
         Points points{vector.line.origin, vector.line.origin, hn::Zero(dd)};

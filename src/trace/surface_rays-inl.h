@@ -75,7 +75,7 @@ struct Rays {
     Lines line;
     Doubles tmin, tmax; ///< a hit has tmin < t, and t < tmax when it is rounded
 
-    explicit Rays(const Ray* rays) {
+    HWY_INLINE explicit Rays(const Ray* rays) {
         load(rays);
         // Each product is 0, or NaN where a value is not finite.
         const Doubles zero = hn::Zero(dd);
@@ -89,14 +89,14 @@ struct Rays {
 
   private:
 #if HWY_TARGET == HWY_SCALAR
-    void load(const Ray* ray) {
+    HWY_INLINE void load(const Ray* ray) {
         line = {all(dvec3(ray->origin)), all(dvec3(ray->direction))};
         tmin = all(double(ray->tmin));
         tmax = all(double(ray->tmax));
     }
 #else
     // Of each ray there are two groups of four numbers: origin and tmin, direction and tmax.
-    void load(const Ray* rays) {
+    HWY_INLINE void load(const Ray* rays) {
         hn::Vec<decltype(halves)> x, y, z, t;
         hn::LoadInterleaved4(halves, &rays->origin.x, x, y, z, t);
         line = {{first(x), first(y), first(z)}, {second(x), second(y), second(z)}};
@@ -104,10 +104,10 @@ struct Rays {
         tmax = second(t);
     }
     static constexpr hn::Twice<hn::Rebind<float, hn::CappedTag<double, 8>>> halves{};
-    static Doubles first(hn::Vec<decltype(halves)> v) {
+    static HWY_INLINE Doubles first(hn::Vec<decltype(halves)> v) {
         return hn::PromoteTo(dd, hn::LowerHalf(df, hn::ConcatEven(halves, v, v)));
     }
-    static Doubles second(hn::Vec<decltype(halves)> v) {
+    static HWY_INLINE Doubles second(hn::Vec<decltype(halves)> v) {
         return hn::PromoteTo(dd, hn::LowerHalf(df, hn::ConcatOdd(halves, v, v)));
     }
 #endif
