@@ -31,6 +31,7 @@ struct Flights {
     Row<Term> branches;                   ///< what it brings its parent
     Numbers weights;                      ///< what its light counts there
     std::array<Vectors, term_count> terms;
+    Vectors sums; ///< of the terms
 
     // The surface: p, p_error, n as in SurfacePoint, then turned to the viewer as in WhittedTracer::Surface.
     Vectors p, p_error, n_g, n, v, color;

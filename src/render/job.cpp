@@ -33,6 +33,8 @@ class Job {
           area_(checked_area()) {
         tile_ = std::max(1, options.tile_size);
         while (4 * block_ * block_ * settings_.spp <= batch_samples) block_ *= 2;
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block_ * block_); ++i)
+            block_pixels_.push_back({morton_x(i), morton_y(i)});
         columns_ = (area_.width + tile_ - 1) / tile_;
         rows_ = (area_.height + tile_ - 1) / tile_;
         picture_.image = Image(area_.width, area_.height);
@@ -113,22 +115,29 @@ class Job {
     /// The block of pixels at x, y, as far as it lies in the tile: all their samples together.
     void render_block(int x, int y, const Rect& tile, Worker& worker) {
         worker.pixels.clear();
-        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block_ * block_); ++i) {
-            const Pixel pixel{x + morton_x(i), y + morton_y(i)};
+        for (const Pixel& place : block_pixels_) {
+            const Pixel pixel{x + place.x, y + place.y};
             if (pixel.x < tile.x + tile.width && pixel.y < tile.y + tile.height)
                 worker.pixels.push_back(pixel);
         }
         const int count = std::min(settings_.spp, batch_samples);
         worker.count = 0;
         for (const Pixel& pixel : worker.pixels) add_samples(pixel, 0, count, worker);
-        worker.tracer.trace({worker.samples.data(), worker.count});
+        worker.tracer.trace({worker.samples.data(), worker.count},
+                            settings_.spp > 1 || options_.terms || options_.coverage);
         for (std::size_t i = 0; i < worker.pixels.size(); ++i) {
-            const std::size_t first = i * static_cast<std::size_t>(count);
             if (settings_.spp == 1)
-                store(worker.pixels[i], worker.samples[i].terms, worker.samples[i].covered ? 1.0f : 0.0f);
+                store_only(worker.pixels[i], worker.samples[i]);
             else
-                store_sum(worker.pixels[i], first, worker);
+                store_sum(worker.pixels[i], i * static_cast<std::size_t>(count), worker);
         }
+    }
+
+    /// A pixel that has one sample.
+    void store_only(const Pixel& pixel, const Sample& sample) {
+        if (options_.terms || options_.coverage)
+            return store(pixel, sample.terms, sample.covered ? 1.0f : 0.0f);
+        write(picture_.image.at(pixel.x, pixel.y), sample.radiance);
     }
 
     /// One pixel's mean, from its samples in the batch; those that a batch cannot hold are traced now.
@@ -219,7 +228,8 @@ class Job {
     const SamplePlaces places_;
     const Rect area_;
     int tile_ = 16;
-    int block_ = 1; ///< side of the squares of pixels that are traced together
+    int block_ = 1;                   ///< side of the squares of pixels that are traced together
+    std::vector<Pixel> block_pixels_; ///< of the first such square, in the order of their samples
     int columns_ = 0;
     int rows_ = 0;
     double start_ = 0;

@@ -2,7 +2,6 @@
 
 #include "render/shade_batch.h"
 
-#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -285,20 +284,18 @@ std::size_t reflect(const FrozenScene& scene, Level level, std::size_t next, Fli
     return next - first;
 }
 
-void bring(Level level, Flights& f) {
+void sum_terms(Level level, Flights& f) {
     for_vectors(level, [&](std::size_t i) {
         vec3 sum = load(f.terms[0], i);
         for (std::size_t term = 1; term < term_count; ++term) sum = sum + load(f.terms[term], i);
-        sum = sum * load(f.weights, i);
-        alignas(64) float brought[3][lane_count];
-        lanes::store(sum.x, brought[0]);
-        lanes::store(sum.y, brought[1]);
-        lanes::store(sum.z, brought[2]);
-        const std::size_t count = std::min(lane_count, level.first + level.count - i);
-        for (std::size_t k = 0; k < count; ++k)
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                row(f, f.branches[i + k])[axis][f.parents[i + k]] = brought[axis][k];
+        store(sum, f.sums, i);
     });
+}
+
+void bring(Level level, Flights& f) {
+    for (std::size_t i = level.first; i < level.first + level.count; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            row(f, f.branches[i])[axis][f.parents[i]] = f.sums[axis][i] * f.weights[i];
 }
 
 } // namespace HWY_NAMESPACE
@@ -311,7 +308,7 @@ namespace glint {
 #define GLINT_SHADE_KERNELS(CHOOSE)                                                                          \
     {                                                                                                        \
         CHOOSE(set_up), CHOOSE(start_terms), CHOOSE(aim), CHOOSE(add_light), CHOOSE(limit_terms),            \
-            CHOOSE(reflect), CHOOSE(bring)                                                                   \
+            CHOOSE(reflect), CHOOSE(sum_terms), CHOOSE(bring)                                                \
     }
 const std::array<ShadeKernels, kernel_targets> shade_kernels{{GLINT_SHADE_KERNELS(HWY_CHOOSE_FALLBACK),
                                                               GLINT_SHADE_KERNELS(HWY_CHOOSE_SSE4),

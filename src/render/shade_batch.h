@@ -23,7 +23,9 @@ struct ShadeKernels {
     void (*limit_terms)(const FrozenScene& scene, Level level, Flights& flights);
     /// Mirror rays of opaque surfaces: weighs the local terms, writes the rays from `next` on; how many.
     std::size_t (*reflect)(const FrozenScene& scene, Level level, std::size_t next, Flights& flights);
-    /// Hands each flight's light to its parent.
+    /// Adds the terms up.
+    void (*sum_terms)(Level level, Flights& flights);
+    /// Hands each flight's sum to its parent.
     void (*bring)(Level level, Flights& flights);
 };
 extern const std::array<ShadeKernels, kernel_targets> shade_kernels;

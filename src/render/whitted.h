@@ -27,7 +27,8 @@ struct RayCounts {
 struct Sample {
     vec3 origin{0.0f};
     vec3 direction{0.0f};
-    Terms terms{};
+    vec3 radiance{0.0f};
+    Terms terms{};        ///< whose sum it is
     bool covered = false; ///< did it hit anything?
 };
 
@@ -44,7 +45,8 @@ class WhittedTracer {
                 bool* covered = nullptr);
     /// The same for many, to the bit, level by level: all primary rays, their shadow rays, their branches …
     /// With Kernel::scalar one after another.
-    void trace(std::span<Sample> samples);
+    /// `terms` says whether they are wanted beside the radiance.
+    void trace(std::span<Sample> samples, bool terms = true);
 
     const RayCounts& counts() const { return counts_; }
 
@@ -89,7 +91,9 @@ class WhittedTracer {
     // A batch of rays, level by level (whitted_batch.cpp).
     void trace_alone(std::span<Sample> samples);
     void start(std::span<const Sample> samples);
+    void finish(std::span<Sample> samples, bool terms);
     void find_hits(Level level);
+    void choose_materials(Level level);
     bool is_special(std::uint32_t object) const;
     void set_up_alone(std::size_t i);
     void add_light(const FrozenLight& light, Level level);

@@ -34,9 +34,9 @@ SurfaceRows surface_rows(Flights& f, std::size_t first) {
 
 } // namespace
 
-void WhittedTracer::trace(std::span<Sample> samples) {
+void WhittedTracer::trace(std::span<Sample> samples, bool terms) {
     for (; samples.size() > Flights::most; samples = samples.subspan(Flights::most))
-        trace(samples.first(Flights::most));
+        trace(samples.first(Flights::most), terms);
     if (kernel_.kernel == Kernel::scalar) return trace_alone(samples);
     arena_.clear();
     record_ = nullptr;
@@ -52,15 +52,14 @@ void WhittedTracer::trace(std::span<Sample> samples) {
         level = grow(level, static_cast<int>(levels_.size()) - 1);
     }
     gather();
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        samples[i].terms = terms_of(i);
-        samples[i].covered = static_cast<bool>(flights_->hits[i]);
-    }
+    finish(samples, terms);
 }
 
 void WhittedTracer::trace_alone(std::span<Sample> samples) {
-    for (Sample& sample : samples)
+    for (Sample& sample : samples) {
         sample.terms = trace(sample.origin, sample.direction, nullptr, &sample.covered);
+        sample.radiance = sample.terms.sum();
+    }
 }
 
 void WhittedTracer::start(std::span<const Sample> samples) {
@@ -75,25 +74,40 @@ void WhittedTracer::start(std::span<const Sample> samples) {
     }
 }
 
+void WhittedTracer::finish(std::span<Sample> samples, bool terms) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i].radiance = at(flights_->sums, i);
+        samples[i].covered = static_cast<bool>(flights_->hits[i]);
+        if (terms) samples[i].terms = terms_of(i);
+    }
+}
+
 void WhittedTracer::find_hits(Level level) {
     Flights& f = *flights_;
     const std::span<Hit> hits = part(f.hits, level);
     scene_.world.closest(part(f.rays, level), hits, RayHint::coherent, scratch_, kernel_);
-    for (std::size_t i = level.first; i < level.first + level.count; ++i) {
-        Hit& hit = f.hits[i];
-        if (f.media[i] != nullptr) pass_hidden(f.rays[i], hit, f.media[i]);
-        if (hit)
-            f.materials[i] = &scene_.materials[scene_.objects[hit.object].material];
-        else
-            f.materials[i] = f.media[i] == nullptr ? &background_ : &darkness_;
-    }
-    std::fill(&f.materials[level.first + level.count], f.materials.data() + level.end(), &darkness_);
+    if (scene_.any_transparent)
+        for (std::size_t i = level.first; i < level.first + level.count; ++i)
+            if (f.media[i] != nullptr) pass_hidden(f.rays[i], f.hits[i], f.media[i]);
+    choose_materials(level);
     const std::span<std::uint8_t> done = part(f.blocked, level);
     scene_.world.surfaces(part(f.rays, level), hits, surface_rows(f, level.first), done, kernel_);
     shade_->set_up(scene_, level, f);
     for (std::size_t i = level.first; i < level.first + level.count; ++i)
         if (f.hits[i] && (f.blocked[i] == 0 || is_special(f.hits[i].object))) set_up_alone(i);
     shade_->start_terms(scene_, level, f);
+}
+
+/// Nothing, as a material, is what is seen there.
+void WhittedTracer::choose_materials(Level level) {
+    Flights& f = *flights_;
+    const FrozenObject* objects = scene_.objects.data();
+    const FrozenMaterial* materials = scene_.materials.data();
+    for (std::size_t i = level.first; i < level.first + level.count; ++i) {
+        const FrozenMaterial* nothing = f.media[i] == nullptr ? &background_ : &darkness_;
+        f.materials[i] = f.hits[i] ? &materials[objects[f.hits[i].object].material] : nothing;
+    }
+    std::fill(&f.materials[level.first + level.count], f.materials.data() + level.end(), &darkness_);
 }
 
 /// Is more to be known of its surfaces than planes and spheres tell?
@@ -121,10 +135,15 @@ void WhittedTracer::add_light(const FrozenLight& light, Level level) {
     counts_.shadow += count;
     scene_.world.occluded(part(f.shadow_rays, level), part(f.blocked, level), RayHint::coherent, scratch_,
                           kernel_);
+    // Only some of a scene with glass: media and light from behind tell whether there is a need to walk.
+    const bool transmissive = settings_.shadows == Shadows::transmissive;
     if (scene_.any_transparent)
-        for (std::size_t i = level.first; i < level.first + level.count; ++i)
-            f.through[i] =
-                f.blocked[i] != 0 ? behind_blockers(f.shadow_rays[i], surface_of(i), f.media[i]) : 0.0f;
+        for (std::size_t i = level.first; i < level.first + level.count; ++i) {
+            const bool walk = transmissive || f.media[i] != nullptr || f.lit_side[i] < 0.0f;
+            f.through[i] = f.blocked[i] != 0 && walk
+                               ? behind_blockers(f.shadow_rays[i], surface_of(i), f.media[i])
+                               : 0.0f;
+        }
     shade_->add_light(scene_, level, f);
 }
 
@@ -225,12 +244,13 @@ void WhittedTracer::gather() {
     Flights& f = *flights_;
     for (std::size_t n = levels_.size(); n-- > 0;) {
         const Level level = levels_[n];
-        for (std::size_t i = level.first; i < level.first + level.count; ++i) {
+        for (std::size_t i = level.first; scene_.any_transparent && i < level.first + level.count; ++i) {
             if (f.media[i] == nullptr || !f.hits[i]) continue;
             Terms terms = terms_of(i);
             absorb(f.media[i], f.hits[i].t, terms, -1);
             put_terms(terms, i);
         }
+        shade_->sum_terms(level, f);
         if (n > 0) shade_->bring(level, f);
     }
 }

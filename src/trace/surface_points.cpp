@@ -3,8 +3,6 @@
 
 #include "trace/surface_batch.h"
 
-#include <cmath>
-
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/surface_points.cpp"
@@ -34,14 +32,13 @@ HWY_INLINE Vec chosen(Mask mask, const Vec& one, const Vec& other) {
             hn::IfThenElse(mask, one.z, other.z)};
 }
 
-HWY_INLINE Points on_plane(const Plane& plane, const Lines& line) {
-    const Vec normal = all(plane.normal);
-    const double squared = glm::dot(plane.normal, plane.normal);
-    const Doubles offset = all(plane.offset);
+HWY_INLINE Points on_plane(const NumberedPlane& numbered, const Lines& line) {
+    const Vec normal = all(numbered.plane.normal);
+    const Doubles offset = all(numbered.plane.offset);
     const Doubles t = hn::Div(hn::Sub(offset, dot(normal, line.origin)), dot(normal, line.direction));
     const Vec p = at(line, t);
-    const Doubles off = hn::Div(hn::Sub(offset, dot(normal, p)), all(squared));
-    return {p + normal * off, all(plane.normal / std::sqrt(squared)),
+    const Doubles off = hn::Div(hn::Sub(offset, dot(normal, p)), all(numbered.squared));
+    return {p + normal * off, all(numbered.unit),
             hn::Mul(all(surface_error), hn::Add(largest(line.origin), largest(p)))};
 }
 
@@ -57,7 +54,7 @@ HWY_INLINE Points on_sphere(const Quadric& sphere, const Lines& line, Mask leavi
 
 HWY_INLINE Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, Mask leaving) {
     const SurfaceName& name = world.surfaces[number];
-    if (name.kind == PrimKind::plane) return on_plane(world.planes[name.index].plane, line);
+    if (name.kind == PrimKind::plane) return on_plane(world.planes[name.index], line);
     return on_sphere(world.quadrics[name.index], line, leaving);
 }
 

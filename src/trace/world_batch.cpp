@@ -5,6 +5,7 @@
 #include "trace/world.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace glint {
 
@@ -21,6 +22,19 @@ T* room_for(std::vector<T>& v, std::size_t count) {
     return v.data();
 }
 
+/// Calls use(i) for every flag that is set, passing over eight at once where none is: neighbours are alike.
+template <class Use>
+void for_each_set(std::span<const std::uint8_t> flags, Use&& use) {
+    for (std::size_t i = 0; i < flags.size(); i += 8) {
+        std::uint64_t eight = 0;
+        const std::size_t count = std::min<std::size_t>(8, flags.size() - i);
+        std::memcpy(&eight, &flags[i], count);
+        if (eight == 0) continue;
+        for (std::size_t k = i; k < i + count; ++k)
+            if (flags[k] != 0) use(static_cast<std::uint32_t>(k));
+    }
+}
+
 } // namespace
 
 void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch,
@@ -33,12 +47,11 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
     Ray* open = room_for(scratch.rays, count);
     std::uint32_t* numbers = room_for(scratch.numbers, count);
     std::size_t left = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for_each_set({mesh_ahead, count}, [&](std::uint32_t i) {
         open[left] = rays[i];
         if (hits[i]) open[left].tmax = next_float(hits[i].t, 1.0f);
-        numbers[left] = i;
-        left += mesh_ahead[i];
-    }
+        numbers[left++] = i;
+    });
     if (!data_->mesh_tree.nodes.empty()) {
         TriangleRecord* records = room_for(scratch.records, left);
         glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
@@ -66,11 +79,10 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
     Ray* open = room_for(scratch.rays, count);
     std::uint32_t* numbers = room_for(scratch.numbers, count);
     std::size_t left = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for_each_set({mesh_ahead, count}, [&](std::uint32_t i) {
         open[left] = rays[i];
-        numbers[left] = i;
-        left += mesh_ahead[i];
-    }
+        numbers[left++] = i;
+    });
     // The flags are read: their place is free for the answers.
     std::uint8_t* answers = mesh_ahead;
     if (!data_->mesh_tree.nodes.empty()) {

@@ -169,7 +169,10 @@ World::World(WorldInput input, TaskPool& pool) {
         const dmat3 linear(m);
         world->affines.push_back({linear, inverted(linear), dvec3(m[3])});
     }
-    for (const auto& p : input.planes) world->planes.push_back({p.object, 0, {p.normal, p.offset}});
+    for (const auto& p : input.planes) {
+        const double squared = glm::dot(p.normal, p.normal);
+        world->planes.push_back({p.object, 0, {p.normal, p.offset}, squared, p.normal / std::sqrt(squared)});
+    }
     std::sort(world->planes.begin(), world->planes.end(),
               [](auto& a, auto& b) { return a.object < b.object; });
 

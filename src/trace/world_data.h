@@ -33,6 +33,8 @@ struct NumberedPlane {
     std::uint32_t object = 0;
     std::uint32_t surface = 0; ///< index into WorldData::surfaces
     Plane plane;
+    double squared = 1;      ///< normal · normal
+    dvec3 unit{0.0, 0.0, 1}; ///< the normal of unit length
 };
 
 /// Whose a plane or quadric is.
