@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace glint::ply {
 
@@ -85,12 +86,13 @@ class BinaryCursor {
         value_ = at_;
         at_ += sizeof(Bits);
         const char* bytes = source_.text().data() + value_;
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < sizeof(Bits); ++i) {
-            const std::size_t k = order == std::endian::little ? sizeof(Bits) - 1 - i : i;
-            bits = bits << 8 | static_cast<unsigned char>(bytes[k]);
-        }
-        return static_cast<Bits>(bits);
+        Bits bits;
+        std::memcpy(&bits, bytes, sizeof bits);
+        if constexpr (order == std::endian::native) return bits;
+        std::uint64_t turned = 0;
+        for (std::size_t i = 0; i < sizeof(Bits); ++i)
+            turned = turned << 8 | (bits >> 8 * i & 0xff);
+        return static_cast<Bits>(turned);
     }
 
     template <class Bits, class Value, class Visit>
