@@ -49,13 +49,16 @@ TEST_P(RayTreeOf, ABatchBringsWhatItsRaysBringAlone) {
         bool hit = false;
         alone.push_back(tracer.trace(origin, direction, nullptr, &hit));
         covered.push_back(hit);
-        samples.push_back({origin, direction, {}, false});
+        samples.emplace_back();
+        samples.back().origin = origin;
+        samples.back().direction = direction;
     });
     const Scene scene = freeze(GetParam().scene);
     WhittedTracer tracer(scene.frozen());
     tracer.trace(samples);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         EXPECT_EQ(samples[i].terms.value, alone[i].value) << "ray " << i;
+        EXPECT_EQ(samples[i].radiance, alone[i].sum()) << "ray " << i;
         EXPECT_EQ(samples[i].covered, covered[i]) << "ray " << i;
     }
 }
