@@ -90,8 +90,7 @@ class BinaryCursor {
         std::memcpy(&bits, bytes, sizeof bits);
         if constexpr (order == std::endian::native) return bits;
         std::uint64_t turned = 0;
-        for (std::size_t i = 0; i < sizeof(Bits); ++i)
-            turned = turned << 8 | (bits >> 8 * i & 0xff);
+        for (std::size_t i = 0; i < sizeof(Bits); ++i) turned = turned << 8 | (bits >> 8 * i & 0xff);
         return static_cast<Bits>(turned);
     }
 

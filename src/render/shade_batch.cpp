@@ -310,9 +310,9 @@ namespace glint {
         CHOOSE(set_up), CHOOSE(start_terms), CHOOSE(aim), CHOOSE(add_light), CHOOSE(limit_terms),            \
             CHOOSE(reflect), CHOOSE(sum_terms), CHOOSE(bring)                                                \
     }
-const std::array<ShadeKernels, kernel_targets> shade_kernels{{GLINT_SHADE_KERNELS(HWY_CHOOSE_FALLBACK),
-                                                              GLINT_SHADE_KERNELS(HWY_CHOOSE_SSE4),
-                                                              GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2)}};
+const std::array<ShadeKernels, kernel_targets> shade_kernels{
+    {GLINT_SHADE_KERNELS(HWY_CHOOSE_FALLBACK), GLINT_SHADE_KERNELS(HWY_CHOOSE_SSE4),
+     GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2), GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2)}};
 #undef GLINT_SHADE_KERNELS
 
 } // namespace glint

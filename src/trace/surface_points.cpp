@@ -118,9 +118,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint {
 
-const std::array<PointKernel, kernel_targets> point_kernels{{HWY_CHOOSE_FALLBACK(surfaces_in_vectors),
-                                                             HWY_CHOOSE_SSE4(surfaces_in_vectors),
-                                                             HWY_CHOOSE_AVX2(surfaces_in_vectors)}};
+const std::array<PointKernel, kernel_targets> point_kernels{
+    {HWY_CHOOSE_FALLBACK(surfaces_in_vectors), HWY_CHOOSE_SSE4(surfaces_in_vectors),
+     HWY_CHOOSE_AVX2(surfaces_in_vectors), HWY_CHOOSE_AVX2(surfaces_in_vectors)}};
 
 } // namespace glint
 #endif
