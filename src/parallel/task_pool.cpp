@@ -20,6 +20,7 @@ struct TaskPool::State {
     std::condition_variable job_posted;
     std::condition_variable job_done;
     std::vector<std::thread> helpers; ///< workers 1, 2, …; the caller of run() is worker 0
+    const std::atomic<bool>* cancel = nullptr;
 
     // The job, written under the mutex before `generation` moves on and constant until `busy` is 0 again.
     const std::function<void(std::size_t, int)>* body = nullptr;
@@ -45,6 +46,7 @@ struct TaskPool::State {
         try {
             std::size_t task = static_cast<std::size_t>(worker);
             while (task < count && !stopped.load(std::memory_order_relaxed)) {
+                if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) throw TasksCancelled();
                 (*body)(task, worker);
                 task = next.fetch_add(1, std::memory_order_relaxed);
             }
@@ -79,7 +81,8 @@ struct TaskPool::State {
     }
 };
 
-TaskPool::TaskPool(int threads) : state_(std::make_unique<State>()) {
+TaskPool::TaskPool(int threads, const std::atomic<bool>* cancel) : state_(std::make_unique<State>()) {
+    state_->cancel = cancel;
     const int wanted = threads > 0 ? threads : available_threads();
     // A machine that refuses a thread refuses the pool: those already started must end first.
     try {

@@ -1,7 +1,9 @@
 #pragma once
 // The one owner of threads. No other room starts, joins or counts them.
 
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <memory>
 
@@ -10,11 +12,17 @@ namespace glint {
 /// The number of cores that this process may use, at least 1.
 int available_threads();
 
+/// Thrown by TaskPool::run() where the pool's flag was set.
+class TasksCancelled : public std::exception {
+  public:
+    const char* what() const noexcept override { return "cancelled"; }
+};
+
 /// Exactly `threads` threads, the caller's among them, parked between jobs.
 class TaskPool {
   public:
-    /// 0: available_threads().
-    explicit TaskPool(int threads = 0);
+    /// 0: available_threads(). Once `cancel` is set, no task begins any more.
+    explicit TaskPool(int threads = 0, const std::atomic<bool>* cancel = nullptr);
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
     TaskPool& operator=(const TaskPool&) = delete;
@@ -23,8 +31,8 @@ class TaskPool {
 
     /// Calls body(task, worker) once for each task in [0, count), worker in [0, threads()), and returns when
     /// all are done. Worker w begins with task w, so that every thread takes part whenever count ≥ threads();
-    /// the rest is handed out in order. The first exception ends the hand-out and is thrown again here. Not
-    /// reentrant.
+    /// the rest is handed out in order. The first exception ends the hand-out and is thrown again here;
+    /// TasksCancelled where tasks were left out because the pool was cancelled. Not reentrant.
     void run(std::size_t count, const std::function<void(std::size_t task, int worker)>& body);
 
   private:
