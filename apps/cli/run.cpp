@@ -55,6 +55,7 @@ int code_of(ErrorKind kind) {
         return exit_code::resource;
     case ErrorKind::device:
         return exit_code::device;
+    case ErrorKind::cancelled: // nothing that can be cancelled this way is asked to be
     case ErrorKind::internal:
         break;
     }

@@ -34,12 +34,13 @@ struct Diagnostic {
 
 /// Why an operation failed; the command line maps each to one exit code.
 enum class ErrorKind {
-    usage,    ///< wrong arguments
-    input,    ///< input invalid or unreadable
-    output,   ///< output cannot be written
-    resource, ///< memory or a size limit
-    device,   ///< a device is missing or lost
-    internal, ///< a defect of glint
+    usage,     ///< wrong arguments
+    input,     ///< input invalid or unreadable
+    output,    ///< output cannot be written
+    resource,  ///< memory or a size limit
+    device,    ///< a device is missing or lost
+    cancelled, ///< the caller asked to stop
+    internal,  ///< a defect of glint
 };
 
 /// "file:line:column: error: message", the source line with a caret, and the hint.

@@ -27,7 +27,9 @@ struct LoadOptions {
     std::vector<Override> overrides;
     bool allow_outside = false; ///< may a scene name files outside its own folder?
     bool load_meshes = true;
-    std::optional<Axis> up; ///< for bare meshes; none: guessed, and said in `notes`
+    std::optional<Axis> up;             ///< for bare meshes; none: guessed, and said in `notes`
+    const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
+    LoadCallback progress;              ///< told of meshes as they are read
 };
 
 class OpenScene;
@@ -75,11 +77,12 @@ struct LoadedMesh {
     std::vector<Diagnostic> warnings;
 };
 
-/// Reads a PLY file: ASCII, binary little or big endian.
-LoadedMesh load_mesh(const std::string& path);
+/// Reads a PLY file: ASCII, binary little or big endian. Of the options only `cancel` and `progress` count.
+LoadedMesh load_mesh(const std::string& path, const LoadOptions& options = {});
 
 /// The same from memory; `name` stands for the file in messages.
-LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name);
+LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name,
+                     const LoadOptions& options = {});
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
 

@@ -7,7 +7,6 @@
 #include "glint/term.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -32,12 +31,36 @@ struct Progress {
     double seconds = 0; ///< wall time since the start of rendering
 };
 
-/// Set from any thread or a signal handler; rendering stops at the next tile or ray tree.
-using CancelFlag = std::atomic<bool>;
+/// What a picture shows of its scene. All but the light and its terms ask one ray through each pixel's
+/// centre, whatever the number of samples.
+enum class Aspect {
+    final,   ///< the light: the sum of its terms
+    ambient, ///< the terms, in their order; see Term
+    diffuse,
+    highlight,
+    clamp,
+    reflection,
+    transmission,
+    emission,
+    shadows, ///< how many lights the first hit does not see; those behind glass count in part
+    normal,  ///< the shading normal toward the viewer: x, y, z from −1 to 1; 0 where nothing is hit
+    depth,   ///< the distance along the ray, in scene units; infinite where nothing is hit
+    cost     ///< steps of a plain walk through the trees to the first hit: nodes, shapes tested, 0
+};
+inline constexpr int aspect_count = 12;
+/// "final", "ambient", …
+const char* aspect_name(Aspect aspect);
+
+/// A picture for the eye of an aspect's numbers, in linear light: the terms as they are, or what they took;
+/// shadows from white (all lights are seen) to black (none); normals with −1 … 1 as 0 … 1; depth from white
+/// (near) to black, with half the light as far as the scene's middle; cost from black through blue and yellow
+/// to white. It depends on the scene and each pixel's numbers alone.
+Image visible(const Image& numbers, Aspect aspect, const Scene& scene);
 
 struct RenderOptions {
-    int threads = 0;    ///< 0: one for each core
-    int tile_size = 16; ///< pixels; changes the order of the work, never the picture
+    Aspect show = Aspect::final; ///< what Picture::image holds
+    int threads = 0;             ///< 0: one for each core
+    int tile_size = 16;          ///< pixels; changes the order of the work, never the picture
     std::optional<Rect> crop;
     KernelChoice kernel;   ///< how rays are traced; changes the time, never the picture. Throws where the
                            ///< machine lacks the SIMD target

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -91,10 +92,12 @@ struct PlaneShape {
     Vec3 normal{0, 0, 1};
     double offset = 0;
     bool solid = false; ///< the half-space behind the normal
+    friend bool operator==(const PlaneShape&, const PlaneShape&) = default;
 };
 struct SphereShape {
     Vec3 center{0};
     double radius = 1;
+    friend bool operator==(const SphereShape&, const SphereShape&) = default;
 };
 /// A solid cylinder with both caps; `axis` gives the direction only.
 struct CylinderShape {
@@ -102,9 +105,11 @@ struct CylinderShape {
     Vec3 axis{0, 0, 1};
     double height = 1;
     double radius = 1;
+    friend bool operator==(const CylinderShape&, const CylinderShape&) = default;
 };
 struct TriangleShape {
     std::array<Vec3, 3> vertices{};
+    friend bool operator==(const TriangleShape&, const TriangleShape&) = default;
 };
 enum class PolyhedronKind { box, tetrahedron, octahedron, dodecahedron, icosahedron, prism, pyramid };
 struct PolyhedronShape {
@@ -115,6 +120,7 @@ struct PolyhedronShape {
     int sides = 6;      ///< prism, pyramid
     double height = 1;  ///< prism, pyramid
     Vec3 axis{0, 0, 1}; ///< prism, pyramid
+    friend bool operator==(const PolyhedronShape&, const PolyhedronShape&) = default;
 };
 enum class NormalsMode { automatic, flat, smooth };
 /// Which way a mesh's normals face when lights are summed.
@@ -132,10 +138,12 @@ struct MeshShape {
     VertexColors vertex_colors = VertexColors::automatic;
     std::optional<double> point_radius; ///< for point clouds; none: chosen from their density
     std::shared_ptr<const Mesh> data;   ///< filled by load_scene(), or by hand
+    friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
 /// A mesh again: its own scale and transform first, then this object's.
 struct InstanceShape {
     std::string mesh; ///< name of a mesh object
+    friend bool operator==(const InstanceShape&, const InstanceShape&) = default;
 };
 using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, TriangleShape, PolyhedronShape, MeshShape,
                            InstanceShape>;
@@ -210,6 +218,7 @@ class Scene {
     explicit Scene(std::shared_ptr<const FrozenScene> frozen) : frozen_(std::move(frozen)) {}
     const FrozenScene& frozen() const { return *frozen_; } ///< for the library itself
     SceneStats stats() const;
+    const SceneDescription& description() const; ///< as frozen, with its camera filled in
     const CameraDescription& camera() const;
     const RenderSettings& render_settings() const;
 
@@ -217,12 +226,38 @@ class Scene {
     std::shared_ptr<const FrozenScene> frozen_;
 };
 
+/// Set from any thread or a signal handler: what is under way ends within milliseconds.
+using CancelFlag = std::atomic<bool>;
+
+/// How far a scene is on its way from files to trees.
+struct LoadProgress {
+    std::string activity; ///< "reading bunny.ply", "building the trees"
+    double fraction = 0;  ///< of this activity, 0 … 1
+};
+/// Called now and then, from one thread at a time.
+using LoadCallback = std::function<void(const LoadProgress&)>;
+
 struct FreezeOptions {
     int threads = 0; ///< 0: one for each core
+    /// Find out which meshes are closed even where nothing lets light through, so that refreeze() may turn
+    /// any material into glass. It takes a pass over all edges and changes no picture.
+    bool find_solids = false;
+    const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
+    LoadCallback progress;
 };
 
 /// Checks the description, bakes transforms, builds the trees. Throws Error(input) with every error found.
 Scene freeze(const SceneDescription& description, const FreezeOptions& options = {});
+
+/// What freeze(description) gives, in less time: where `scene` has the same objects in the same places, its
+/// trees are shared, whatever has become of materials, lights, camera and settings. Meshes count as the same
+/// where they share their data. Frozen anew are scenes whose objects differ, and those with meshes that
+/// become glass unless `scene` was frozen with `find_solids`.
+Scene refreeze(const Scene& scene, const SceneDescription& description, const FreezeOptions& options = {});
+
+/// The same scene from another camera, in a picture of another size. Throws Error(input) where either cannot
+/// be.
+Scene with_view(const Scene& scene, const CameraDescription& camera, int width, int height);
 
 /// What is suspicious though valid: no light, camera or light inside an object, open mesh made of glass,
 /// coincident glass faces, a material that gives more light than it gets, objects hidden inside glass that

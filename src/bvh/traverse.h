@@ -54,10 +54,17 @@ inline void clip(const TreeNode& node, int child, const BoxRay& ray, float& entr
     }
 }
 
+/// Stands for a caller who does not count nodes.
+struct IgnoredNode {
+    void operator()() const {}
+};
+
 /// Calls leaf(first, count) for every run of tree.order whose box meets the ray in [tmin, limit], both
-/// inclusive, nearest child first. `leaf` may lower `limit` and ends the traversal by returning true.
-template <class Leaf>
-void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limit, Leaf&& leaf) {
+/// inclusive, nearest child first. `leaf` may lower `limit` and ends the traversal by returning true. `node`
+/// is called for every node whose boxes are tested.
+template <class Leaf, class Node = IgnoredNode>
+void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limit, Leaf&& leaf,
+              Node node = {}) {
     struct Entry {
         TreeRef ref;
         float t;
@@ -70,21 +77,22 @@ void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limi
         if (at.count > 0) {
             if (leaf(at.first, at.count)) return;
         } else {
-            const TreeNode& node = tree.nodes[at.first];
+            const TreeNode& boxes = tree.nodes[at.first];
+            node();
             float entry[2];
             float exit[2];
-            clip(node, 0, ray, entry[0], exit[0]);
-            clip(node, 1, ray, entry[1], exit[1]);
+            clip(boxes, 0, ray, entry[0], exit[0]);
+            clip(boxes, 1, ray, entry[1], exit[1]);
             const bool left = entry[0] <= exit[0] && entry[0] <= limit && exit[0] >= tmin;
             const bool right = entry[1] <= exit[1] && entry[1] <= limit && exit[1] >= tmin;
             if (left && right) {
                 const int nearer = entry[1] < entry[0] ? 1 : 0;
-                stack[size++] = {node.child[1 - nearer], entry[1 - nearer]};
-                at = node.child[nearer];
+                stack[size++] = {boxes.child[1 - nearer], entry[1 - nearer]};
+                at = boxes.child[nearer];
                 continue;
             }
             if (left || right) {
-                at = node.child[left ? 0 : 1];
+                at = boxes.child[left ? 0 : 1];
                 continue;
             }
         }

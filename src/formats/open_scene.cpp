@@ -19,8 +19,8 @@ ReadScene OpenScene::read(const TreeValue& root, Problems& problems, std::vector
     ReadScene scene = read_scene(root, problems);
     check_scene(scene, problems);
     const std::lock_guard lock(mutex_);
-    load_meshes(scene, {name_, options_.allow_outside, options_.load_meshes}, problems, meshes_, warnings,
-                files);
+    load_meshes(scene, {name_, options_.allow_outside, options_.load_meshes, options_}, problems, meshes_,
+                warnings, files);
     check_mesh_extents(scene, problems);
     problems.throw_if_any();
     return scene;
@@ -38,6 +38,10 @@ LoadedScene OpenScene::load() {
     loaded.description = read(root, problems, loaded.warnings, loaded.files).description;
     const auto own = problems.warnings();
     loaded.warnings.insert(loaded.warnings.begin(), own.begin(), own.end());
+
+    // Who asks for frames later is not who waited now.
+    options_.cancel = nullptr;
+    options_.progress = nullptr;
 
     loaded.animation.first = tracks_.first;
     loaded.animation.last = tracks_.last;

@@ -43,8 +43,8 @@ float to_light(double value, Type type) {
 template <class Cursor>
 class BodyReader {
   public:
-    BodyReader(const Source& source, const Header& header, const Layout& layout)
-        : header_(header), layout_(layout), cursor_(source, header.body),
+    BodyReader(const Source& source, const Header& header, const Layout& layout, const LoadWatch& watch)
+        : header_(header), layout_(layout), watch_(watch), cursor_(source, header.body), size_(source.size()),
           vertices_(header.elements[layout.vertex_element].count) {}
 
     Body read() {
@@ -64,6 +64,12 @@ class BodyReader {
 
   private:
     using Values = std::array<double, role_count>;
+
+    void begin_row(const Element& element, std::uint64_t row) {
+        constexpr std::uint64_t rows_between = 1U << 14U;
+        if (row % rows_between == 0) watch_.at(size_ - std::min(size_, cursor_.room()), size_);
+        cursor_.begin_row(element, row);
+    }
 
     /// Refuses counts that the rest of the file cannot hold, before anything is made of that size.
     void check_promise(const Element& element) const {
@@ -115,7 +121,7 @@ class BodyReader {
         Values values{};
         std::array<std::size_t, role_count> offsets{};
         for (std::size_t i = 0; i < count; ++i) {
-            cursor_.begin_row(element, i);
+            begin_row(element, i);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const auto role = static_cast<std::size_t>(vertex.roles[p]);
                 if (role == role_count) {
@@ -165,7 +171,7 @@ class BodyReader {
         if (corners >= 0 && !strips)
             reserve_triangles(element, element.properties[static_cast<std::size_t>(corners)]);
         for (std::uint64_t row = 0; row < element.count; ++row) {
-            cursor_.begin_row(element, row);
+            begin_row(element, row);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const Property& property = element.properties[p];
                 if (static_cast<int>(p) != corners) {
@@ -250,21 +256,23 @@ class BodyReader {
 
     const Header& header_;
     const Layout& layout_;
+    const LoadWatch& watch_;
     Cursor cursor_;
+    std::size_t size_; ///< of the file
     std::uint64_t vertices_;
     Body body_;
 };
 
 } // namespace
 
-Body read_body(const Source& source, const Header& header, const Layout& layout) {
+Body read_body(const Source& source, const Header& header, const Layout& layout, const LoadWatch& watch) {
     switch (header.format) {
     case PlyFormat::ascii:
-        return BodyReader<TextCursor>(source, header, layout).read();
+        return BodyReader<TextCursor>(source, header, layout, watch).read();
     case PlyFormat::binary_little_endian:
-        return BodyReader<BinaryCursor<std::endian::little>>(source, header, layout).read();
+        return BodyReader<BinaryCursor<std::endian::little>>(source, header, layout, watch).read();
     default:
-        return BodyReader<BinaryCursor<std::endian::big>>(source, header, layout).read();
+        return BodyReader<BinaryCursor<std::endian::big>>(source, header, layout, watch).read();
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The body of a PLY file as it was stored, before it is made a mesh.
 
+#include "formats/load_watch.h"
 #include "formats/ply_layout.h"
 #include "glint/scene.h"
 
@@ -40,7 +41,7 @@ struct Body {
 
 /// Reads all rows. Throws Error(input) with line and column, or byte: a cut file, a header that promises more
 /// than the file can hold, a list of impossible length, a word that is no number, an index out of range.
-/// Memory stays in proportion to the file.
-Body read_body(const Source& source, const Header& header, const Layout& layout);
+/// Memory stays in proportion to the file. `watch` is told every some thousand rows.
+Body read_body(const Source& source, const Header& header, const Layout& layout, const LoadWatch& watch);
 
 } // namespace glint::ply

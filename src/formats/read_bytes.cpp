@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <new>
 #include <system_error>
@@ -40,7 +41,7 @@ class Descriptor {
 
 } // namespace
 
-std::vector<std::byte> read_bytes(const std::string& path) {
+std::vector<std::byte> read_bytes(const std::string& path, const LoadWatch& watch) {
     const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (opened < 0) fail(path, errno);
     const Descriptor file(opened);
@@ -50,11 +51,13 @@ std::vector<std::byte> read_bytes(const std::string& path) {
 
     // Pipes tell no size, and files may grow: the size only says where to begin. One byte more finds the end.
     constexpr std::size_t least = 1U << 16U;
+    constexpr std::size_t at_once = 1U << 24U;
     std::vector<std::byte> bytes(S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) + 1 : least);
     std::size_t used = 0;
     for (;;) {
         if (used == bytes.size()) bytes.resize(2 * bytes.size());
-        const ssize_t count = ::read(file.fd(), bytes.data() + used, bytes.size() - used);
+        watch.at(0, 1);
+        const ssize_t count = ::read(file.fd(), bytes.data() + used, std::min(bytes.size() - used, at_once));
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) fail(path, errno);
         if (count == 0) break;

@@ -79,11 +79,12 @@ SceneDescription scene_at(const LoadedScene& scene, double frame) {
 }
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
-    if (path != "-" && lower_extension(path) == ".ply") return stage_mesh(load_mesh(path), path, options);
+    if (path != "-" && lower_extension(path) == ".ply")
+        return stage_mesh(load_mesh(path, options), path, options);
     const std::string text = read_text(path);
     const std::string name = path == "-" ? stdin_name : path;
     if (looks_like_ply(text))
-        return stage_mesh(parse_ply(std::as_bytes(std::span(text)), name), name, options);
+        return stage_mesh(parse_ply(std::as_bytes(std::span(text)), name, options), name, options);
     refuse_other_meshes(path);
     return parse_scene(text, name, options);
 }

@@ -96,7 +96,7 @@ class MeshLoader {
         if (const auto known = loaded_.find(key); known != loaded_.end()) return known->second;
         std::shared_ptr<const Mesh> mesh;
         try {
-            LoadedMesh file = load_mesh(wanted.path.string());
+            LoadedMesh file = load_mesh(wanted.path.string(), policy_.watched);
             mesh = std::move(file.mesh);
             warnings_.insert(warnings_.end(), file.warnings.begin(), file.warnings.end());
         } catch (const Error& error) {

@@ -15,7 +15,8 @@ namespace glint {
 struct FilePolicy {
     std::string scene_file; ///< names written in it are relative to its folder
     bool allow_outside = false;
-    bool load = true; ///< false: names are checked, files are not read
+    bool load = true;      ///< false: names are checked, files are not read
+    LoadOptions watched{}; ///< whose `cancel` and `progress` count
 };
 
 /// Meshes that were read, by their files' true names.

@@ -37,6 +37,12 @@ class PairwiseSum {
 
     std::uint32_t count() const { return count_; }
 
+    /// Begins with `count` values, a power of two, whose sum total() gave before.
+    void resume(const T& sum, std::uint32_t count) {
+        trees_[static_cast<std::size_t>(std::countr_zero(count))] = sum;
+        count_ = count;
+    }
+
   private:
     std::uint32_t count_ = 0;
     std::array<T, 32> trees_{}; ///< tree of 2^level values where bit `level` of the count is set
@@ -54,6 +60,23 @@ inline constexpr std::uint32_t samples_for_lobes = 16;
 template <class T>
 class PixelSum {
   public:
+    /// All that a sum of so many samples, a power of two, needs to go on.
+    struct Part {
+        T positive{};
+        T negative{};
+        std::uint32_t positives = 0;
+    };
+
+    PixelSum() = default;
+    /// Goes on after `count` samples, none or a power of two.
+    PixelSum(const Part& part, std::uint32_t count) : positives_(part.positives) {
+        if (count == 0) return;
+        positive_.resume(part.positive, count);
+        negative_.resume(part.negative, count);
+    }
+    /// What may go on later, where the number of samples is a power of two.
+    Part part() const { return {positive_.total(), negative_.total(), positives_}; }
+
     void add(const T& radiance, float weight) {
         // Each side counts every sample, so that its tree does not depend on the signs.
         const bool plus = weight > 0;

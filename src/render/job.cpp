@@ -1,6 +1,7 @@
 #include "glint/render.h"
 
 #include "imaging/film.h"
+#include "render/aspect.h"
 #include "render/samples.h"
 #include "render/whitted.h"
 
@@ -30,7 +31,7 @@ class Job {
   public:
     Job(const FrozenScene& scene, const RenderOptions& options)
         : scene_(scene), options_(options), settings_(scene.description.render), places_(scene.description),
-          area_(checked_area()) {
+          area_(picture_area(settings_, options.crop)) {
         tile_ = std::max(1, options.tile_size);
         while (4 * block_ * block_ * settings_.spp <= batch_samples) block_ *= 2;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block_ * block_); ++i)
@@ -79,17 +80,6 @@ class Job {
 
     std::size_t tile_count() const {
         return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-    }
-
-    Rect checked_area() const {
-        if (!options_.crop) return {0, 0, settings_.width, settings_.height};
-        const Rect c = *options_.crop;
-        const bool inside = c.x >= 0 && c.y >= 0 && c.width >= 1 && c.height >= 1 &&
-                            c.width <= settings_.width - c.x && c.height <= settings_.height - c.y;
-        if (inside) return c;
-        throw Error(ErrorKind::usage, "the crop does not lie inside the picture",
-                    "expected x, y, width, height within " + std::to_string(settings_.width) + "x" +
-                        std::to_string(settings_.height));
     }
 
     bool cancelled() const {
@@ -246,6 +236,7 @@ std::string size_text(const RenderSettings& r) {
 } // namespace
 
 Picture render(const Scene& scene, const RenderOptions& options) {
+    if (options.show != Aspect::final) return render_aspect(scene, options);
     return Job(scene.frozen(), options).run();
 }
 

@@ -41,6 +41,17 @@ PinholeCamera camera_of(const SceneDescription& scene) {
                           scene.render.height);
 }
 
+Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop) {
+    if (!crop) return {0, 0, settings.width, settings.height};
+    const Rect c = *crop;
+    const bool inside = c.x >= 0 && c.y >= 0 && c.width >= 1 && c.height >= 1 &&
+                        c.width <= settings.width - c.x && c.height <= settings.height - c.y;
+    if (inside) return c;
+    throw Error(ErrorKind::usage, "the crop does not lie inside the picture",
+                "expected x, y, width, height within " + std::to_string(settings.width) + "x" +
+                    std::to_string(settings.height));
+}
+
 SamplePlaces::SamplePlaces(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(filter_kind(settings_.filter)) {}
 

@@ -1,16 +1,21 @@
 #pragma once
 // Where the samples of a picture lie: from a pixel and a sample's number to a camera ray and its weight.
 
+#include "glint/render.h"
 #include "imaging/camera.h"
 #include "imaging/filter.h"
 #include "render/whitted.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace glint {
 
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
+
+/// The crop, or all of the picture. Throws Error(usage) for a crop that does not lie inside.
+Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop);
 
 /// What a place on the film depends on: scene, pixel of the whole picture and number of the sample alone.
 class SamplePlaces {

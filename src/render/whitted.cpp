@@ -132,7 +132,8 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, const Hit& hit)
     s.n_g = s.entering ? s.point.n : -s.point.n;
     s.n = s.n_g;
     s.color = s.material->color;
-    if (scene_.objects[hit.object].lit_as_stored && !s.entering) s.lit_side = -1.0f;
+    const FrozenObject& object = scene_.objects[hit.object];
+    if (object.lit_as_stored && s.entering == object.turned) s.lit_side = -1.0f;
     if (scene_.objects[hit.object].attributes != no_attributes) interpolate(hit, s);
     return s;
 }

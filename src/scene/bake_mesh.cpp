@@ -91,6 +91,7 @@ void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t 
     triangles.object = id;
     baked.objects[id].bounds = bounds_of_used(triangles.positions, triangles.triangles);
     triangles.flip = closed && signed_volume(triangles.positions, triangles.triangles) < 0;
+    baked.objects[id].turned = triangles.flip;
     baked.objects[id].solid = closed;
     baked.input.meshes.push_back(std::move(triangles));
 }
@@ -177,7 +178,8 @@ void MeshBaker::place(const Shared& mesh, const dmat4& m, std::uint32_t id) {
     }
     const bool mirrored = glm::determinant(dmat3(m)) < 0;
     const bool inside_out = mirrored ? mesh.volume > 0 : mesh.volume < 0;
-    baked_.input.instances.push_back({id, mesh.mesh, m, mesh.closed && inside_out});
+    object.turned = mesh.closed && inside_out;
+    baked_.input.instances.push_back({id, mesh.mesh, m, object.turned});
 }
 
 } // namespace glint

@@ -1,6 +1,7 @@
+#include "scene/freeze.h"
+
 #include "math/trig.h"
 #include "scene/bake.h"
-#include "scene/frozen.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ FrozenLight freeze_light(const SpotLight& l) {
 
 void freeze_lights(FrozenScene& scene) {
     dvec3 ambient(0);
+    scene.lights.clear();
     for (const Light& light : scene.description.lights) {
         if (const auto* a = std::get_if<AmbientLight>(&light.kind)) ambient += a->color;
         if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(freeze_light(*p));
@@ -62,22 +64,6 @@ void freeze_lights(FrozenScene& scene) {
         if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(freeze_light(*s));
     }
     scene.ambient = vec3(ambient);
-}
-
-bool shows_glass(const SceneDescription& description) {
-    return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
-        return object.visible && material_of(description, object)->transparency > 0;
-    });
-}
-
-// The eye's own list: only what light goes through owns space.
-void find_camera_media(FrozenScene& scene) {
-    if (!scene.any_transparent) return;
-    for (const std::uint32_t id : objects_around(scene, vec3(scene.description.camera->eye)))
-        if (scene.materials[scene.objects[id].material].transparency > 0) scene.camera_media.push_back(id);
-    std::sort(scene.camera_media.begin(), scene.camera_media.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return scene.objects[a].rank < scene.objects[b].rank;
-    });
 }
 
 // Counts the crossings of each object along one ray; false if one is so near an edge that parity may lie.
@@ -93,6 +79,32 @@ bool count_crossings(const FrozenScene& scene, const Ray& ray, std::vector<int>&
 }
 
 } // namespace
+
+bool shows_glass(const SceneDescription& description) {
+    return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
+        return object.visible && material_of(description, object)->transparency > 0;
+    });
+}
+
+void freeze_values(FrozenScene& scene) {
+    const SceneDescription& description = scene.description;
+    scene.any_transparent = shows_glass(description);
+    scene.materials.clear();
+    for (const Material& m : description.materials) scene.materials.push_back(freeze_material(m));
+    freeze_lights(scene);
+    scene.background = vec3(description.render.background);
+    scene.index_outside = static_cast<float>(description.whitted.index);
+}
+
+void find_camera_media(FrozenScene& scene) {
+    scene.camera_media.clear();
+    if (!scene.any_transparent) return;
+    for (const std::uint32_t id : objects_around(scene, vec3(scene.description.camera->eye)))
+        if (scene.materials[scene.objects[id].material].transparency > 0) scene.camera_media.push_back(id);
+    std::sort(scene.camera_media.begin(), scene.camera_media.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return scene.objects[a].rank < scene.objects[b].rank;
+    });
+}
 
 std::vector<std::uint32_t> surfaces_around(const FrozenScene& scene, const vec3& point) {
     // Directions without meaning to any scene; the first that meets no edge decides.
@@ -135,32 +147,50 @@ BuildQuality quality_for(const SceneDescription& description, const WorldInput& 
     return rays < rays_a_triangle * triangles ? BuildQuality::fast : BuildQuality::high;
 }
 
-} // namespace
+void check_cancel(const FreezeOptions& options) {
+    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) throw TasksCancelled();
+}
 
-Scene freeze(const SceneDescription& description, const FreezeOptions& options) {
+void tell(const FreezeOptions& options, const char* activity, double fraction) {
+    check_cancel(options);
+    if (options.progress) options.progress({activity, fraction});
+}
+
+std::shared_ptr<FrozenScene> frozen(const SceneDescription& description, const FreezeOptions& options) {
+    tell(options, "checking the scene", 0);
     std::vector<Diagnostic> errors = find_errors(description);
     if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
-
     auto scene = std::make_shared<FrozenScene>();
     scene->description = description;
     if (!description.camera) scene->description.camera = frame(description);
-    scene->any_transparent = shows_glass(description);
-    for (const Material& m : description.materials) scene->materials.push_back(freeze_material(m));
-    freeze_lights(*scene);
-    scene->background = vec3(description.render.background);
-    scene->index_outside = static_cast<float>(description.whitted.index);
+    freeze_values(*scene);
 
-    Baked baked = bake(description, scene->any_transparent);
+    tell(options, "placing the objects", 0);
+    scene->solids_known = scene->any_transparent || options.find_solids;
+    Baked baked = bake(description, scene->solids_known);
     scene->objects = std::move(baked.objects);
     scene->attributes = std::move(baked.attributes);
     scene->normal_matrices = std::move(baked.normal_matrices);
     for (const WorldInput::Plane& plane : baked.input.planes)
         if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
-    TaskPool pool(options.threads);
+
+    tell(options, "building the trees", 0);
+    TaskPool pool(options.threads, options.cancel);
     baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
+    tell(options, "building the trees", 1);
     find_camera_media(*scene);
-    return Scene(std::move(scene));
+    return scene;
+}
+
+} // namespace
+
+Scene freeze(const SceneDescription& description, const FreezeOptions& options) {
+    try {
+        return Scene(frozen(description, options));
+    } catch (const TasksCancelled&) {
+        throw Error(ErrorKind::cancelled, "freezing the scene was cancelled");
+    }
 }
 
 SceneStats Scene::stats() const {
@@ -181,6 +211,8 @@ SceneStats Scene::stats() const {
     stats.bounds_max = Vec3(bounds.hi);
     return stats;
 }
+
+const SceneDescription& Scene::description() const { return frozen_->description; }
 
 const CameraDescription& Scene::camera() const { return *frozen_->description.camera; }
 

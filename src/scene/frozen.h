@@ -51,6 +51,7 @@ struct FrozenObject {
     std::uint32_t rank = 0;     ///< of overlapping solids the one of higher rank owns the space
     bool solid = false;         ///< closed: has an inside
     bool lit_as_stored = false; ///< lights find its normals as its winding has them
+    bool turned = false;        ///< its normals are turned against the winding
     Bounds bounds;              ///< world space; empty for planes and invisible objects
     std::int32_t attributes = no_attributes;
     std::int32_t normal_matrix = no_normal_matrix; ///< index into FrozenScene::normal_matrices
@@ -85,6 +86,7 @@ struct FrozenScene {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
+    bool solids_known = false; ///< FrozenObject::solid holds for meshes too
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_media; ///< transparent solids around the eye, lowest rank first
 };

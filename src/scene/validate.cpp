@@ -17,11 +17,11 @@ class Checker {
   public:
     explicit Checker(const SceneDescription& description) : scene_(description) {}
 
-    std::vector<Diagnostic> run() {
+    std::vector<Diagnostic> run(Shapes shapes) {
         check_settings();
         if (scene_.camera) check_camera(*scene_.camera);
         for (const Material& material : scene_.materials) check_material(material);
-        for (const Object& object : scene_.objects) check_object(object);
+        for (const Object& object : scene_.objects) check_object(object, shapes);
         for (const Light& light : scene_.lights) check_light(light);
         return std::move(found_);
     }
@@ -114,8 +114,9 @@ class Checker {
                  "energy = \"balanced\" needs reflectivity + transparency <= 1");
     }
 
-    void check_object(const Object& object) {
+    void check_object(const Object& object, Shapes shapes) {
         if (material_of(scene_, object) == nullptr) fail_material(object);
+        if (shapes == Shapes::checked) return;
         check_transform(object);
         std::visit([&](const auto& shape) { check_shape(shape, object); }, object.shape);
     }
@@ -238,8 +239,8 @@ class Checker {
 
 } // namespace
 
-std::vector<Diagnostic> find_errors(const SceneDescription& description) {
-    return Checker(description).run();
+std::vector<Diagnostic> find_errors(const SceneDescription& description, Shapes shapes) {
+    return Checker(description).run(shapes);
 }
 
 const Object* find_mesh(const SceneDescription& description, const std::string& name) {

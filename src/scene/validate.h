@@ -7,8 +7,11 @@
 
 namespace glint {
 
+/// Whether shapes and transforms are checked as well, or have been before.
+enum class Shapes { unchecked, checked };
+
 /// Everything that makes a description impossible to freeze, each with its place; empty if it is sound.
-std::vector<Diagnostic> find_errors(const SceneDescription& description);
+std::vector<Diagnostic> find_errors(const SceneDescription& description, Shapes shapes = Shapes::unchecked);
 
 /// The mesh object that an instance names, or nullptr.
 const Object* find_mesh(const SceneDescription& description, const std::string& name);

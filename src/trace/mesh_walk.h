@@ -41,9 +41,9 @@ inline float entry_of(const WideNode& node, int child, const BoxRay& ray, float 
 
 /// Calls leaf(LeafCode) for every leaf whose box meets the ray in [tmin, limit], both inclusive, nearest
 /// child first. `leaf` may lower `limit` and ends the walk by returning true. The ray must be finite and have
-/// a direction.
-template <class Leaf>
-void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, Leaf&& leaf) {
+/// a direction. `node` is called for every node whose boxes are tested.
+template <class Leaf, class Node = IgnoredNode>
+void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, Leaf&& leaf, Node node = {}) {
     struct Entry {
         std::uint32_t code;
         float t;
@@ -60,14 +60,15 @@ void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, 
             if (leaf(LeafCode{at.code})) return;
             continue;
         }
-        const WideNode& node = tree.nodes[at.code];
+        const WideNode& boxes = tree.nodes[at.code];
+        node();
         const std::size_t base = size;
         for (int child = 0; child < wide_children; ++child) {
-            const float t = entry_of(node, child, box_ray, tmin, limit);
-            if (node.child[child] == no_child || !(t <= limit)) continue;
+            const float t = entry_of(boxes, child, box_ray, tmin, limit);
+            if (boxes.child[child] == no_child || !(t <= limit)) continue;
             std::size_t place = size++;
             for (; place > base && stack[place - 1].t < t; --place) stack[place] = stack[place - 1];
-            stack[place] = {node.child[child], t};
+            stack[place] = {boxes.child[child], t};
         }
     }
 }

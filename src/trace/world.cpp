@@ -11,22 +11,6 @@ namespace glint {
 
 namespace {
 
-/// Keeps the least hit.
-struct Closest {
-    float limit;
-    Hit best{};
-    bool positive = false;
-
-    bool add(const Hit& hit, bool facing) {
-        if (precedes(hit, best)) {
-            best = hit;
-            positive = facing;
-            limit = hit.t;
-        }
-        return false;
-    }
-};
-
 /// Keeps the least hit after another.
 struct ClosestAfter {
     const Hit& previous;

@@ -52,6 +52,12 @@ struct SurfaceRows {
     std::array<float*, 3> p, p_error, n;
 };
 
+/// What a search for the closest hit does, counted on a plain walk through the trees.
+struct TraceCost {
+    std::uint32_t nodes = 0;  ///< whose boxes were tested
+    std::uint32_t shapes = 0; ///< triangles, spheres, cylinders and planes that were tested
+};
+
 /// Plain input of World. Quadrics in double: their equations are solved in double and rounded once. An object
 /// has one shape: one entry here, or several spheres told apart by `prim`.
 struct WorldInput {
@@ -122,6 +128,8 @@ class World {
     /// with a corner that is not finite are never hit.
     World(WorldInput input, TaskPool& pool);
     ~World();
+    World(const World&); ///< copies share everything
+    World& operator=(const World&);
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
 
@@ -152,6 +160,9 @@ class World {
     Hit closest_brute_force(const Ray& ray) const;
     bool occluded_brute_force(const Ray& ray) const;
 
+    /// The steps of closest(), as a plain walk takes them: the same on every machine.
+    TraceCost cost(const Ray& ray) const;
+
     SurfacePoint surface(const Ray& ray, const Hit& hit) const;
     /// The same for many, but only where done[i] becomes 1: on planes, and on spheres that are not stretched.
     /// Else it becomes 0, and what is written for the hit has no meaning.
@@ -163,7 +174,7 @@ class World {
 
   private:
     struct Data;
-    std::unique_ptr<const Data> data_;
+    std::shared_ptr<const Data> data_;
 };
 
 } // namespace glint

@@ -154,13 +154,15 @@ void count(WorldData& world, const WorldInput& input) {
 
 } // namespace
 
-World::World() : data_(std::make_unique<Data>()) {}
+World::World() : data_(std::make_shared<Data>()) {}
 World::~World() = default;
+World::World(const World&) = default;
+World& World::operator=(const World&) = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 World::World(WorldInput input, TaskPool& pool) {
-    auto world = std::make_unique<Data>();
+    auto world = std::make_shared<Data>();
     place_instances(*world, input, pool);
     world->meshes = std::move(input.meshes);
     std::sort(world->meshes.begin(), world->meshes.end(),

@@ -214,6 +214,22 @@ inline bool is_traceable(const Ray& ray) {
 /// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
+/// Keeps the least hit.
+struct Closest {
+    float limit;
+    Hit best{};
+    bool positive = false;
+
+    bool add(const Hit& hit, bool facing) {
+        if (precedes(hit, best)) {
+            best = hit;
+            positive = facing;
+            limit = hit.t;
+        }
+        return false;
+    }
+};
+
 /// Tests triangles for one ray and hands each hit to the sink: those of an instance for a ray in the space of
 /// its mesh, or those of mesh_tree. A sink has `limit`, the greatest t it still
 /// wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of

@@ -47,7 +47,7 @@ const std::vector<Foreign>& foreign_headers() {
         {"Iex", {"formats"}, false},
         {"png.h", {"formats"}, false},
         {"CLI/", {"apps"}, false},
-        {"thread", {"parallel"}, false},
+        {"thread", {"parallel", "apps"}, false},
         {"iostream", {"formats", "apps"}, false},
         {"unistd.h", {"formats", "apps"}, false},
         {"fcntl.h", {"formats", "apps"}, false},
@@ -137,7 +137,8 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/error.h", "scene"},       {"glint/scene.h", "scene"},      {"glint/image.h", "imaging"},
         {"glint/formats.h", "formats"},   {"glint/render.h", "render"},    {"glint/trace.h", "trace"},
         {"glint/kernels.h", "trace"},     {"glint/document.h", "formats"}, {"glint/term.h", "scene"},
-        {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},
+        {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},   {"glint/progressive.h", "render"},
+        {"glint/pick.h", "render"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;

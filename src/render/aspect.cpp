@@ -1,0 +1,159 @@
+#include "render/aspect.h"
+
+#include "parallel/task_pool.h"
+#include "render/samples.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace glint {
+
+bool is_light(Aspect aspect) { return aspect == Aspect::final || term_of(aspect); }
+
+std::optional<Term> term_of(Aspect aspect) {
+    const int number = static_cast<int>(aspect) - static_cast<int>(Aspect::ambient);
+    if (number < 0 || number >= term_count) return std::nullopt;
+    return static_cast<Term>(number);
+}
+
+const char* aspect_name(Aspect aspect) {
+    if (const auto term = term_of(aspect)) return term_name(*term);
+    switch (aspect) {
+    case Aspect::shadows:
+        return "shadows";
+    case Aspect::normal:
+        return "normal";
+    case Aspect::depth:
+        return "depth";
+    case Aspect::cost:
+        return "cost";
+    default:
+        return "final";
+    }
+}
+
+Scene scene_for(const Scene& scene, Aspect aspect) {
+    if (is_light(aspect)) return scene;
+    auto shallow = std::make_shared<FrozenScene>(scene.frozen());
+    shallow->description.whitted.max_depth = 0;
+    return Scene(std::move(shallow));
+}
+
+Probe::Probe(const Scene& scene, Aspect aspect, const CancelFlag* cancel, const KernelChoice& kernel)
+    : scene_(scene_for(scene, aspect)), aspect_(aspect), term_(term_of(aspect)),
+      tracer_(scene_.frozen(), cancel, kernel) {}
+
+vec3 Probe::part_of(const Terms& terms) const { return term_ ? terms[*term_] : terms.sum(); }
+
+void Probe::measure(std::span<Sample> samples, std::span<vec3> values) {
+    if (is_light(aspect_)) {
+        trace(samples);
+        for (std::size_t i = 0; i < samples.size(); ++i) values[i] = part_of(samples[i].terms);
+        return;
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i) values[i] = measure_first_hit(samples[i]);
+}
+
+vec3 Probe::measure_first_hit(const Sample& sample) {
+    if (aspect_ == Aspect::cost) {
+        Ray ray;
+        ray.origin = sample.origin;
+        ray.direction = sample.direction;
+        const TraceCost cost = scene_.frozen().world.cost(ray);
+        return vec3(static_cast<float>(cost.nodes), static_cast<float>(cost.shapes), 0.0f);
+    }
+    tracer_.trace(sample.origin, sample.direction, &tree_);
+    if (tree_.nodes.empty()) return vec3(0.0f); // cancelled
+    const RayNode& node = tree_.nodes.front();
+    if (aspect_ == Aspect::depth) return vec3(node.hit.t);
+    if (aspect_ == Aspect::normal) return node.shading_normal;
+    float hidden = 0;
+    for (const LightNode& light : node.lights) hidden += 1.0f - light.shadow;
+    return vec3(hidden);
+}
+
+namespace {
+
+/// A picture of numbers: rows over threads, one ray a pixel.
+class AspectJob {
+  public:
+    AspectJob(const Scene& scene, const RenderOptions& options)
+        : options_(options), places_(scene.description()),
+          area_(picture_area(scene.render_settings(), options.crop)) {
+        picture_.image = Image(area_.width, area_.height);
+        TaskPool pool(options.threads);
+        for (int i = 0; i < pool.threads(); ++i)
+            probes_.emplace_back(scene, options.show, options.cancel, options.kernel);
+        start_ = Clock::now();
+        pool.run(static_cast<std::size_t>(area_.height),
+                 [this](std::size_t row, int worker) { measure_row(static_cast<int>(row), worker); });
+    }
+
+    Picture result() {
+        for (const Probe& probe : probes_) {
+            picture_.stats.primary_rays += probe.counts().primary;
+            picture_.stats.shadow_rays += probe.counts().shadow;
+        }
+        picture_.stats.threads = static_cast<int>(probes_.size());
+        picture_.stats.wall_seconds = seconds();
+        picture_.complete = progress_.tiles_done == progress_.tiles;
+        return std::move(picture_);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    bool cancelled() const { return options_.cancel != nullptr && options_.cancel->load(); }
+
+    void measure_row(int row, int worker) {
+        if (cancelled()) return;
+        std::vector<Sample> samples(static_cast<std::size_t>(area_.width));
+        std::vector<vec3> values(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            places_.aim_at_centre(area_.x + static_cast<int>(i), area_.y + row, samples[i]);
+        probes_[static_cast<std::size_t>(worker)].measure(samples, values);
+        if (cancelled()) return;
+        float* pixel = picture_.image.at(0, row);
+        for (const vec3& value : values)
+            for (int channel = 0; channel < 3; ++channel) *pixel++ = value[channel];
+        report();
+    }
+
+    void report() {
+        const std::lock_guard lock(mutex_);
+        progress_.tiles = static_cast<std::uint64_t>(area_.height);
+        progress_.tiles_done += 1;
+        progress_.rays += static_cast<std::uint64_t>(area_.width);
+        progress_.seconds = seconds();
+        if (options_.progress) options_.progress(progress_);
+    }
+
+    const RenderOptions& options_;
+    const SamplePlaces places_;
+    const Rect area_;
+    Picture picture_;
+    std::vector<Probe> probes_;
+    Clock::time_point start_;
+    std::mutex mutex_;
+    Progress progress_;
+};
+
+} // namespace
+
+Picture render_aspect(const Scene& scene, const RenderOptions& options) {
+    const auto term = term_of(options.show);
+    if (!term) return AspectJob(scene, options).result();
+    RenderOptions all = options;
+    all.show = Aspect::final;
+    all.terms = true;
+    Picture picture = render(scene, all);
+    picture.image = picture.terms[static_cast<std::size_t>(*term)];
+    if (!options.terms) picture.terms = {};
+    return picture;
+}
+
+} // namespace glint

@@ -1,0 +1,34 @@
+#include "glint/pick.h"
+
+#include "render/samples.h"
+
+#include <cmath>
+
+namespace glint {
+
+std::optional<Pick> pick(const Scene& scene, double x, double y) {
+    const RenderSettings& settings = scene.render_settings();
+    const auto within = [](double place, int count) { return place >= 0 && place < count; };
+    if (!within(x, settings.width) || !within(y, settings.height)) return std::nullopt;
+    const int px = static_cast<int>(x);
+    const int py = static_cast<int>(y);
+    const PinholeCamera camera = camera_of(scene.description());
+    const vec3 direction =
+        pinhole_direction(camera, px, py, static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5));
+
+    auto shallow = std::make_shared<FrozenScene>(scene.frozen());
+    shallow->description.whitted.max_depth = 0;
+    RayTree tree;
+    WhittedTracer(*shallow).trace(camera.eye, direction, &tree);
+    const RayNode& node = tree.nodes.front();
+    if (!node.hit) return std::nullopt;
+    Pick found;
+    found.object = node.hit.object;
+    found.material = scene.frozen().objects[node.hit.object].material;
+    found.position = Vec3(node.position);
+    found.normal = Vec3(node.geometric_normal);
+    found.distance = static_cast<double>(node.hit.t);
+    return found;
+}
+
+} // namespace glint

@@ -1,0 +1,55 @@
+#include "render/upsample.h"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+/// The known place at or before x, the next one, and how far x is on the way.
+struct Between {
+    int before;
+    int after;
+    float share;
+
+    Between(int x, int step, int size)
+        : before(x / step * step), after(before + step < size ? before + step : before),
+          share(static_cast<float>(x - before) / static_cast<float>(step)) {}
+};
+
+/// Exact at both ends, where the other may be anything.
+float mixed(float a, float b, float share) { return share == 0.0f ? a : a + (b - a) * share; }
+
+void fill_row_from_blocks(const Image& known, int step, int y, Image& out) {
+    for (int x = 0; x < out.width; ++x) {
+        const float* source = known.at(x / step * step, y / step * step);
+        std::copy(source, source + 3, out.at(x, y));
+    }
+}
+
+void fill_row_smoothly(const Image& known, int step, int y, Image& out) {
+    const Between rows(y, step, known.height);
+    // Down first, at the known columns, then along the row.
+    for (int x = 0; x < out.width; x += step)
+        for (int c = 0; c < 3; ++c)
+            out.at(x, y)[c] = mixed(known.at(x, rows.before)[c], known.at(x, rows.after)[c], rows.share);
+    for (int x = 0; x < out.width; ++x) {
+        const Between columns(x, step, out.width);
+        if (columns.before == x) continue;
+        for (int c = 0; c < 3; ++c)
+            out.at(x, y)[c] = mixed(out.at(columns.before, y)[c], out.at(columns.after, y)[c], columns.share);
+    }
+}
+
+} // namespace
+
+void upsample(const Image& known, int step, bool smooth, Image& out, TaskPool& pool) {
+    constexpr int rows_a_task = 32;
+    const int tasks = (out.height + rows_a_task - 1) / rows_a_task;
+    pool.run(static_cast<std::size_t>(tasks), [&](std::size_t task, int) {
+        const int first = static_cast<int>(task) * rows_a_task;
+        for (int y = first; y < std::min(first + rows_a_task, out.height); ++y)
+            smooth ? fill_row_smoothly(known, step, y, out) : fill_row_from_blocks(known, step, y, out);
+    });
+}
+
+} // namespace glint

@@ -1,0 +1,69 @@
+// Numbers as pictures for the eye.
+
+#include "math/vec.h"
+#include "render/aspect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+/// So many steps to the first hit are white.
+constexpr float most_steps = 400;
+
+/// The same function for each pixel, from three numbers to a colour.
+template <class Show>
+Image mapped(const Image& numbers, const Show& show) {
+    Image image(numbers.width, numbers.height);
+    for (std::size_t i = 0; i < numbers.pixels.size(); i += 3) {
+        const float* n = numbers.pixels.data() + i;
+        const vec3 color = show(vec3(n[0], n[1], n[2]));
+        for (int channel = 0; channel < 3; ++channel)
+            image.pixels[i + static_cast<std::size_t>(channel)] = color[channel];
+    }
+    return image;
+}
+
+/// From the eye to the middle of all that is finite; else to the origin.
+float middle_distance(const Scene& scene) {
+    const Bounds bounds = scene.frozen().world.bounds();
+    const dvec3 middle = bounds.empty() ? dvec3(0.0) : (dvec3(bounds.lo) + dvec3(bounds.hi)) * 0.5;
+    const double distance = glm::length(middle - scene.camera().eye);
+    return distance > 0 ? static_cast<float>(distance) : 1.0f;
+}
+
+/// A light that shines on everything alike hides nothing, and is not counted.
+float light_count(const Scene& scene) {
+    return static_cast<float>(std::max<std::size_t>(1, scene.frozen().lights.size()));
+}
+
+Image cost_in_colours(const Image& numbers) {
+    // The root shows differences among few steps and among many.
+    const Image steps = mapped(numbers, [](const vec3& n) { return vec3(std::sqrt(n.x + n.y), 0.0f, 0.0f); });
+    return difference_heat(steps, Image(numbers.width, numbers.height), std::sqrt(most_steps));
+}
+
+} // namespace
+
+Image visible(const Image& numbers, Aspect aspect, const Scene& scene) {
+    switch (aspect) {
+    case Aspect::clamp:
+        return mapped(numbers, [](const vec3& n) { return -n; });
+    case Aspect::shadows:
+        return mapped(numbers, [most = light_count(scene)](const vec3& n) { return vec3(1.0f) - n / most; });
+    case Aspect::normal:
+        return mapped(numbers, [](const vec3& n) { return n == vec3(0.0f) ? n : n * 0.5f + vec3(0.5f); });
+    case Aspect::depth:
+        return mapped(numbers, [middle = middle_distance(scene)](const vec3& n) {
+            const float x = n.x / middle;
+            return vec3(1.0f / (1.0f + x * x));
+        });
+    case Aspect::cost:
+        return cost_in_colours(numbers);
+    default:
+        return numbers;
+    }
+}
+
+} // namespace glint
