@@ -1,0 +1,97 @@
+#include "camera.h"
+
+#include "glint/pick.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::viewer {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+/// How near to the poles an orbit comes, radians.
+constexpr double pole_margin = 0.01;
+/// What a notch leaves of the way.
+constexpr double notch = 0.9;
+
+/// v turned about a unit axis.
+Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+    const double c = std::cos(angle);
+    return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
+}
+
+} // namespace
+
+CameraControl::CameraControl(const CameraDescription& home, double target_distance)
+    : home_(home), camera_(home), home_distance_(target_distance), distance_(target_distance) {}
+
+Vec3 CameraControl::target() const { return camera_.eye + axes().ahead * distance_; }
+
+CameraControl::Axes CameraControl::axes() const {
+    Axes a;
+    a.ahead = glm::normalize(camera_.direction);
+    a.right = glm::normalize(glm::cross(a.ahead, camera_.up));
+    a.up = glm::cross(a.right, a.ahead);
+    return a;
+}
+
+void CameraControl::orbit(double right, double up) {
+    const Vec3 pivot = target();
+    const Vec3 pole = glm::normalize(camera_.up);
+    const Axes a = axes();
+    // The eye's height over the equator, which must stay between the poles.
+    const double height = std::asin(std::clamp(-glm::dot(a.ahead, pole), -1.0, 1.0));
+    const double most = std::max(pi / 2 - pole_margin, std::abs(height));
+    const double climb = std::clamp(height + up, -most, most) - height;
+    const Vec3 raised = turned(a.ahead, a.right, -climb);
+    camera_.direction = glm::normalize(turned(raised, pole, right));
+    camera_.eye = pivot - camera_.direction * distance_;
+}
+
+void CameraControl::pan(double right, double up) {
+    const Axes a = axes();
+    const double height = 2 * distance_ * std::tan(camera_.fov / 2 * pi / 180);
+    camera_.eye += (a.right * right + a.up * up) * height;
+}
+
+void CameraControl::zoom(double notches) {
+    const Vec3 pivot = target();
+    distance_ *= std::pow(notch, notches);
+    camera_.eye = pivot - axes().ahead * distance_;
+}
+
+void CameraControl::fly(double right, double up, double ahead) {
+    const Axes a = axes();
+    camera_.eye += (a.right * right + a.up * up + a.ahead * ahead) * distance_;
+}
+
+void CameraControl::set_fov(double degrees) { camera_.fov = std::clamp(degrees, 1.0, 170.0); }
+
+void CameraControl::turn(double seconds, double turns_a_minute) {
+    orbit(seconds * turns_a_minute * 2 * pi / 60, 0);
+}
+
+void CameraControl::reset() {
+    camera_ = home_;
+    distance_ = home_distance_;
+}
+
+void CameraControl::set_camera(const CameraDescription& camera, double target_distance) {
+    camera_ = camera;
+    distance_ = target_distance;
+}
+
+double target_distance(const Scene& scene) {
+    const RenderSettings& r = scene.render_settings();
+    if (const auto middle = pick(scene, r.width / 2.0, r.height / 2.0)) return middle->distance;
+    const SceneStats stats = scene.stats();
+    const Vec3 direction = glm::normalize(scene.camera().direction);
+    const double ahead =
+        glm::dot((stats.bounds_min + stats.bounds_max) * 0.5 - scene.camera().eye, direction);
+    const bool is_something = stats.bounds_min.x <= stats.bounds_max.x;
+    return is_something && ahead > 0 ? ahead : 1;
+}
+
+} // namespace glint::viewer

@@ -1,0 +1,59 @@
+#pragma once
+// Pictures of scenes on a thread of their own: first soon, then better, and begun anew whenever something
+// changes.
+
+#include "glint/progressive.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace glint::viewer {
+
+/// A picture as it was at one moment. Nobody changes it any more.
+struct Frame {
+    Image image; ///< linear; aspects as visible() shows them
+    Aspect show = Aspect::final;
+    CameraDescription camera;
+    Refinement reached;
+    std::uint64_t number = 0; ///< each is higher than that of the frame before
+    double rays_per_second = 0;
+};
+
+/// Two places have pictures: 0 is the scene, 1 what it is compared with.
+inline constexpr int picture_places = 2;
+
+/// All functions may be called by any thread, and none waits for rendering.
+class SessionRenderer {
+  public:
+    struct Options {
+        int threads = 0; ///< 0: one for each core
+        KernelChoice kernel;
+        /// How long the first picture after a change may take: it is as coarse as that needs.
+        double first_picture_seconds = 0.020;
+        std::function<void()> changed; ///< there is a new frame; called by the renderer's thread
+    };
+
+    explicit SessionRenderer(Options options);
+    /// Ends within milliseconds.
+    ~SessionRenderer();
+    SessionRenderer(const SessionRenderer&) = delete;
+    SessionRenderer& operator=(const SessionRenderer&) = delete;
+
+    /// A scene for a place, or none. Its own camera and size do not count.
+    void set_scene(int place, std::optional<Scene> scene);
+    void set_show(int place, Aspect show);
+    /// From where all places are seen, and how large.
+    void set_view(const CameraDescription& camera, int width, int height);
+
+    /// The latest picture of a place; none before there is any, or where there is no scene.
+    std::shared_ptr<const Frame> latest(int place) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace glint::viewer

@@ -1,0 +1,326 @@
+// What stands behind the window: files read, watched and edited in the background, pictures that follow.
+
+#include "session/session.h"
+
+#include "scene_kit.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+namespace glint::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Waits until it is so; false where it never becomes so.
+template <class Condition>
+bool comes_true(const Condition& condition) {
+    const auto patience = Clock::now() + std::chrono::seconds(20);
+    while (!condition()) {
+        if (Clock::now() > patience) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+}
+
+const std::string ball = R"([camera]
+eye = [0, -6, 0]
+direction = [0, 1, 0]
+[render]
+spp = 2
+[material.red]
+color = [1, 0, 0]
+[[sphere]]
+name = "ball"
+center = [0, 0, 0]
+radius = 1
+material = "red"
+[[light]]
+type = "point"
+position = [3, -5, 4]
+intensity = 40
+)";
+
+class SessionTest : public testing::Test {
+  protected:
+    SessionTest() : folder_(fs::temp_directory_path() / ("glint-session-" + std::to_string(getpid()))) {
+        fs::create_directories(folder_);
+    }
+    ~SessionTest() override { fs::remove_all(folder_); }
+
+    /// Writes a file as careful editors do.
+    std::string write(const std::string& name, const std::string& text) const {
+        const fs::path path = folder_ / name;
+        std::ofstream(path.string() + ".new") << text;
+        fs::rename(path.string() + ".new", path);
+        return path.string();
+    }
+
+    static SessionOptions options() {
+        SessionOptions options;
+        options.threads = 2;
+        options.width = 48;
+        options.height = 36;
+        return options;
+    }
+
+    static bool finished(const Session& session, int place = 0) {
+        return comes_true([&] {
+            const auto frame = session.frame(place);
+            return frame && frame->reached.finished;
+        });
+    }
+    /// The picture that the session must come to.
+    static std::string expected(const Session& session, int place = 0) {
+        RenderOptions how;
+        how.show = session.show(place);
+        const Scene scene = session.view(place).value();
+        return picture_hash(visible(render(scene, how).image, how.show, scene));
+    }
+    static bool shows_what_it_should(const Session& session, int place = 0) {
+        const std::string wanted = expected(session, place);
+        return comes_true([&] {
+            const auto frame = session.frame(place);
+            return frame && frame->reached.finished && picture_hash(frame->image) == wanted;
+        });
+    }
+    static bool is_shown(const Session& session, std::uint64_t loads) {
+        return comes_true([&] {
+            const auto scene = session.scene();
+            return scene && scene->loads >= loads;
+        });
+    }
+    static bool has_problem(const Session& session) {
+        return comes_true([&] { return !session.load_status().problems.empty(); });
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(SessionTest, OpensAFileAndFinishesThePictureThatRenderGives) {
+    Session session(options());
+    EXPECT_FALSE(session.scene());
+    EXPECT_FALSE(session.frame());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    EXPECT_TRUE(shows_what_it_should(session));
+    EXPECT_TRUE(comes_true([&] { return !session.load_status().busy; }));
+    EXPECT_TRUE(session.load_status().problems.empty());
+}
+
+TEST_F(SessionTest, CameraSizeAndWhatIsShownLeadToTheirPictures) {
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    session.move([](CameraControl& c) { c.orbit(0.5, 0.3); });
+    EXPECT_TRUE(shows_what_it_should(session));
+    session.resize(31, 57);
+    EXPECT_TRUE(shows_what_it_should(session));
+    for (const Aspect show : {Aspect::normal, Aspect::diffuse, Aspect::shadows}) {
+        session.set_show(show);
+        EXPECT_TRUE(shows_what_it_should(session)) << aspect_name(show);
+    }
+}
+
+TEST_F(SessionTest, EditsOfMaterialsLightsAndObjectsShow) {
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    SceneDescription edited = session.scene()->scene.description();
+    edited.materials[0].transparency = 0.75;
+    edited.whitted.max_depth = 2;
+    std::get<PointLight>(edited.lights[0].kind).intensity = 10;
+    std::get<SphereShape>(edited.objects[0].shape).radius = 1.5;
+    session.edit(edited);
+    ASSERT_TRUE(
+        comes_true([&] { return session.scene()->scene.description().materials[0].transparency == 0.75; }));
+    EXPECT_TRUE(shows_what_it_should(session));
+    EXPECT_EQ(std::get<SphereShape>(session.view()->description().objects[0].shape).radius, 1.5);
+}
+
+TEST_F(SessionTest, AnImpossibleEditIsToldAndNothingChanges) {
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    SceneDescription edited = session.scene()->scene.description();
+    edited.materials[0].index = -1;
+    session.edit(edited);
+    ASSERT_TRUE(has_problem(session));
+    EXPECT_EQ(session.scene()->scene.description().materials[0].index, 1.5);
+    EXPECT_TRUE(shows_what_it_should(session));
+}
+
+TEST_F(SessionTest, SavingTheFileShowsItAndKeepsTheCamera) {
+    Session session(options());
+    const std::string path = write("ball.toml", ball);
+    session.open(path);
+    ASSERT_TRUE(is_shown(session, 1));
+    session.move([](CameraControl& c) { c.orbit(1, 0.2); });
+    const Vec3 eye = session.camera().camera().eye;
+    std::string blue = ball;
+    blue.replace(blue.find("[1, 0, 0]"), 9, "[0, 0, 1]");
+    write("ball.toml", blue);
+    ASSERT_TRUE(is_shown(session, 2));
+    EXPECT_EQ(session.scene()->scene.description().materials[0].color, Vec3(0, 0, 1));
+    EXPECT_EQ(session.camera().camera().eye, eye);
+    EXPECT_TRUE(shows_what_it_should(session));
+    session.move([](CameraControl& c) { c.reset(); });
+    EXPECT_EQ(session.camera().camera().eye, Vec3(0, -6, 0)) << "home is the file's camera";
+}
+
+TEST_F(SessionTest, ABrokenFileIsToldWhileTheLastGoodSceneStays) {
+    Session session(options());
+    const std::string path = write("ball.toml", ball);
+    session.open(path);
+    ASSERT_TRUE(is_shown(session, 1));
+    ASSERT_TRUE(finished(session));
+    const std::string shown = expected(session);
+    write("ball.toml", ball + "[[sphere]]\ncenter = [0, 0, 0]\nradius = \"large\"\n");
+    ASSERT_TRUE(has_problem(session));
+    EXPECT_EQ(session.load_status().problems[0].location.file, path);
+    EXPECT_GT(session.load_status().problems[0].location.line, 10);
+    EXPECT_EQ(picture_hash(session.frame()->image), shown);
+    write("ball.toml", ball + "# better\n");
+    ASSERT_TRUE(is_shown(session, 2));
+    EXPECT_TRUE(comes_true([&] { return session.load_status().problems.empty(); }));
+}
+
+TEST_F(SessionTest, SavingAMeshShowsItToo) {
+    write_ply((folder_ / "shape.ply").string(), kit::box_mesh(Vec3(0), Vec3(1)));
+    Session session(options());
+    session.open(write("scene.toml", ball + "[[mesh]]\nfile = \"shape.ply\"\nmaterial = \"red\"\n"));
+    ASSERT_TRUE(is_shown(session, 1));
+    EXPECT_EQ(session.scene()->scene.stats().triangles, 12u);
+    write_ply((folder_ / "shape.ply").string(), kit::sphere_mesh(1, 8));
+    ASSERT_TRUE(is_shown(session, 2));
+    EXPECT_GT(session.scene()->scene.stats().triangles, 12u);
+}
+
+TEST_F(SessionTest, AFileThatIsNotThereIsTold) {
+    Session session(options());
+    session.open((folder_ / "nothing.toml").string());
+    ASSERT_TRUE(has_problem(session));
+    EXPECT_FALSE(session.scene());
+    write("nothing.toml", ball);
+    EXPECT_TRUE(is_shown(session, 1)) << "it is watched all the same";
+}
+
+TEST_F(SessionTest, ComparingShowsBothFromTheSameCamera) {
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    SceneDescription other = session.scene()->scene.description();
+    other.materials[0].color = Vec3(0, 1, 0);
+    session.compare(other);
+    session.set_show(Aspect::diffuse, 1);
+    ASSERT_TRUE(comes_true([&] { return session.view(1).has_value(); }));
+    session.move([](CameraControl& c) { c.zoom(2); });
+    EXPECT_TRUE(shows_what_it_should(session, 0));
+    EXPECT_TRUE(shows_what_it_should(session, 1));
+    EXPECT_EQ(session.frame(0)->camera.eye, session.frame(1)->camera.eye);
+    session.compare(std::nullopt);
+    EXPECT_FALSE(session.frame(1));
+    EXPECT_FALSE(session.is_comparing());
+}
+
+TEST_F(SessionTest, PickingFindsWhatStandsThere) {
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    const auto found = session.pick(24, 18);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(session.scene()->scene.description().objects[found->object].name, "ball");
+    EXPECT_NEAR(found->distance, 5, 1e-5);
+    EXPECT_NEAR(glm::length(found->position - Vec3(0, -1, 0)), 0, 1e-5);
+    EXPECT_NEAR(glm::length(found->normal - Vec3(0, -1, 0)), 0, 1e-5);
+    EXPECT_FALSE(session.pick(0, 0)) << "nothing is there";
+    EXPECT_FALSE(session.pick(-1, 5)) << "outside the picture";
+}
+
+TEST_F(SessionTest, APictureComesForEveryMovementWhileTheCameraNeverRests) {
+    SceneDescription large;
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    std::uint64_t seen = 0;
+    for (int i = 0; i < 30; ++i)
+        ASSERT_TRUE(comes_true([&] {
+            session.move([](CameraControl& c) { c.orbit(0.01, 0); });
+            const auto frame = session.frame();
+            const bool is_new = frame && frame->number > seen;
+            if (is_new) seen = frame->number;
+            return is_new;
+        }));
+}
+
+TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
+    Session session(options());
+    const std::string path = write("ball.toml", ball);
+    session.open(path);
+    ASSERT_TRUE(is_shown(session, 1));
+    std::thread saver([&] {
+        for (int i = 0; i < 5; ++i) {
+            write("ball.toml", ball + std::string(static_cast<std::size_t>(i), '\n'));
+            std::this_thread::sleep_for(std::chrono::milliseconds(60));
+        }
+    });
+    for (int i = 0; i < 60; ++i) {
+        session.move([](CameraControl& c) { c.orbit(0.1, 0.01); });
+        if (i % 7 == 0) session.resize(20 + i, 30);
+        if (i % 11 == 0) session.reload();
+        if (i % 13 == 0) session.cancel_loading();
+        if (i % 17 == 0) session.open(path);
+        if (i % 19 == 0) session.set_show(i % 2 == 0 ? Aspect::final : Aspect::cost);
+        if (const auto scene = session.scene()) {
+            SceneDescription edited = scene->scene.description();
+            edited.materials[0].reflectivity = i / 100.0;
+            session.edit(edited);
+            if (i % 23 == 0) session.compare(edited);
+        }
+        session.frame();
+        session.frame(1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    saver.join();
+    session.compare(std::nullopt);
+    session.open(path);
+    const std::uint64_t before = session.scene()->loads;
+    ASSERT_TRUE(is_shown(session, before + 1));
+    ASSERT_TRUE(comes_true([&] { return !session.load_status().busy; }));
+    EXPECT_TRUE(shows_what_it_should(session));
+}
+
+TEST_F(SessionTest, ClosesWhileALargeMeshIsRead) {
+    const std::string path = (folder_ / "large.ply").string();
+    write_ply(path, kit::sphere_mesh(1, 150));
+    for (int delay = 0; delay < 100; delay += 9) {
+        Session session(options());
+        session.open(path);
+        std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+    }
+}
+
+TEST_F(SessionTest, GivingUpAFileLeavesTheSceneBefore) {
+    const std::string large = (folder_ / "large.ply").string();
+    write_ply(large, kit::sphere_mesh(1, 150));
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    session.open(large);
+    session.cancel_loading();
+    ASSERT_TRUE(comes_true([&] { return !session.load_status().busy; }));
+    EXPECT_EQ(fs::path(session.scene()->path).filename(), "ball.toml");
+    EXPECT_TRUE(session.load_status().problems.empty());
+    EXPECT_TRUE(shows_what_it_should(session));
+}
+
+} // namespace
+} // namespace glint::viewer
