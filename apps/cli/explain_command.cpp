@@ -36,7 +36,9 @@ int explain_command(const Arguments& arguments, Console& console) {
     SceneDescription description = at_frame(arguments, loaded);
     apply_flags(arguments, description);
     report(loaded, console);
-    const Scene scene = freeze(description, {threads(arguments)});
+    FreezeOptions how;
+    how.threads = threads(arguments);
+    const Scene scene = freeze(description, how);
     console.warnings(warnings(scene));
     Explanation explanation = explain(scene, static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
     explanation.scene = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();

@@ -37,6 +37,8 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
             options.layers.push_back(
                 {term_name(static_cast<Term>(i)), std::move(picture.terms[std::size_t(i)])});
     options.metadata = picture_settings(scene);
+    if (request.render.show != Aspect::final)
+        options.metadata.emplace_back("glint.show", aspect_name(request.render.show));
     if (const auto& crop = request.render.crop)
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
@@ -93,7 +95,9 @@ class Renderer {
         record.load_seconds = load_seconds_;
         console_.status("building the tree");
         const Stopwatch building;
-        const Scene scene = freeze(description, {request_.render.threads});
+        FreezeOptions how;
+        how.threads = request_.render.threads;
+        const Scene scene = freeze(description, how);
         record.build_seconds = building.seconds();
         warn(scene);
 
@@ -103,6 +107,9 @@ class Renderer {
             return false;
         }
         record.hash = picture_hash(picture.image);
+        // PNG is for the eye; the other formats hold the numbers themselves.
+        if (picture_format(record.output) == PictureFormat::png)
+            picture.image = visible(picture.image, request_.render.show, scene);
         const Stopwatch writing;
         write_picture(record.output, picture.image, picture_options(request_, scene, picture, record.hash));
         record.write_seconds = writing.seconds();

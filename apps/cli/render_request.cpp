@@ -72,6 +72,27 @@ SimdTarget simd_target(const Arguments& arguments) {
     return target;
 }
 
+Aspect aspect(const Arguments& arguments) {
+    const std::string name = arguments.text("show").value_or(aspect_name(Aspect::final));
+    std::vector<std::string> names;
+    for (int i = 0; i < aspect_count; ++i) {
+        names.emplace_back(aspect_name(static_cast<Aspect>(i)));
+        if (name == names.back()) return static_cast<Aspect>(i);
+    }
+    const auto near = nearest_name(name, names);
+    throw Error(ErrorKind::usage, fmt::format("--show knows no \"{}\"", name),
+                near ? fmt::format("did you mean \"{}\"?", *near)
+                     : fmt::format("expected one of {}", fmt::join(names, ", ")));
+}
+
+/// Layers and alpha belong to the light.
+void require_light(const Arguments& arguments, Aspect show) {
+    for (const char* option : {"layers", "alpha"})
+        if (show != Aspect::final && arguments.has(option))
+            throw Error(ErrorKind::usage, fmt::format("--{} goes with the light, not with --show {}", option,
+                                                      aspect_name(show)));
+}
+
 RenderOptions render_options(const Arguments& arguments) {
     RenderOptions options;
     options.threads = threads(arguments);
@@ -83,6 +104,7 @@ RenderOptions render_options(const Arguments& arguments) {
         options.crop = Rect{at(0), at(1), at(2), at(3)};
     }
     options.kernel = {kernel(arguments), simd_target(arguments)};
+    options.show = aspect(arguments);
     options.terms = arguments.has("layers");
     options.coverage = arguments.has("alpha");
     return options;
@@ -129,6 +151,7 @@ RenderRequest read_render_request(const Arguments& arguments) {
     require_mesh_for_up(arguments, request.scene);
     request.load = load_options(arguments);
     request.render = render_options(arguments);
+    require_light(arguments, request.render.show);
     request.view = arguments.text("view") == "raw" ? View::raw : View::srgb;
     request.bits = arguments.text("bits") == "16" ? 16 : 8;
     request.keep_partial = arguments.has("keep-partial");
