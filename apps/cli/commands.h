@@ -20,6 +20,7 @@ inline constexpr int internal = 70;
 } // namespace exit_code
 
 int render_command(const Arguments& arguments, Console& console);
+int view_command(const Arguments& arguments, Console& console);
 int check_command(const Arguments& arguments, Console& console);
 int info_command(const Arguments& arguments, Console& console);
 int diff_command(const Arguments& arguments, Console& console);

@@ -51,6 +51,21 @@ constexpr std::array render_options{
     help,
 };
 
+// glint-view takes the same; a test compares the two lists.
+constexpr std::array view_options{
+    Option{0, "size", "WxH", "pixels to render; default: as many as the window shows"},
+    Option{0, "window", "WxH", "size of the window; default: 1280x800"},
+    set,
+    up,
+    allow_outside,
+    threads,
+    Option{0, "theme", "dark|light", "colours of the window"},
+    Option{0, "scale", "S", "of texts and buttons; default: what the screen asks for"},
+    Option{0, "ui-stats", "", "print how long the window took to draw, at its end"},
+    Option{0, "ui-map", "FILE", "keep writing where the widgets are, for scripts"},
+    Option{'h', "help", "", "this help"},
+};
+
 constexpr std::array check_options{
     Option{0, "frames", "A..B[:STEP]", "check these frames of animated scenes; default: all"},
     set,
@@ -103,6 +118,9 @@ constexpr std::array new_options{
 constexpr std::array command_table{
     Command{"render", "FILE [-o OUT]", "render a scene or a mesh to a picture", Operands::scene,
             render_options, ""},
+    Command{"view", "[FILE]", "show a scene or a mesh in a window", Operands::maybe_scene, view_options,
+            "In the window, ? lists keys and gestures.\n"
+            "Exit: 0 closed; 3 FILE cannot be read; 7 no display, or glint-view is not installed."},
     Command{"check", "FILE...", "find all errors and warnings, render nothing", Operands::scenes,
             check_options, "Exit: 0 good, perhaps with warnings; 3 a file has errors."},
     Command{"info", "FILE", "counts, bounds, materials, memory, tree", Operands::scene, info_options, ""},

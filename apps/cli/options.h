@@ -20,7 +20,7 @@ struct Option {
 };
 
 /// What stands on the command line beside options.
-enum class Operands { scene, scenes, two_pictures, starter };
+enum class Operands { scene, maybe_scene, scenes, two_pictures, starter };
 
 struct Command {
     const char* name;

@@ -73,6 +73,9 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
                         fmt::format("the command comes first: glint {} ...", operands[0]));
         if (count > 1) wrong("more than one scene given");
         break;
+    case Operands::maybe_scene:
+        if (count > 1) wrong("more than one scene given");
+        break;
     case Operands::scenes:
         if (count == 0) wrong("no scene given");
         break;

@@ -35,6 +35,7 @@ Console console_for(const Arguments& arguments) {
 int call(const Arguments& arguments, Console& console) {
     const std::string name = arguments.command().name;
     if (name == "render") return render_command(arguments, console);
+    if (name == "view") return view_command(arguments, console);
     if (name == "check") return check_command(arguments, console);
     if (name == "info") return info_command(arguments, console);
     if (name == "diff") return diff_command(arguments, console);

@@ -56,7 +56,6 @@ const Case cases[] = {
     {"KnowsNoUnbuiltTime", "good.toml --time 30s", 2, "unknown option \"--time\"\n    see glint"},
     {"KnowsNoUnbuiltCheckpoint", "good.toml --checkpoint x", 2, "unknown option \"--checkpoint\""},
     {"KnowsNoUnbuiltBackend", "good.toml --backend gpu", 2, "unknown option \"--backend\""},
-    {"KnowsNoUnbuiltView", "view good.toml", 2, "\"view\" is neither a command nor a file"},
     {"KnowsNoUnbuiltMerge", "merge a b", 2, "neither a command"},
     {"KnowsNoUnbuiltConvert", "convert a b", 2, "neither a command"},
     {"KnowsOptionsOfTheCommandOnly", "check good.toml --spp 4", 2, "see glint check --help"},
@@ -151,7 +150,7 @@ TEST_P(Help, SaysNothingOfWhatIsNotBuilt) {
         EXPECT_EQ(text.find(word), std::string::npos) << word;
 }
 
-INSTANTIATE_TEST_SUITE_P(, Help, testing::Values("", "render", "check", "info", "explain", "diff", "new"),
+INSTANTIATE_TEST_SUITE_P(, Help, testing::Values("", "render", "view", "check", "info", "explain", "diff", "new"),
                          [](const auto& tested) {
                              return *tested.param ? std::string(tested.param) : "top";
                          });

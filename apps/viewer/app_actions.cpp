@@ -1,0 +1,247 @@
+// What keys and buttons do.
+#include "app.h"
+
+#include "glint/document.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace glint::viewer {
+namespace {
+
+/// How far one press of a key goes.
+constexpr double key_turn = 0.06;
+constexpr double key_move = 0.05;
+constexpr double key_fov = 0.94;
+
+/// "picture.png", or the first of "picture-2.png", "picture-3.png" … that is not there yet.
+std::string free_name(const std::string& stem, const std::string& extension) {
+    std::string name = stem + extension;
+    for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}{}", stem, i, extension);
+    return name;
+}
+
+/// The file's name without its extension, in its own folder.
+std::string stem_of(const std::string& file) {
+    return (std::filesystem::path(file).parent_path() / std::filesystem::path(file).stem()).string();
+}
+
+} // namespace
+
+template <typename Work>
+void App::guarded(const Work& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        notice(error.diagnostics().front().message);
+    }
+}
+
+// long: one line an action reads better than a table of functions
+void App::perform(Action action) {
+    const bool scene = bench_.description() != nullptr;
+    switch (action) {
+    case Action::help:
+        state_.help = !state_.help;
+        break;
+    case Action::panel:
+        state_.panel = !state_.panel;
+        break;
+    case Action::theme: {
+        const ThemeChoice other =
+            ui_.theme.choice == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
+        new_theme_ = other;
+        break;
+    }
+    case Action::turntable:
+        state_.turntable = scene && !state_.turntable;
+        break;
+    case Action::play:
+        state_.playing = bench_.animation() != nullptr && !state_.playing;
+        break;
+    case Action::next_frame:
+    case Action::previous_frame:
+        state_.playing = false;
+        if (bench_.animation() != nullptr)
+            show_at(std::round(bench_.frame_shown()) + (action == Action::next_frame ? 1 : -1));
+        break;
+    case Action::keep:
+        if (scene) bench_.keep();
+        if (scene) notice("Kept as A: change a setting, then compare with C");
+        break;
+    case Action::compare:
+        if (!bench_.has_kept()) return notice("Nothing to compare with: keep these settings with K first");
+        state_.compare = static_cast<CompareMode>((static_cast<int>(state_.compare) + 1) % 3);
+        break;
+    case Action::next_quantity:
+    case Action::previous_quantity: {
+        const int step = action == Action::next_quantity ? 1 : aspect_count - 1;
+        state_.show = static_cast<Aspect>((static_cast<int>(state_.show) + step) % aspect_count);
+        show(state_.show);
+        notice(std::string("Showing: ") + aspect_name(state_.show));
+        break;
+    }
+    case Action::final_quantity:
+        state_.show = Aspect::final;
+        show(state_.show);
+        break;
+    case Action::undo:
+        bench_.undo();
+        last_change_ = now();
+        break;
+    case Action::redo:
+        bench_.redo();
+        last_change_ = now();
+        break;
+    case Action::reload:
+        bench_.session().reload();
+        break;
+    case Action::save_scene:
+        if (scene)
+            guarded([&] {
+                saved_ = bench_.save();
+                notice("Saved " + saved_);
+            });
+        break;
+    case Action::save_picture:
+        save_when_finished_ = scene;
+        if (scene && !is_finished()) notice("The picture is saved when it is finished");
+        break;
+    case Action::save_window:
+        screenshot_wanted_ = true;
+        break;
+    case Action::copy_camera:
+        if (!scene) break;
+        ImGui::SetClipboardText(camera_text(bench_.session().camera().camera()).c_str());
+        notice("The camera is copied");
+        break;
+    case Action::let_go:
+        if (!state_.help) pixel_.reset();
+        state_.help = false;
+        break;
+    case Action::quit:
+        window_.close();
+        break;
+    default:
+        if (scene) perform_on_camera(action);
+    }
+}
+
+void App::perform_on_camera(Action action) {
+    Movement move;
+    const double fov = bench_.session().camera().camera().fov;
+    const auto change = [&](const std::function<void(CameraControl&)>& how) {
+        bench_.session().move(how);
+        last_change_ = last_move_ = now();
+    };
+    switch (action) {
+    case Action::reset_camera:
+        return change([](CameraControl& c) { c.reset(); });
+    case Action::turn_left:
+        move.turn_right = -key_turn;
+        break;
+    case Action::turn_right:
+        move.turn_right = key_turn;
+        break;
+    case Action::turn_up:
+        move.turn_up = key_turn;
+        break;
+    case Action::turn_down:
+        move.turn_up = -key_turn;
+        break;
+    case Action::move_left:
+        move.move_right = -key_move;
+        break;
+    case Action::move_right:
+        move.move_right = key_move;
+        break;
+    case Action::move_up:
+        move.move_up = key_move;
+        break;
+    case Action::move_down:
+        move.move_up = -key_move;
+        break;
+    case Action::nearer:
+        move.nearer = 1;
+        break;
+    case Action::farther:
+        move.nearer = -1;
+        break;
+    case Action::narrower:
+        return change([&](CameraControl& c) { c.set_fov(fov * key_fov); });
+    case Action::wider:
+        return change([&](CameraControl& c) { c.set_fov(fov / key_fov); });
+    default:
+        return;
+    }
+    App::move(move);
+}
+
+void App::play(double seconds) {
+    const Animation* animation = bench_.animation();
+    if (animation == nullptr) state_.playing = false;
+    if (!state_.playing || seconds <= 0) return;
+    const double length = std::max(1, animation->last - animation->first + 1);
+    const double on = bench_.frame_shown() - animation->first + seconds * animation->fps;
+    show_at(animation->first + std::fmod(on, length));
+}
+
+void App::show_at(double frame) {
+    const Animation& animation = *bench_.animation();
+    guarded([&] { bench_.show_at(std::clamp<double>(frame, animation.first, animation.last)); });
+    last_change_ = now();
+}
+
+void App::show(Aspect aspect) {
+    state_.show = aspect;
+    if (bench_.session().show() == aspect) return;
+    for (int place = 0; place < picture_places; ++place) bench_.session().set_show(aspect, place);
+    last_change_ = now();
+}
+
+void App::explain_at(const PicturePlace& place) {
+    guarded([&] {
+        const int width = bench_.session().width();
+        const int height = bench_.session().height();
+        const int x = std::clamp(static_cast<int>(place.across * width), 0, width - 1);
+        const int y = std::clamp(static_cast<int>(place.down * height), 0, height - 1);
+        pixel_ = ExplainedPixel{bench_.explain(x, y), {}, {}, -1};
+        state_.panel = true;
+        state_.tab = Tab::pixel;
+        state_.turn_to_tab = true;
+    });
+}
+
+std::string App::explain_command() const {
+    const Explanation& e = pixel_->explanation;
+    return fmt::format("glint explain {} --size {}x{} --pixel {},{}", bench_.file(), e.width, e.height, e.x,
+                       e.y);
+}
+
+void App::save_picture() {
+    save_when_finished_ = false;
+    guarded([&] {
+        const std::string file = free_name(stem_of(bench_.file()), ".png");
+        write_picture(file, bench_.frame(0)->image,
+                      {.view = state_.view, .alpha = {}, .layers = {}, .metadata = {}});
+        saved_ = file;
+        notice("Saved " + file);
+    });
+}
+
+void App::save_window() {
+    screenshot_wanted_ = false;
+    guarded([&] {
+        const std::string stem = bench_.file().empty() ? "glint" : stem_of(bench_.file());
+        const std::string file = free_name(stem + "-window", ".png");
+        write_picture(file, window_.screenshot(),
+                      {.view = View::raw, .alpha = {}, .layers = {}, .metadata = {}});
+        saved_ = file;
+    });
+}
+
+} // namespace glint::viewer

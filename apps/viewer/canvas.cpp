@@ -1,0 +1,122 @@
+#include "canvas.h"
+
+#include "glint/error.h"
+
+#include <epoxy/gl.h>
+
+#include <cmath>
+#include <string>
+
+namespace glint::viewer {
+namespace {
+
+constexpr const char* vertex_source = R"(#version 330 core
+uniform vec4 corners; // of the area in the viewport: left, top, right, bottom
+out vec2 place;
+void main() {
+    place = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = vec4(mix(corners.xy, corners.zw, place), 0.0, 1.0);
+}
+)";
+
+// The exact sRGB curve, as pictures in files have it.
+constexpr const char* fragment_source = R"(#version 330 core
+uniform sampler2D picture;
+uniform bool curve;
+in vec2 place;
+out vec4 color;
+void main() {
+    vec3 light = clamp(texture(picture, place).rgb, 0.0, 1.0);
+    vec3 bent = 1.055 * pow(max(light, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
+    vec3 toned = curve ? mix(light * 12.92, bent, greaterThan(light, vec3(0.0031308))) : light;
+    color = vec4(toned, 1.0);
+}
+)";
+
+unsigned compiled(GLenum kind, const char* source) {
+    const unsigned shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    return shader;
+}
+
+unsigned linked() {
+    const unsigned vertex = compiled(GL_VERTEX_SHADER, vertex_source);
+    const unsigned fragment = compiled(GL_FRAGMENT_SHADER, fragment_source);
+    const unsigned program = glCreateProgram();
+    glAttachShader(program, vertex);
+    glAttachShader(program, fragment);
+    glLinkProgram(program);
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    GLint good = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &good);
+    if (good == GL_TRUE) return program;
+    std::string log(1024, '\0');
+    GLsizei length = 0;
+    glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    throw Error(ErrorKind::device, "the graphics driver refuses the window's shader: " + log,
+                "render to a file instead: glint FILE -o picture.png");
+}
+
+} // namespace
+
+Canvas::Canvas() : program_(linked()) {
+    place_of_corners_ = glGetUniformLocation(program_, "corners");
+    place_of_curve_ = glGetUniformLocation(program_, "curve");
+    glGenVertexArrays(1, &points_);
+    for (Texture& texture : pictures_) {
+        glGenTextures(1, &texture.name);
+        glBindTexture(GL_TEXTURE_2D, texture.name);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    }
+}
+
+Canvas::~Canvas() {
+    for (const Texture& texture : pictures_) glDeleteTextures(1, &texture.name);
+    glDeleteVertexArrays(1, &points_);
+    glDeleteProgram(program_);
+}
+
+void Canvas::upload(int place, const Image& image) {
+    Texture& texture = pictures_[static_cast<std::size_t>(place)];
+    glBindTexture(GL_TEXTURE_2D, texture.name);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (texture.width == image.width && texture.height == image.height) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT,
+                        image.pixels.data());
+    } else {
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, image.width, image.height, 0, GL_RGB, GL_FLOAT,
+                     image.pixels.data());
+        texture.width = image.width;
+        texture.height = image.height;
+    }
+}
+
+void Canvas::draw(int place, const Area& area, const Area& part, View view, const WindowSize& window) const {
+    const float ratio = window.pixels_a_unit();
+    const auto pixels = [ratio](float units) { return static_cast<GLint>(std::lround(units * ratio)); };
+    const GLint bottom = window.pixel_height - pixels(part.y + part.height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(pixels(part.x), bottom, pixels(part.x + part.width) - pixels(part.x),
+              pixels(part.y + part.height) - pixels(part.y));
+    glDisable(GL_BLEND);
+    glUseProgram(program_);
+    const auto across = [&](float x) { return 2 * x / static_cast<float>(window.width) - 1; };
+    const auto upward = [&](float y) { return 1 - 2 * y / static_cast<float>(window.height); };
+    glUniform4f(place_of_corners_, across(area.x), upward(area.y), across(area.x + area.width),
+                upward(area.y + area.height));
+    glUniform1i(place_of_curve_, view == View::srgb);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, pictures_[static_cast<std::size_t>(place)].name);
+    glBindVertexArray(points_);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glBindVertexArray(0);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+} // namespace glint::viewer

@@ -1,0 +1,65 @@
+#include "navigation.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <utility>
+
+namespace glint::viewer {
+namespace {
+
+/// +1, 0 or −1 by two opposite keys.
+double held(const Window& window, int plus, int minus) {
+    return (window.is_held(plus) ? 1.0 : 0.0) - (window.is_held(minus) ? 1.0 : 0.0);
+}
+
+} // namespace
+
+void Navigation::read_drag(const Area& picture, Movement& movement) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool left = io.MouseDown[0];
+    const bool other = io.MouseDown[1] || io.MouseDown[2];
+    if (!left && !other) {
+        if (pressed_ && !dragging_ && io.MouseReleased[0])
+            click_ = PicturePlace{(io.MousePos.x - picture.x) / picture.width,
+                                  (io.MousePos.y - picture.y) / picture.height};
+        pressed_ = dragging_ = false;
+        return;
+    }
+    if (!pressed_) return;
+    // A hand trembles a little when it clicks.
+    if (ImGui::IsMouseDragging(0, 4) || ImGui::IsMouseDragging(1, 2) || ImGui::IsMouseDragging(2, 2))
+        dragging_ = true;
+    if (!dragging_) return;
+    const double right = io.MouseDelta.x / picture.height;
+    const double up = -io.MouseDelta.y / picture.height;
+    if (left && io.KeyCtrl) {
+        movement.nearer += up * 12;
+    } else if (other || io.KeyShift) {
+        movement.move_right += right;
+        movement.move_up += up;
+    } else {
+        movement.turn_right += right;
+        movement.turn_up += up;
+    }
+}
+
+Movement Navigation::read(const Window& window, const Area& picture, double seconds) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Movement movement;
+    const bool over = !io.WantCaptureMouse && picture.contains(io.MousePos.x, io.MousePos.y);
+    if (over && (io.MouseClicked[0] || io.MouseClicked[1] || io.MouseClicked[2])) pressed_ = true;
+    read_drag(picture, movement);
+    if (over) movement.nearer += io.MouseWheel;
+    if (!io.WantTextInput && !io.KeyCtrl) {
+        movement.fly_ahead = held(window, GLFW_KEY_W, GLFW_KEY_S) * seconds;
+        movement.fly_right = held(window, GLFW_KEY_D, GLFW_KEY_A) * seconds;
+        movement.fly_up = held(window, GLFW_KEY_E, GLFW_KEY_Q) * seconds;
+    }
+    flying_ = movement.fly_ahead != 0 || movement.fly_right != 0 || movement.fly_up != 0;
+    return movement;
+}
+
+std::optional<PicturePlace> Navigation::take_click() { return std::exchange(click_, std::nullopt); }
+
+} // namespace glint::viewer

@@ -1,0 +1,56 @@
+#pragma once
+// From the mouse and held keys to movements of the camera.
+
+#include "ui_map.h"
+#include "window.h"
+
+#include <optional>
+
+namespace glint::viewer {
+
+/// What the user did with the picture since the last frame. Distances are in shares of the picture's height.
+struct Movement {
+    double turn_right = 0; ///< orbit
+    double turn_up = 0;
+    double move_right = 0; ///< pan: what is seen moves along
+    double move_up = 0;
+    double nearer = 0;    ///< zoom: 1 is one notch of a wheel
+    double fly_ahead = 0; ///< seconds of flight
+    double fly_right = 0;
+    double fly_up = 0;
+
+    bool is_none() const {
+        return turn_right == 0 && turn_up == 0 && move_right == 0 && move_up == 0 && nearer == 0 &&
+               fly_ahead == 0 && fly_right == 0 && fly_up == 0;
+    }
+};
+
+/// A place in the picture, 0 … 1 from its left and top.
+struct PicturePlace {
+    double across = 0;
+    double down = 0;
+};
+
+class Navigation {
+  public:
+    /// Reads Dear ImGui's mouse over `picture`, between begin_frame() and the end of the frame, unless a
+    /// widget has it; and the held keys, unless text is being typed.
+    Movement read(const Window& window, const Area& picture, double seconds);
+
+    /// Where the mouse was pressed and let go without moving, once.
+    std::optional<PicturePlace> take_click();
+    /// Does the mouse move the camera now?
+    bool is_dragging() const { return dragging_; }
+    /// Is a key held that flies?
+    bool is_flying() const { return flying_; }
+
+  private:
+    void read_drag(const Area& picture, Movement& movement);
+
+    bool pressed_ = false;  ///< a button went down over the picture
+    bool dragging_ = false; ///< and the mouse has moved since
+    bool flying_ = false;
+    std::optional<PicturePlace> click_;
+};
+
+} // namespace glint::viewer

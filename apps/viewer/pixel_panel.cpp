@@ -1,0 +1,151 @@
+#include "pixel_panel.h"
+
+#include "pixel_working.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace glint::viewer {
+namespace {
+
+std::string row_text(const ExplainedRay& ray) {
+    if (!ray.hit) return ray.end == RayEnd::absorbed ? "lost in a solid" : "background";
+    return fmt::format("{}  \u00b7  {}", ray.label, ray.material);
+}
+
+std::string row_text(const ExplainedLight& light) {
+    if (light.cosine <= 0) return light.label + "  \u00b7  behind the surface";
+    for (const Blocker& blocker : light.blockers)
+        if (blocker.share <= 0) return fmt::format("{}  \u00b7  behind {}", light.label, blocker.label);
+    if (light.shadow < 1) return fmt::format("{}  \u00b7  {:.3g} gets through", light.label, light.shadow);
+    return fmt::format("{}  \u00b7  {:.0f}\u00b0", light.label, light.degrees);
+}
+
+/// The tree of a sample, a row a ray and a row a light.
+class Tree {
+  public:
+    Tree(Ui& ui, const ExplainedSample& sample, RayPlace& chosen)
+        : ui_(ui), sample_(sample), chosen_(chosen) {}
+
+    void draw() { draw_ray(0); }
+
+  private:
+    void draw_ray(int number) {
+        const ExplainedRay& ray = sample_.rays[static_cast<std::size_t>(number)];
+        row({number, -1}, ray.depth, kind_of(ray), row_text(ray), ray.weight * ray.radiance,
+            fmt::format("ray:{}", number));
+        for (std::size_t i = 0; i < ray.lights.size(); ++i) {
+            const ExplainedLight& light = ray.lights[i];
+            row({number, static_cast<int>(i)}, ray.depth + 1, kind_of(light), row_text(light),
+                ray.weight * (light.diffuse + light.highlight), fmt::format("ray:{}:light:{}", number, i));
+        }
+        if (ray.reflected >= 0) draw_ray(ray.reflected);
+        if (ray.refracted >= 0) draw_ray(ray.refracted);
+    }
+
+    void row(const RayPlace& place, int depth, LineKind kind, const std::string& text, const glm::vec3& adds,
+             const std::string& name) {
+        const float size = ImGui::GetFontSize();
+        ImGui::PushID(name.c_str());
+        const ImVec2 start = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        if (ImGui::Selectable("##row", place == chosen_)) chosen_ = place;
+        ui_.map.item(name);
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const Tint tint = line_tint(kind);
+        const float x = start.x + static_cast<float>(std::min(depth, 12)) * 0.9f * size;
+        const ImU32 color = ImGui::GetColorU32(ImVec4(tint.red, tint.green, tint.blue, 1));
+        // Rays are bars, ways to lights are dots.
+        if (place.light < 0)
+            draw.AddRectFilled({x, start.y + 0.1f * size}, {x + 0.28f * size, start.y + 0.95f * size}, color,
+                               0.1f * size);
+        else
+            draw.AddCircleFilled({x + 0.14f * size, start.y + 0.54f * size}, 0.17f * size, color);
+        const float swatch = 1.3f * size;
+        const ImVec2 least(start.x + width - swatch, start.y + 0.08f * size);
+        draw.PushClipRect(start, {least.x - 0.3f * size, start.y + 2 * size}, true);
+        draw.AddText({x + 0.6f * size, start.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+        draw.PopClipRect();
+        draw_swatch(least, {swatch, 0.9f * size}, adds);
+        ImGui::PopID();
+    }
+
+    Ui& ui_;
+    const ExplainedSample& sample_;
+    RayPlace& chosen_;
+};
+
+void draw_legend() {
+    const float size = ImGui::GetFontSize();
+    for (int i = 0; i < line_kind_count; ++i) {
+        const auto kind = static_cast<LineKind>(i);
+        const Tint tint = line_tint(kind);
+        const ImVec4 color(tint.red, tint.green, tint.blue, 1);
+        const float needed = ImGui::CalcTextSize(line_name(kind)).x + 1.4f * size;
+        if (i > 0) ImGui::SameLine(0, 0.7f * size);
+        if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
+        const ImVec2 start = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddCircleFilled({start.x + 0.3f * size, start.y + 0.55f * size},
+                                                    0.22f * size, ImGui::GetColorU32(color));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.75f * size);
+        ImGui::TextDisabled("%s", line_name(kind));
+    }
+}
+
+void draw_pixel(Ui& ui, const Explanation& explanation, PixelChoice& choice, const std::string& command) {
+    const float size = ImGui::GetFontSize();
+    draw_swatch(ImGui::GetCursorScreenPos(), {2.2f * size, 2.2f * size}, explanation.color);
+    ImGui::Dummy({2.2f * size, 2.2f * size});
+    ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::PushFont(ui.theme.bold);
+    ImGui::Text("Pixel %d, %d", explanation.x, explanation.y);
+    ImGui::PopFont();
+    ImGui::TextUnformatted(number_text(explanation.color).c_str());
+    ImGui::EndGroup();
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Copy command").x -
+                    2 * ImGui::GetStyle().FramePadding.x);
+    if (button(ui, "copy_command", "Copy command", command.c_str())) ImGui::SetClipboardText(command.c_str());
+    const int samples = static_cast<int>(explanation.samples.size());
+    choice.sample = std::clamp(choice.sample, 0, samples - 1);
+    if (samples < 2) return;
+    int shown = choice.sample + 1;
+    label_row(ui, "sample", explanation.rule.c_str());
+    if (ImGui::SliderInt("##sample", &shown, 1, samples, fmt::format("%d of {}", samples).c_str())) {
+        choice.sample = std::clamp(shown, 1, samples) - 1;
+        choice.place = {};
+    }
+    ui.map.item("pixel.sample");
+}
+
+} // namespace
+
+void pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice, const std::string& command) {
+    if (explanation.samples.empty()) return;
+    draw_pixel(ui, explanation, choice, command);
+    const ExplainedSample& sample = explanation.samples[static_cast<std::size_t>(choice.sample)];
+    if (sample.rays.empty()) return;
+    if (choice.place.ray >= static_cast<int>(sample.rays.size())) choice.place = {};
+
+    // The tree takes what it needs up to half of the panel; the working scrolls below it.
+    ImGui::Spacing();
+    draw_legend();
+    std::size_t rows = sample.rays.size();
+    for (const ExplainedRay& ray : sample.rays) rows += ray.lights.size();
+    const float wanted = (static_cast<float>(rows) + 0.5f) * ImGui::GetTextLineHeightWithSpacing();
+    ImGui::BeginChild("tree", {0, std::min(wanted, 0.45f * ImGui::GetContentRegionAvail().y)});
+    Tree(ui, sample, choice.place).draw();
+    ImGui::EndChild();
+    ImGui::Separator();
+    ImGui::BeginChild("working", {0, 0});
+    const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(choice.place.ray)];
+    if (choice.place.light >= 0 && choice.place.light < static_cast<int>(ray.lights.size()))
+        working_of_light(ui, ray.lights[static_cast<std::size_t>(choice.place.light)]);
+    else
+        working_of_ray(ui, ray);
+    ImGui::EndChild();
+}
+
+} // namespace glint::viewer

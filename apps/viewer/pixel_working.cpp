@@ -1,0 +1,129 @@
+#include "pixel_working.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cstring>
+
+namespace glint::viewer {
+namespace {
+
+std::string list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+/// A fact: its name in the quiet colour, its value beside it.
+void fact(Ui& ui, const char* name, const std::string& value) {
+    label_row(ui, name);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(value.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void topic_line(Ui& ui, const Step& step) {
+    heading(ui, step.topic);
+    if (!*step.section) return;
+    const std::string section = std::string("report ") + step.section;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(section.c_str()).x);
+    ImGui::TextDisabled("%s", section.c_str());
+}
+
+std::string result_text(const Step& step) {
+    return step.result.vector ? number_text(step.result.value) : fmt::format("{:.6g}", step.result.value.x);
+}
+
+/// "symbol = formula" and below it "= result"; what is given takes one line.
+void step_lines(Ui& ui, const Step& step) {
+    ImGui::PushFont(ui.theme.fixed);
+    ImGui::PushTextWrapPos(0);
+    if (step.formula.empty()) {
+        ImGui::TextUnformatted(fmt::format("{} = {}", step.symbol, result_text(step)).c_str());
+    } else {
+        ImGui::TextUnformatted(fmt::format("{} = {}", step.symbol, step.formula).c_str());
+        ImGui::Indent();
+        ImGui::TextUnformatted(fmt::format("= {}", result_text(step)).c_str());
+        ImGui::Unindent();
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    tooltip(step.meaning);
+    if (*step.note) quiet_text(ui, step.note);
+}
+
+void steps(Ui& ui, const std::vector<Step>& all) {
+    const char* topic = "";
+    for (const Step& step : all) {
+        if (std::strcmp(topic, step.topic) != 0) topic_line(ui, step);
+        topic = step.topic;
+        step_lines(ui, step);
+    }
+}
+
+/// What the surface of a solid does to the ray's way.
+void crossing(Ui& ui, const ExplainedRay& ray) {
+    heading(ui, "through the surface");
+    ImGui::PushFont(ui.theme.fixed);
+    ImGui::PushTextWrapPos(0);
+    if (ray.total_reflection)
+        ImGui::Text("%.4g\u00b0 is beyond the critical angle of %.4g\u00b0: all of it is reflected",
+                    double(ray.degrees_before), double(ray.critical_degrees));
+    else
+        ImGui::Text("n\u2081 sin \u03b8\u2081 = n\u2082 sin \u03b8\u2082\n%.4g \u00b7 sin %.4g\u00b0 = %.4g "
+                    "\u00b7 sin %.4g\u00b0",
+                    double(ray.index_before), double(ray.degrees_before), double(ray.index_after),
+                    double(ray.degrees_after));
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    if (!ray.total_reflection && ray.critical_degrees < 90)
+        quiet_text(ui, fmt::format("total reflection from {:.4g}\u00b0 on", ray.critical_degrees));
+}
+
+void surface(Ui& ui, const ExplainedRay& ray) {
+    fact(ui, "meets", fmt::format("{}, {}", ray.label, ray.entering ? "from outside" : "from inside"));
+    fact(ui, "material", ray.material);
+    fact(ui, "after", fmt::format("{:.5g}", ray.distance));
+    fact(ui, "at", number_text(ray.position));
+    fact(ui, "normal", number_text(ray.shading_normal));
+    if (ray.shading_normal != ray.geometric_normal)
+        fact(ui, "true normal", number_text(ray.geometric_normal));
+    if (!ray.inside.empty()) fact(ui, "inside", list(ray.inside));
+    if (!ray.passed_over.empty()) fact(ui, "passed over", list(ray.passed_over));
+    if (ray.gain > 1)
+        quiet_text(ui, fmt::format("gain {:.3g}: more light leaves this surface than arrives", ray.gain));
+}
+
+} // namespace
+
+std::string number_text(const glm::vec3& three) {
+    return fmt::format("({:.5g}, {:.5g}, {:.5g})", three.x, three.y, three.z);
+}
+
+void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& light) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 end(corner.x + size.x, corner.y + size.y);
+    const ImVec4 color(to_screen(light.x), to_screen(light.y), to_screen(light.z), 1);
+    draw.AddRectFilled(corner, end, ImGui::GetColorU32(color), 0.15f * size.y);
+    draw.AddRect(corner, end, ImGui::GetColorU32(ImGuiCol_Border), 0.15f * size.y);
+}
+
+void working_of_ray(Ui& ui, const ExplainedRay& ray) {
+    heading(ui, fmt::format("{} ray, weight {}", ray_kind_name(ray.kind), number_text(ray.weight)).c_str());
+    quiet_text(ui, ray.why);
+    if (ray.hit) surface(ui, ray);
+    if (ray.hit && ray.crosses) crossing(ui, ray);
+    steps(ui, ray.given);
+    steps(ui, ray.steps);
+}
+
+void working_of_light(Ui& ui, const ExplainedLight& light) {
+    heading(ui, light.label.c_str());
+    fact(ui, "distance", fmt::format("{:.5g}", light.distance));
+    fact(ui, "n \u00b7 l", fmt::format("{:.5g}  ({:.4g}\u00b0)", light.cosine, light.degrees));
+    fact(ui, "attenuation", fmt::format("{:.5g}", light.attenuation));
+    if (!light.asked) quiet_text(ui, "no shadow ray: nothing arrives, or nothing of it would be seen");
+    for (const Blocker& blocker : light.blockers)
+        fact(ui, blocker.share > 0 ? "passes" : "blocked by",
+             fmt::format("{} at {:.5g}, \u03c4 = {:.3g}{}", blocker.label, blocker.distance,
+                         blocker.transparency, blocker.passed_over ? ", passed over" : ""));
+    steps(ui, light.steps);
+}
+
+} // namespace glint::viewer

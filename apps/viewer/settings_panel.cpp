@@ -1,0 +1,143 @@
+#include "settings_panel.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace glint::viewer {
+namespace {
+
+/// A combo of the window's own, beside those of Rows that edit the scene. Returns the word chosen now, or −1.
+int choose(Ui& ui, const char* name, int current, const std::vector<std::string>& words) {
+    int chosen = -1;
+    ImGui::PushID(name);
+    const bool open = ImGui::BeginCombo("##", words[static_cast<std::size_t>(current)].c_str(),
+                                        ImGuiComboFlags_HeightLarge);
+    ui.map.item(name);
+    if (open) {
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (ImGui::Selectable(words[i].c_str(), static_cast<int>(i) == current))
+                chosen = static_cast<int>(i);
+            ui.map.item(std::string(name) + ":" + words[i]);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+    return chosen;
+}
+
+void quantity(Ui& ui, ViewState& state) {
+    std::vector<std::string> words;
+    for (int i = 0; i < aspect_count; ++i) words.emplace_back(aspect_name(static_cast<Aspect>(i)));
+    label_row(ui, "show", "the picture, one term of its light, or something else about each pixel (V)");
+    const int chosen = choose(ui, "show", static_cast<int>(state.show), words);
+    if (chosen >= 0) state.show = static_cast<Aspect>(chosen);
+    label_row(ui, "tone", "the sRGB curve, as in files, or plain numbers as the report's pictures");
+    const int view = choose(ui, "view", state.view == View::raw ? 1 : 0, {"sRGB", "raw"});
+    if (view >= 0) state.view = view == 1 ? View::raw : View::srgb;
+}
+
+void light_model(Ui& ui, const WhittedSettings& w, std::vector<Edit>& edits) {
+    Rows rows(ui, edits, "whitted");
+    rows.whole("max_depth", "depth", w.max_depth, 0, std::max(w.max_depth, 16),
+               "bounces after the first hit");
+    rows.choice("shadows", "shadows", w.shadows == Shadows::opaque ? "opaque" : "transmissive",
+                {"transmissive", "opaque"}, "does glass let light through to what it shades?");
+    rows.check("clamp", "clamp", w.clamp, "limit the local light to 1, as the report's program did");
+    rows.choice("energy", "energy", w.energy == Energy::balanced ? "balanced" : "report",
+                {"report", "balanced"}, "the report's sums, or local light scaled by what is left of 1");
+    rows.choice("highlight_model", "highlights",
+                w.highlight_model == HighlightModel::phong ? "phong" : "blinn", {"blinn", "phong"},
+                "(n\u00b7h)\u207f or (v\u00b7r)\u207f");
+    rows.number("index", "outer index", w.index, {1, std::max(w.index, 2.0)},
+                "index of refraction of what surrounds everything");
+}
+
+void samples(Ui& ui, const RenderSettings& r, std::vector<Edit>& edits) {
+    Rows rows(ui, edits, "render");
+    rows.whole("spp", "samples", r.spp, 1, std::max(r.spp, 64), "rays through each pixel; 1 is its centre");
+    rows.color("background", "background", r.background, "what rays bring that meet nothing");
+}
+
+void comparison(Ui& ui, bool kept, ViewState& state, std::vector<Action>& actions) {
+    heading(ui, "Compare");
+    if (button(ui, "keep", kept ? "Keep again" : "Keep as A",
+               "what is shown now becomes A; go on changing B (K)"))
+        actions.push_back(Action::keep);
+    if (!kept) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("then change a setting");
+        return;
+    }
+    ImGui::SameLine();
+    const auto mode = [&](const char* name, const char* label, CompareMode which) {
+        if (button(ui, name, label, "", state.compare == which)) state.compare = which;
+    };
+    mode("compare_off", "Off", CompareMode::off);
+    ImGui::SameLine(0, 2);
+    mode("compare_wipe", "Wipe", CompareMode::wipe);
+    ImGui::SameLine(0, 2);
+    mode("compare_sides", "Side by side", CompareMode::side_by_side);
+}
+
+void camera_rows(Ui& ui, const CameraDescription& camera, ViewState& state, SettingsWishes& wishes) {
+    heading(ui, "Camera");
+    std::vector<Edit> unused;
+    CameraDescription changed = camera;
+    bool touched = false;
+    const double least = 1;
+    const double most = 150;
+    label_row(ui, "field of view", "full angle ([ and ])");
+    touched |= ImGui::SliderScalar("##fov", ImGuiDataType_Double, &changed.fov, &least, &most, "%.3g\u00b0");
+    ui.map.item("camera.fov");
+    const float step = static_cast<float>(std::max(glm::length(camera.eye) / 500, 1e-6));
+    label_row(ui, "eye");
+    touched |=
+        ImGui::DragScalarN("##eye", ImGuiDataType_Double, &changed.eye.x, 3, step, nullptr, nullptr, "%.4g");
+    ui.map.item("camera.eye");
+    changed.fov = std::clamp(changed.fov, least, most);
+    if (touched) wishes.camera = changed;
+
+    if (button(ui, "reset", "Reset", "the camera of the file (Home)"))
+        wishes.actions.push_back(Action::reset_camera);
+    ImGui::SameLine(0, 4);
+    if (button(ui, "copy_camera", "Copy as TOML", "the [camera] table, for a scene file (Ctrl + C)"))
+        wishes.actions.push_back(Action::copy_camera);
+    ImGui::SameLine(0, 4);
+    if (button(ui, "turntable", "Turntable", "turn around what is looked at (T)", state.turntable))
+        wishes.actions.push_back(Action::turntable);
+}
+
+void saving(Ui& ui, bool saved, std::vector<Action>& actions) {
+    heading(ui, "Save");
+    if (button(ui, "save_picture", "Picture", "finished, as PNG beside the scene (Ctrl + P)"))
+        actions.push_back(Action::save_picture);
+    ImGui::SameLine(0, 4);
+    if (button(ui, "save_scene", saved ? "Scene" : "Scene *",
+               "writes what was changed into the file; all else keeps its characters (Ctrl + S)", !saved))
+        actions.push_back(Action::save_scene);
+    ImGui::SameLine(0, 4);
+    if (button(ui, "undo", "Undo", "Ctrl + Z")) actions.push_back(Action::undo);
+    ImGui::SameLine(0, 4);
+    if (button(ui, "redo", "Redo", "Ctrl + Y")) actions.push_back(Action::redo);
+}
+
+} // namespace
+
+void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescription& camera, bool kept,
+                    bool saved, ViewState& state, SettingsWishes& wishes) {
+    quantity(ui, state);
+    heading(ui, "Light model");
+    light_model(ui, scene.whitted, wishes.edits);
+    heading(ui, "Picture");
+    samples(ui, scene.render, wishes.edits);
+    comparison(ui, kept, state, wishes.actions);
+    camera_rows(ui, camera, state, wishes);
+    saving(ui, saved, wishes.actions);
+}
+
+} // namespace glint::viewer

@@ -1,0 +1,177 @@
+#include "widgets.h"
+
+#include "glint/document.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glint::viewer {
+namespace {
+
+constexpr float label_share = 0.36f;
+
+ImVec4 color_of(const Tint& tint) { return {tint.red, tint.green, tint.blue, tint.alpha}; }
+
+} // namespace
+
+float to_screen(double linear) {
+    const double light = std::clamp(linear, 0.0, 1.0);
+    return static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+}
+
+double to_linear(float screen) {
+    const double level = screen;
+    return level <= 0.04045 ? level / 12.92 : std::pow((level + 0.055) / 1.055, 2.4);
+}
+
+void tooltip(const char* help) {
+    if (!*help || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+    ImGui::TextUnformatted(help);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void label_row(Ui& ui, const char* label, const char* help) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.quiet));
+    ImGui::TextUnformatted(label);
+    ImGui::PopStyleColor();
+    tooltip(help);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * label_share);
+    ImGui::SetNextItemWidth(-1);
+}
+
+void heading(const Ui& ui, const char* text) {
+    ImGui::Dummy({0, 2 * ui.theme.scale});
+    ImGui::PushFont(ui.theme.bold);
+    ImGui::TextUnformatted(text);
+    ImGui::PopFont();
+}
+
+void quiet_text(const Ui& ui, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.quiet));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+bool button(Ui& ui, const char* name, const char* label, const char* help, bool lit) {
+    if (lit) {
+        const Tint& accent = ui.theme.accent;
+        ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(accent.red, accent.green, accent.blue, 0.45f));
+    }
+    ImGui::PushID(name);
+    const bool pressed = ImGui::Button(label);
+    ImGui::PopID();
+    if (lit) ImGui::PopStyleColor();
+    tooltip(help);
+    ui.map.item(std::string("button:") + name);
+    return pressed;
+}
+
+bool section(Ui& ui, const std::string& name, const std::string& label, bool open_at_first,
+             const Vec3* swatch) {
+    const std::string title = label + "###" + name;
+    ImGui::SetNextItemOpen(open_at_first, ImGuiCond_FirstUseEver);
+    const bool open = ImGui::CollapsingHeader(title.c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
+    ui.map.item("section:" + name);
+    if (swatch != nullptr) {
+        const ImVec2 end = ImGui::GetItemRectMax();
+        const float height = ImGui::GetFontSize();
+        const float top = (ImGui::GetItemRectMin().y + end.y - height) / 2;
+        const float right = end.x - 8 * ui.theme.scale;
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {right - 1.6f * height, top}, {right, top + height},
+            ImGui::GetColorU32(ImVec4(to_screen(swatch->x), to_screen(swatch->y), to_screen(swatch->z), 1)),
+            3 * ui.theme.scale);
+    }
+    return open;
+}
+
+void Rows::begin(const char* key, const char* label, const char* help) {
+    ImGui::PushID((table_ + "." + key).c_str());
+    label_row(ui_, label, help);
+}
+
+void Rows::finish(const char* key) {
+    ui_.map.item(table_ + "." + key);
+    ImGui::PopID();
+}
+
+void Rows::set(const char* key, std::string value) {
+    edits_.push_back({table_ + "." + key, std::move(value)});
+}
+
+void Rows::number(const char* key, const char* label, double value, const Range& range, const char* help) {
+    begin(key, label, help);
+    const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    if (ImGui::SliderScalar("##", ImGuiDataType_Double, &value, &range.least, &range.most, range.format,
+                            flags))
+        set(key, scene_value(std::max(value, range.least)));
+    finish(key);
+}
+
+void Rows::whole(const char* key, const char* label, int value, int least, int most, const char* help) {
+    begin(key, label, help);
+    if (ImGui::SliderInt("##", &value, least, most)) set(key, std::to_string(std::max(value, least)));
+    finish(key);
+}
+
+void Rows::color(const char* key, const char* label, const Vec3& value, const char* help) {
+    begin(key, label, help);
+    std::array<float, 3> shown{to_screen(value.x), to_screen(value.y), to_screen(value.z)};
+    if (ImGui::ColorEdit3("##", shown.data(),
+                          ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_Uint8)) {
+        // Eight bits a channel are shown: three digits hold what was chosen.
+        const auto rounded = [](double x) { return std::round(x * 10000) / 10000; };
+        set(key, scene_value(Vec3(rounded(to_linear(shown[0])), rounded(to_linear(shown[1])),
+                                  rounded(to_linear(shown[2])))));
+    }
+    finish(key);
+}
+
+void Rows::place(const char* key, const char* label, const Vec3& value, double step, const char* help) {
+    begin(key, label, help);
+    std::array<double, 3> shown{value.x, value.y, value.z};
+    if (ImGui::DragScalarN("##", ImGuiDataType_Double, shown.data(), 3, static_cast<float>(step), nullptr,
+                           nullptr, "%.4g"))
+        set(key, scene_value(Vec3(shown[0], shown[1], shown[2])));
+    finish(key);
+}
+
+void Rows::length(const char* key, const char* label, double value, double step, const char* help) {
+    begin(key, label, help);
+    if (ImGui::DragScalar("##", ImGuiDataType_Double, &value, static_cast<float>(step), nullptr, nullptr,
+                          "%.4g"))
+        set(key, scene_value(value));
+    finish(key);
+}
+
+void Rows::check(const char* key, const char* label, bool value, const char* help) {
+    begin(key, label, help);
+    if (ImGui::Checkbox("##", &value)) set(key, value ? "true" : "false");
+    finish(key);
+}
+
+void Rows::choice(const char* key, const char* label, const std::string& value,
+                  const std::vector<std::string>& words, const char* help) {
+    begin(key, label, help);
+    const bool open = ImGui::BeginCombo("##", value.c_str());
+    ui_.map.item(table_ + "." + key);
+    if (open) {
+        for (const std::string& word : words) {
+            if (ImGui::Selectable(word.c_str(), word == value)) set(key, scene_value(word));
+            ui_.map.item(table_ + "." + key + ":" + word);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PopID();
+}
+
+} // namespace glint::viewer

@@ -1,0 +1,220 @@
+#include "workbench.h"
+
+#include "glint/explain.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <future>
+#include <sys/resource.h>
+
+namespace glint::viewer {
+namespace {
+
+constexpr std::size_t most_undo = 200;
+
+SessionOptions session_options(const Arguments& arguments, std::function<void()> wake) {
+    SessionOptions options;
+    options.load = arguments.load;
+    options.threads = arguments.threads;
+    options.changed = std::move(wake);
+    return options;
+}
+
+/// The threads of a session come from one that gives way: on a small machine the window stays quick while
+/// pictures are made.
+std::unique_ptr<Session> begin_session(SessionOptions options) {
+    constexpr int politeness = 5;
+    return std::async(std::launch::async,
+                      [&options] {
+                          setpriority(PRIO_PROCESS, 0, politeness);
+                          return std::make_unique<Session>(std::move(options));
+                      })
+        .get();
+}
+
+bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
+
+/// A staged mesh as a scene that has no file yet.
+SceneDocument staged_document(SceneDescription description, const std::string& mesh) {
+    for (Object& object : description.objects)
+        if (auto* shape = std::get_if<MeshShape>(&object.shape))
+            shape->file = std::filesystem::path(mesh).filename().string();
+    return {scene_text(description), std::filesystem::path(mesh).replace_extension(".toml").string()};
+}
+
+double extent_of(const Scene& scene) {
+    const SceneStats stats = scene.stats();
+    const double diagonal = glm::length(stats.bounds_max - stats.bounds_min);
+    return stats.bounds_min.x <= stats.bounds_max.x && diagonal > 0 ? diagonal : 10;
+}
+
+} // namespace
+
+Workbench::Workbench(const Arguments& arguments, std::function<void()> wake)
+    : load_(arguments.load), session_(begin_session(session_options(arguments, std::move(wake)))) {}
+
+void Workbench::open(const std::string& file) {
+    file_ = file;
+    session_->open(file);
+}
+
+bool Workbench::update() {
+    bool news = false;
+    if (const auto scene = session_->scene(); scene && (!shown_ || scene->loads != shown_->loads)) {
+        take_scene(*scene);
+        news = true;
+    }
+    const LoadStatus status = session_->load_status();
+    news |= status.busy != status_.busy || status.progress.activity != status_.progress.activity ||
+            status.progress.fraction != status_.progress.fraction ||
+            status.problems.size() != status_.problems.size() ||
+            (!status.problems.empty() && status.problems.front().message != status_.problems.front().message);
+    status_ = status;
+    for (int place = 0; place < picture_places; ++place) {
+        auto& held = frames_[static_cast<std::size_t>(place)];
+        const auto latest = session_->frame(place);
+        news |= latest != held;
+        held = latest;
+    }
+    return news;
+}
+
+void Workbench::take_scene(const SessionScene& scene) {
+    const bool another = !shown_ || shown_->path != scene.path;
+    if (another) {
+        kept_.reset();
+        session_->compare({});
+        document_.reset();
+        written_.reset();
+        at_.reset();
+        staged_saved_ = false;
+    }
+    shown_ = scene;
+    description_ = scene.scene.description();
+    extent_ = extent_of(scene.scene);
+    refused_.clear();
+    take_document(scene);
+}
+
+/// The file's text, with the changes made here put in again.
+void Workbench::take_document(const SessionScene& scene) {
+    try {
+        if (!is_scene_file(scene.path)) {
+            if (document_) return;
+            document_ = staged_document(description_, scene.path);
+            read_document();
+            return;
+        }
+        SceneDocument fresh = SceneDocument::open(scene.path);
+        if (!load_.overrides.empty()) fresh.set_all(load_.overrides);
+        if (document_ && document_->text() == fresh.text()) return;
+        const bool edited = document_ && document_->changed();
+        if (edited) {
+            document_->rebase(SceneDocument::open(scene.path).text());
+        } else {
+            document_ = std::move(fresh);
+        }
+        undo_.clear();
+        redo_.clear();
+        if (edited) {
+            show_document();
+        } else {
+            read_document();
+        }
+    } catch (const Error& error) {
+        refused_ = error.diagnostics();
+    }
+}
+
+void Workbench::read_document() {
+    LoadOptions options = load_;
+    options.load_meshes = false;
+    // They are in the document.
+    options.overrides.clear();
+    written_ = parse_scene(document_->text(), document_->name(), options);
+}
+
+void Workbench::show_document() {
+    read_document();
+    description_ = animation() != nullptr && at_ ? scene_at(*written_, *at_) : written_->description;
+    session_->edit(description_);
+}
+
+const Animation* Workbench::animation() const {
+    return written_ && written_->animation.scene ? &written_->animation : nullptr;
+}
+
+void Workbench::show_at(double frame) {
+    at_ = frame;
+    description_ = scene_at(*written_, frame);
+    session_->edit(description_);
+    const auto moves_camera = [](const std::string& key) { return key.rfind("camera.", 0) == 0; };
+    const std::vector<std::string>& keys = animation()->keys;
+    if (description_.camera && std::any_of(keys.begin(), keys.end(), moves_camera))
+        session_->move([&](CameraControl& c) { c.set_camera(*description_.camera, c.target_distance()); });
+}
+
+const std::vector<Diagnostic>& Workbench::problems() const {
+    return refused_.empty() ? status_.problems : refused_;
+}
+
+void Workbench::edit(const std::vector<Edit>& edits, bool same_gesture) {
+    if (edits.empty() || !document_) return;
+    std::vector<Override> values;
+    for (const Edit& edit : edits) values.push_back(edit.path + "=" + edit.value);
+    const SceneDocument before = *document_;
+    try {
+        document_->set_all(values);
+        show_document();
+        refused_.clear();
+    } catch (const Error& error) {
+        document_ = before;
+        refused_ = error.diagnostics();
+        return;
+    }
+    if (!same_gesture || undo_.empty()) undo_.push_back(before);
+    if (undo_.size() > most_undo) undo_.erase(undo_.begin());
+    redo_.clear();
+}
+
+void Workbench::step(std::vector<SceneDocument>& from, std::vector<SceneDocument>& to) {
+    if (from.empty()) return;
+    to.push_back(*document_);
+    document_ = std::move(from.back());
+    from.pop_back();
+    show_document();
+}
+
+void Workbench::undo() { step(undo_, redo_); }
+
+void Workbench::redo() { step(redo_, undo_); }
+
+std::string Workbench::save() {
+    const std::string name = document_->name();
+    if (!is_scene_file(shown_->path) && !staged_saved_) {
+        if (std::filesystem::exists(name))
+            throw Error(ErrorKind::output,
+                        name + " exists already: move it away, or open it instead of the mesh");
+        document_->save_as(name);
+        staged_saved_ = true;
+    } else {
+        document_->save();
+    }
+    return name;
+}
+
+void Workbench::keep() {
+    kept_ = description_;
+    if (session_->is_comparing()) session_->compare(kept_);
+}
+
+void Workbench::compare(bool on) {
+    on = on && kept_.has_value();
+    if (on != session_->is_comparing()) session_->compare(on ? kept_ : std::nullopt);
+}
+
+Explanation Workbench::explain(int x, int y) const { return glint::explain(*session_->view(), x, y); }
+
+} // namespace glint::viewer
