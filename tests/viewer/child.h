@@ -1,0 +1,43 @@
+#pragma once
+// A program that runs beside the test.
+
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace glint::test {
+
+class Child {
+  public:
+    /// Starts words[0], found on PATH. Its messages go to `log`; what it writes to file descriptor 3 can be
+    /// read from notes(). `environment` is added to the test's own.
+    Child(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+          const std::string& log);
+    /// Ends the program if it still runs.
+    ~Child();
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Its exit code, or 128 + signal; none while it runs.
+    std::optional<int> ended();
+    /// Waits for so many seconds at most.
+    std::optional<int> wait(double seconds);
+    /// The first line written to file descriptor 3; empty if the program ends without.
+    std::string first_note();
+    void signal(int number) const;
+
+  private:
+    pid_t pid_ = -1;
+    int notes_ = -1;
+    std::optional<int> code_;
+};
+
+/// Is there such a program on PATH?
+bool is_installed(const std::string& program);
+
+void sleep_for(double seconds);
+/// Seconds of a clock that only goes forward.
+double now();
+
+} // namespace glint::test
