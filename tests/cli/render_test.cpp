@@ -55,6 +55,16 @@ TEST_F(Render, ClosesWithOneLineThatSaysWhatWasDone) {
     EXPECT_EQ(measured.rfind("a.png: 16×12, 4 spp, 1 object, ", 0), 0u) << outcome.err;
 }
 
+TEST_F(Render, ShowsMoreThanTheLight) {
+    const std::string light = hash_of(glint("good.toml -o a.png"));
+    EXPECT_EQ(hash_of(glint("good.toml --show final -o a.png")), light);
+    EXPECT_NE(hash_of(glint("good.toml --show normal -o a.png")), light);
+    const Outcome unknown = glint("good.toml --show normla -o a.png");
+    EXPECT_EQ(unknown.exit, 2);
+    EXPECT_NE(unknown.err.find("did you mean \"normal\"?"), std::string::npos) << unknown.err;
+    EXPECT_EQ(glint("good.toml --show depth --alpha -o a.png").exit, 2);
+}
+
 TEST_F(Render, KernelsAndVectorsShowInNoBit) {
     const std::string hash = hash_of(glint("good.toml -o a.png"));
     EXPECT_EQ(hash.size(), 32u);
