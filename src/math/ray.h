@@ -15,4 +15,11 @@ struct Ray {
     float tmax = std::numeric_limits<float>::infinity();
 };
 
+/// Can the ray hit anything? NaN, infinite origins and directions, none at all, and an empty interval cannot.
+inline bool is_traceable(const Ray& ray) {
+    // Each product is 0, or NaN where a value is not finite.
+    const vec3 zero = ray.origin * 0.0f + ray.direction * 0.0f;
+    return zero == vec3(0.0f) && ray.direction != vec3(0.0f) && ray.tmin < ray.tmax;
+}
+
 } // namespace glint

@@ -16,12 +16,6 @@ constexpr std::size_t rays_an_instance = 16;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Can the ray hit anything? NaN, infinite rays and those without a direction cannot.
-bool is_traceable(const Ray& ray) {
-    const vec3 zero = ray.origin * 0.0f + ray.direction * 0.0f;
-    return zero == vec3(0.0f) && ray.direction != vec3(0.0f);
-}
-
 /// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
 float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 

@@ -26,13 +26,6 @@ namespace {
 
 constexpr std::size_t stack_size = wide_children * (max_tree_depth + 1);
 
-/// Can the ray hit anything? NaN, infinite rays and those without a direction cannot.
-inline bool is_traceable(const Ray& ray) {
-    const float zero = (ray.origin.x + ray.origin.y + ray.origin.z) * 0.0f +
-                       (ray.direction.x + ray.direction.y + ray.direction.z) * 0.0f;
-    return zero == 0.0f && ray.direction != vec3(0.0f);
-}
-
 /// A ray against boxes: eight children at once.
 class LoneRay {
   public:

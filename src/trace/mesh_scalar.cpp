@@ -7,8 +7,7 @@ namespace glint {
 namespace {
 
 bool search(const MeshTree& tree, const Ray& ray, bool any, TriangleRecord& record) {
-    const vec3 zero = ray.origin * 0.0f + ray.direction * 0.0f;
-    if (zero != vec3(0.0f) || ray.direction == vec3(0.0f)) return false;
+    if (!is_traceable(ray)) return false;
     const ShearedRay sheared(ray);
     float limit = next_float(ray.tmax, -1.0f);
     walk(tree, ray, ray.tmin, limit, [&](LeafCode leaf) {

@@ -203,14 +203,6 @@ inline double size_of(const Quadric& quadric) {
 
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
 
-/// Can the ray hit anything? NaN, infinite rays and those without a direction cannot.
-inline bool is_traceable(const Ray& ray) {
-    // Each product is 0, or NaN where a value is not finite.
-    const vec3 zero = ray.origin * 0.0f + ray.direction * 0.0f;
-    const bool finite = zero.x == 0.0f && zero.y == 0.0f && zero.z == 0.0f;
-    return finite && (ray.direction.x != 0.0f || ray.direction.y != 0.0f || ray.direction.z != 0.0f);
-}
-
 /// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
