@@ -14,12 +14,47 @@
 namespace glint::cli {
 namespace {
 
-std::string written(const Explanation& explanation, const Arguments& arguments, bool to_stdout) {
+constexpr const char* pixel_example = "X,Y such as 320,240";
+
+/// What the page of --format html is made of: the whole picture, and places to ask.
+std::string page_of(const Scene& scene, const Arguments& arguments, const std::string& title) {
+    ExplanationPage page;
+    page.scene = title;
+    if (const auto grid = arguments.integers("grid", 2, 'x', 1, 4096, "WxH such as 160x90")) {
+        page.columns = static_cast<int>((*grid)[0]);
+        page.rows = static_cast<int>((*grid)[1]);
+    }
+    RenderOptions options;
+    options.threads = threads(arguments);
+    options.terms = true;
+    Picture picture = render(scene, options);
+    page.image = std::move(picture.image);
+    page.terms = std::move(picture.terms);
+    Explainer explainer(scene);
+    page.explain = [&](int x, int y) { return explainer.pixel(x, y, 1); };
+    return explanation_html(page);
+}
+
+std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::string& title, bool color) {
+    const auto pixel = *arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, pixel_example);
+    Explanation explanation = explain(scene, static_cast<int>(pixel[0]), static_cast<int>(pixel[1]));
+    explanation.scene = title;
     const std::string format = arguments.text("format").value_or("text");
     if (format == "json") return explanation_json(explanation);
     if (format == "svg") return explanation_svg(explanation);
-    return explanation_text(explanation,
-                            to_stdout && wants_color_on_stdout(arguments.text("color").value_or("auto")));
+    return explanation_text(explanation, color);
+}
+
+/// Pages show every place, all else one pixel.
+void require_place(const Arguments& arguments) {
+    const bool page = arguments.text("format") == "html";
+    const auto pixel = arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, pixel_example);
+    if (!page && !pixel)
+        throw Error(ErrorKind::usage, "no pixel given",
+                    "--pixel X,Y; 0,0 is top left; --format html shows the whole picture");
+    if (page && pixel)
+        throw Error(ErrorKind::usage, "--pixel is for one pixel, and --format html shows the whole picture");
+    if (!page && arguments.has("grid")) throw Error(ErrorKind::usage, "--grid is for --format html");
 }
 
 } // namespace
@@ -27,8 +62,7 @@ std::string written(const Explanation& explanation, const Arguments& arguments, 
 int explain_command(const Arguments& arguments, Console& console) {
     const std::string& file = arguments.operands().front();
     const std::string output = arguments.text("output").value_or("-");
-    const auto pixel = arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, "X,Y such as 320,240");
-    if (!pixel) throw Error(ErrorKind::usage, "no pixel given", "--pixel X,Y; 0,0 is top left");
+    require_place(arguments);
     require_mesh_for_up(arguments, file);
     require_writable(output);
 
@@ -40,9 +74,10 @@ int explain_command(const Arguments& arguments, Console& console) {
     how.threads = threads(arguments);
     const Scene scene = freeze(description, how);
     console.warnings(warnings(scene));
-    Explanation explanation = explain(scene, static_cast<int>((*pixel)[0]), static_cast<int>((*pixel)[1]));
-    explanation.scene = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
-    write_text(output, written(explanation, arguments, output == "-"));
+    const std::string title = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
+    const bool color = output == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
+    const bool page = arguments.text("format") == "html";
+    write_text(output, page ? page_of(scene, arguments, title) : pixel_of(scene, arguments, title, color));
     return exit_code::done;
 }
 

@@ -82,7 +82,8 @@ constexpr std::array info_options{
 constexpr std::array explain_options{
     Option{0, "pixel", "X,Y", "which; 0,0 is top left"},
     frame,
-    Option{0, "format", "text|json|svg", "default: text"},
+    Option{0, "format", "text|json|svg|html", "default: text; html shows the whole picture"},
+    Option{0, "grid", "WxH", "html: places that can be asked; default: 160x90"},
     Option{'o', "output", "FILE", "where to; default: stdout"},
     size,
     spp,

@@ -4,6 +4,7 @@
 #include "glint/explanation.h"
 #include "glint/scene.h"
 
+#include <limits>
 #include <memory>
 
 namespace glint {
@@ -21,7 +22,8 @@ class Explainer {
     Explainer(Explainer&&) noexcept;
     Explainer& operator=(Explainer&&) noexcept;
 
-    Explanation pixel(int x, int y);
+    /// All samples make the pixel; of the first `with_rays` the rays are kept.
+    Explanation pixel(int x, int y, int with_rays = std::numeric_limits<int>::max());
 
   private:
     struct State;

@@ -7,6 +7,7 @@
 #include "glint/image.h"
 #include "glint/scene.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -141,6 +142,21 @@ std::string explanation_json(const Explanation& explanation);
 
 /// A picture of the trees: SVG, for reading and for showing around.
 std::string explanation_svg(const Explanation& explanation);
+
+/// What explanation_html() makes a page of.
+struct ExplanationPage {
+    std::string scene;                   ///< title
+    Image image;                         ///< the picture, and
+    std::array<Image, term_count> terms; ///< its terms, as render() gives them
+    int columns = 160; ///< the page holds the explanations of so many places, at most one a pixel:
+    int rows = 90;     ///< the middles of an even grid
+    std::function<Explanation(int x, int y)> explain; ///< of a pixel; the rays of its first sample are shown
+    std::size_t most_bytes = 9'900'000; ///< rays that bring least are left out until the page is no larger
+};
+
+/// A picture that can be asked, as one HTML file that needs no network: its terms can be switched on and off,
+/// and where the mouse is, the rays of the place are shown with every term.
+std::string explanation_html(const ExplanationPage& page);
 
 // ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 

@@ -138,7 +138,9 @@ class TextTree {
     void write_light(const ExplainedRay& ray, const ExplainedLight& light, const std::string& inner) {
         line(inner + c_.strong + light.label + c_.plain + ": distance " +
              number_text(light.distance, digits) + ", n·l = " + number_text(light.cosine, digits) + " (" +
-             angle(light.degrees) + "), lets through " + number_text(light.shadow, digits));
+             angle(light.degrees) + "), " +
+             (light.arriving == glm::vec3(0.0f) ? "nothing arrives"
+                                                : "gets through: " + number_text(light.shadow, digits)));
         for (const Blocker& b : light.blockers)
             line(inner + "  blocked at " + number_text(b.distance, digits) + " by " + b.label +
                  " (material " + b.material + "), τ = " + number_text(b.transparency, digits) +

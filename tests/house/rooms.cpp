@@ -46,6 +46,7 @@ const std::vector<Foreign>& foreign_headers() {
         {"Imath", {"formats"}, false},
         {"Iex", {"formats"}, false},
         {"png.h", {"formats"}, false},
+        {"zlib.h", {"formats"}, false},
         {"CLI/", {"apps"}, false},
         {"thread", {"parallel", "apps"}, false},
         {"GLFW/", {"apps"}, false},

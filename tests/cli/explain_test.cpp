@@ -1,0 +1,260 @@
+// explain: what it writes, and that its page says in a browser what its JSON says.
+
+#include "workplace.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+namespace glint::test {
+namespace {
+
+using nlohmann::json;
+
+/// A mirror, tinted Fresnel glass around a matte ball, a pane and two lights: every term there is.
+constexpr const char* cabinet = R"(version = 1
+[camera]
+eye = [0.3, -6, 1.2]
+look_at = [0, 0, 0.4]
+[render]
+size = [60, 40]
+spp = 1
+background = [0.1, 0.2, 0.3]
+[whitted]
+max_depth = 4
+clamp = true
+[material.floor]
+color = [0.8, 0.7, 0.5]
+highlight = 0.4
+shininess = 20
+reflectivity = 0.3
+[material.tinted]
+color = [0.2, 0.3, 0.4]
+highlight = 0.5
+transparency = 0.8
+reflectivity = 0.1
+absorption = [0.3, 0.1, 0.5]
+fresnel = true
+[material.pane]
+diffuse = 0.2
+transparency = 0.7
+[material.lamp]
+diffuse = 0
+emission = [0.5, 0.4, 0.1]
+[[plane]]
+normal = [0, 0, 1]
+offset = -0.8
+material = "floor"
+[[sphere]]
+name = "glass"
+center = [-0.6, 0, 0.3]
+radius = 1
+material = "tinted"
+[[sphere]]
+center = [-0.5, 0.2, 0.3]
+radius = 0.3
+material = "lamp"
+[[triangle]]
+vertices = [[0.4, -1.5, -0.7], [1.9, -1.2, -0.7], [1.1, -1.3, 1.5]]
+material = "pane"
+[[light]]
+type = "ambient"
+color = [0.1, 0.1, 0.12]
+[[light]]
+type = "point"
+position = [2, -4, 5]
+intensity = 40
+[[light]]
+type = "spot"
+position = [-3, -3, 4]
+direction = [3, 3, -4]
+angle = 20
+blend = 0.5
+intensity = 30
+)";
+
+class Explain : public Workplace {
+  public:
+    Explain() { write("cabinet.toml", cabinet); }
+};
+
+TEST_F(Explain, ColoursTerminalsOnly) {
+    EXPECT_EQ(glint("explain good.toml --pixel 8,6").out.find('\x1b'), std::string::npos);
+    EXPECT_NE(glint("explain good.toml --pixel 8,6 --color always").out.find('\x1b'), std::string::npos);
+}
+
+TEST_F(Explain, TellsOfEverySample) {
+    const Outcome outcome = glint("explain cabinet.toml --pixel 30,20 --spp 3");
+    for (const char* word :
+         {"sample 1 ", "sample 2 ", "sample 3 ", "samples", "ambient stands for indirect light"})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+    EXPECT_EQ(
+        json::parse(glint("explain cabinet.toml --pixel 30,20 --spp 3 --format json").out)["samples"].size(),
+        3u);
+}
+
+TEST_F(Explain, DrawsATree) {
+    EXPECT_EQ(glint("explain cabinet.toml --pixel 22,18 --format svg -o tree.svg").exit, 0);
+    const std::string svg = content("tree.svg");
+    EXPECT_EQ(svg.rfind("<svg xmlns=", 0), 0u);
+    for (const char* word :
+         {"pixel 22,18 of cabinet.toml", "primary ray", "refracted ray", "sphere &quot;glass&quot;"})
+        EXPECT_NE(svg.find(word), std::string::npos) << word;
+}
+
+TEST_F(Explain, PagesStayBelowTenMegabytes) {
+    ASSERT_EQ(glint("explain cabinet.toml --format html --size 640x360 --spp 1 -o page.html").exit, 0);
+    EXPECT_LT(content("page.html").size(), 10'000'000u);
+}
+
+std::string browser() {
+    std::istringstream folders(std::getenv("PATH") ? std::getenv("PATH") : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
+            if (std::filesystem::exists(folder + "/" + name)) return folder + "/" + name;
+    return {};
+}
+
+/// Moves over every place of the page, switches each layer off and on, and leaves what was shown in the
+/// document.
+constexpr const char* visitor = R"(<pre id="found"></pre><script>
+const refused = [];
+document.addEventListener('securitypolicyviolation', e => refused.push(e.blockedURI));
+const told = (list, at) => Object.fromEntries(list.map(s => page.steps[s[0]][0]).map(s => [s, at(s)]));
+ready.then(() => {
+  const found = [], r = $('canvas').getBoundingClientRect();
+  for (let row = 0; row < page.rows; ++row) for (let column = 0; column < page.columns; ++column) {
+    $('picture').dispatchEvent(new MouseEvent('mousemove', { bubbles: true,
+      clientX: r.left + r.width * (column + 0.5) / page.columns, clientY: r.top + r.height * (row + 0.5) / page.rows }));
+    const layers = {};
+    for (const name of names) if ($('layer-' + name)) {
+      $('layer-' + name).click(); layers[name] = sum_shown(shown); $('layer-' + name).click(); }
+    found.push({ pixel: [shown.x, shown.y], color: shown.color, sum: sum_shown(shown), layers,
+      terms: Object.fromEntries(names.map((n, i) => [n, shown.terms[i]])), text: $('place').textContent,
+      boxes: document.querySelectorAll('.ray').length,
+      rays: shown.rays.map(ray => ({ kind: ray.shape.kind, label: ray.shape.label, steps: told(ray.shape.steps, ray.at),
+        lights: ray.lights.map(l => ({ label: l.shape.label, steps: told(l.shape.steps, l.at) })) })) });
+  }
+  const asked = performance.getEntriesByType('resource').map(e => e.name).filter(n => !n.startsWith('data:') && !n.startsWith('blob:'));
+  $('found').textContent = btoa(unescape(encodeURIComponent(JSON.stringify({ found, asked, refused }))));
+});
+</script>)";
+
+std::string from_base64(const std::string& text) {
+    std::string out;
+    unsigned word = 0;
+    int bits = 0;
+    for (const char c : text) {
+        const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        const std::size_t digit = digits.find(c);
+        if (digit == std::string::npos) break;
+        word = (word << 6 | static_cast<unsigned>(digit)) & 0xffffffu;
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        out += static_cast<char>(word >> bits & 255u);
+    }
+    return out;
+}
+
+bool same(const json& a, const json& b) {
+    if (a.is_array()) return same(a[0], b[0]) && same(a[1], b[1]) && same(a[2], b[2]);
+    if (a.is_null() || b.is_null()) return a == b;
+    return a.get<float>() == b.get<float>();
+}
+
+void expect_steps(const json& shown, const json& printed, const std::string& where) {
+    EXPECT_EQ(shown.size(), printed.size()) << where;
+    for (const json& step : printed) {
+        const std::string symbol = step["symbol"];
+        ASSERT_TRUE(shown.contains(symbol)) << where << ": " << symbol;
+        EXPECT_TRUE(same(shown[symbol], step["result"]))
+            << where << ": " << step << " shows " << shown[symbol];
+    }
+}
+
+class Page : public Explain {
+  protected:
+    /// What the browser shows of the page of a scene, after a visit to all places.
+    json visited(const std::string& line) const {
+        EXPECT_EQ(glint("explain " + line + " --format html -o page.html").exit, 0);
+        std::string page = content("page.html");
+        EXPECT_EQ(page.find("http:"), std::string::npos);
+        EXPECT_EQ(page.find("https:"), std::string::npos);
+        write("visit.html", page.replace(page.rfind("</body>"), 0, visitor));
+        const Outcome outcome =
+            run_program({browser(), "--headless", "--no-sandbox", "--disable-gpu",
+                         "--disable-background-networking", "--user-data-dir=" + path("profile"),
+                         "--virtual-time-budget=20000", "--dump-dom", "file://" + path("visit.html")},
+                        {});
+        const std::string mark = "<pre id=\"found\">";
+        const std::size_t at = outcome.out.find(mark);
+        EXPECT_NE(at, std::string::npos) << outcome.err;
+        const std::string text =
+            from_base64(outcome.out.substr(std::min(at, outcome.out.size()) + mark.size()));
+        EXPECT_NE(text, "") << outcome.err;
+        return text.empty() ? json::object() : json::parse(text);
+    }
+
+    void expect_as_json(const json& place, const std::string& scene) const {
+        const std::string x = std::to_string(place["pixel"][0].get<int>());
+        const std::string y = std::to_string(place["pixel"][1].get<int>());
+        const json printed =
+            json::parse(glint("explain " + scene + " --pixel " + x + "," + y + " --format json").out);
+        EXPECT_TRUE(same(place["color"], printed["color"]));
+        EXPECT_TRUE(same(place["sum"], printed["color"])) << "all layers on";
+        EXPECT_NE(place["text"].get<std::string>().find("pixel " + x + "," + y), std::string::npos);
+        for (const auto& [name, term] : printed["terms"].items())
+            EXPECT_TRUE(same(place["terms"][name], term)) << name;
+        const json& rays = printed["samples"][0]["rays"];
+        ASSERT_EQ(place["rays"].size(), rays.size());
+        EXPECT_EQ(place["boxes"], rays.size());
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const std::string where = "pixel " + x + "," + y + ", ray " + std::to_string(i);
+            EXPECT_EQ(place["rays"][i]["kind"], rays[i]["kind"]);
+            expect_steps(place["rays"][i]["steps"], rays[i]["steps"], where);
+            for (std::size_t k = 0; k < rays[i]["lights"].size(); ++k) {
+                const json& light = place["rays"][i]["lights"][k];
+                EXPECT_EQ(light["label"], rays[i]["lights"][k]["label"]);
+                expect_steps(light["steps"], rays[i]["lights"][k]["steps"],
+                             where + ", " + light["label"].get<std::string>());
+            }
+        }
+    }
+
+    /// With a layer off, the others add up in their order.
+    static void expect_layers(const json& place) {
+        for (const auto& [name, sum] : place["layers"].items()) {
+            std::vector<float> expected(3, 0.0f);
+            bool first = true;
+            for (const char* other :
+                 {"ambient", "diffuse", "highlight", "clamp", "reflection", "transmission", "emission"}) {
+                if (name == other) continue;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const float term = place["terms"][other][i].get<float>();
+                    expected[i] = first ? term : expected[i] + term;
+                }
+                first = false;
+            }
+            EXPECT_TRUE(same(sum, json(expected))) << name << " off";
+        }
+    }
+};
+
+TEST_F(Page, ShowsTheNumbersOfTheJsonWithoutANetwork) {
+    if (browser().empty()) GTEST_SKIP() << "no chromium here: the page was not opened";
+    const std::string scene = "cabinet.toml --spp 2";
+    const json visit = visited(scene + " --grid 7x5");
+    ASSERT_EQ(visit["found"].size(), 35u);
+    for (const json& place : visit["found"]) {
+        expect_as_json(place, scene);
+        expect_layers(place);
+    }
+    EXPECT_EQ(visit["asked"], json::array()) << "no request";
+    EXPECT_EQ(visit["refused"], json::array());
+}
+
+} // namespace
+} // namespace glint::test
