@@ -30,8 +30,10 @@ std::string page_of(const Scene& scene, const Arguments& arguments, const std::s
     Picture picture = render(scene, options);
     page.image = std::move(picture.image);
     page.terms = std::move(picture.terms);
+    // Lighter rays would not fit into the page anyway.
+    constexpr float least_weight = 1.0f / 4096;
     Explainer explainer(scene);
-    page.explain = [&](int x, int y) { return explainer.pixel(x, y, 1); };
+    page.explain = [&](int x, int y) { return explainer.pixel(x, y, {1, least_weight}); };
     return explanation_html(page);
 }
 

@@ -14,6 +14,13 @@ namespace glint {
 /// for bit. (0, 0) is top left. Throws Error(usage) for a pixel outside the picture.
 Explanation explain(const Scene& scene, int x, int y);
 
+/// How much of a pixel is told.
+struct ExplainLimits {
+    int samples =
+        std::numeric_limits<int>::max(); ///< all make the pixel, but only of the first ones rays are kept
+    float weight = 0; ///< rays that weigh less have a way and what they bring, but neither lights nor steps
+};
+
 /// The same for many pixels of one scene. One explainer for each thread.
 class Explainer {
   public:
@@ -22,8 +29,7 @@ class Explainer {
     Explainer(Explainer&&) noexcept;
     Explainer& operator=(Explainer&&) noexcept;
 
-    /// All samples make the pixel; of the first `with_rays` the rays are kept.
-    Explanation pixel(int x, int y, int with_rays = std::numeric_limits<int>::max());
+    Explanation pixel(int x, int y, const ExplainLimits& limits = {});
 
   private:
     struct State;

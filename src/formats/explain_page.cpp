@@ -95,7 +95,10 @@ void PageData::add(const Explanation& explanation) {
             out.weight =
                 std::min(out.weight, rays_[place.first_ray + static_cast<std::size_t>(ray.parent)].weight);
         out.first = numbers_.size();
-        out.shape = shape_of(ray);
+        // Without steps there is nothing to show.
+        out.complete = !ray.steps.empty();
+        if (out.complete) out.shape = shape_of(ray);
+        complete_ += out.complete ? 1 : 0;
         rays_.push_back(out);
     }
 }
@@ -191,8 +194,9 @@ void PageData::store(const Quantity& q) {
 
 /// Which rays stay: all primary ones, and of the others those that weigh most.
 std::vector<bool> PageData::heaviest(std::size_t count) const {
-    std::vector<std::size_t> order(rays_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < rays_.size(); ++i)
+        if (rays_[i].complete) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         if ((rays_[a].parent < 0) != (rays_[b].parent < 0)) return rays_[a].parent < 0;
         return rays_[a].weight > rays_[b].weight;

@@ -22,7 +22,8 @@ class PageData {
     /// Adds a place: the pixel's sum and the rays of its first sample.
     void add(const Explanation& explanation);
 
-    std::size_t rays() const { return rays_.size(); }
+    /// That can be shown.
+    std::size_t rays() const { return complete_; }
     /// The whole as compressed bytes, with the `count` rays that weigh most and all they need. `head` is the
     /// beginning of a JSON object: "{…,".
     std::string packed(const std::string& head, std::size_t count) const;
@@ -31,6 +32,7 @@ class PageData {
     enum class Source { formula, stored, constant, link };
     struct Ray {
         std::uint32_t shape = 0;
+        bool complete = true;     ///< has it steps?
         std::int32_t parent = -1; ///< within its place
         std::int32_t reflected = -1;
         std::int32_t refracted = -1;
@@ -56,6 +58,7 @@ class PageData {
 
     std::vector<Place> places_;
     std::vector<Ray> rays_;
+    std::size_t complete_ = 0;
     std::vector<float> numbers_;
     std::vector<std::uint32_t> sizes_; ///< of the shapes: numbers stored for each
     std::vector<std::string> shapes_;

@@ -18,9 +18,9 @@ h1 { font-size: 20px; margin: 0 0 10px }
 #picture { position: relative; cursor: crosshair; width: 100%; align-self: flex-start }
 #picture canvas { display: block; width: 100%; height: auto; image-rendering: auto }
 #mark { position: absolute; border: 2px solid #fff; outline: 1px solid #000; pointer-events: none; display: none }
-#layers { display: grid; grid-template-columns: repeat(auto-fill, minmax(245px, 1fr)); gap: 2px 14px; margin: 12px 0 }
+#layers { display: grid; grid-template-columns: repeat(auto-fill, minmax(310px, 1fr)); gap: 2px 14px; margin: 12px 0 }
 #layers label { display: flex; gap: 7px; align-items: center; cursor: pointer }
-#layers output { color: var(--faint); margin-left: auto; font-variant-numeric: tabular-nums; font-size: 13px }
+#layers output { color: var(--faint); margin-left: auto; font-variant-numeric: tabular-nums; font-size: 13px; white-space: nowrap }
 #tree { overflow: auto; min-height: 0; padding-right: 6px }
 #place { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 10px 14px; margin-bottom: 10px }
 .swatch { display: inline-block; width: 15px; height: 15px; border-radius: 3px; border: 1px solid #00000055;
@@ -161,6 +161,7 @@ function linked(ray, [step, , index]) {
 // ── Showing ──────────────────────────────────────────────────────────────────────────────────────────────────
 const short = x => Array.isArray(x) ? '(' + x.map(short).join(', ') + ')'
   : x === Infinity ? '∞' : String(+x.toPrecision(6)).replace('-', '−');
+const plain = x => x[0] === x[1] && x[1] === x[2] ? short(x[0]) : short(x); // of a colour without a hue
 const encoded = x => x <= 0 ? 0 : x >= 1 ? 255 : Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
 const web = c => `rgb(${c.map(encoded).join(', ')})`;
 function el(tag, look, ...inside) { const e = document.createElement(tag); if (look) e.className = look; e.append(...inside); return e; }
@@ -205,7 +206,7 @@ function ray_box(ray, wanted) {
   const s = ray.shape, at = ray.at, has = symbol => s.steps.some(t => page.steps[t[0]][0] === symbol);
   const box = el('div', 'ray ' + s.kind, el('div', 'head', swatch(at('L')), el('span', 'kind', s.kind + ' ray'),
     s.label ? ' → ' + s.label : '', ' = ', short(at('L'))));
-  if (s.label) box.append(el('div', 'faint', `material ${s.material}, from ${s.side}, distance ${short(at('t'))}, weight ${short(at('W'))}`));
+  if (s.label) box.append(el('div', 'faint', `material ${s.material}, from ${s.side}, distance ${short(at('t'))}, weight ${plain(at('W'))}`));
   if (s.inside.length) box.append(el('div', 'faint', 'inside ' + s.inside.join(', within ')));
   for (const label of s.passed_over) box.append(el('div', 'faint', 'passes over ' + label + ': hidden inside a solid that owns the space'));
   if (has('θ₁')) box.append(el('div', 'faint', `index ${short(at('n₁'))} → ${short(at('n₂'))}: ${short(+at('θ₁').toPrecision(3))}° → ` +
@@ -216,7 +217,11 @@ function ray_box(ray, wanted) {
     if (term.some(x => x !== 0)) box.append(el('div', '', swatch(term.map(Math.abs)), name + ' ' + short(term))); }
   box.append(details([el('span', 'faint', 'every step')], () => step_rows(s.steps, at)));
   if (s.end !== 'bounced') box.append(el('div', 'faint', s.why));
-  for (const kind of ['reflected', 'refracted']) if (ray[kind]) box.append(ray_box(ray[kind]));
+  for (const kind of ['reflected', 'refracted']) if (ray[kind]) { // rays that matter little are folded
+    const next = ray[kind], weight = Math.max(...next.at('W'));
+    if (weight >= 0.01) { box.append(ray_box(next)); continue; }
+    box.append(el('details', 'light-weight', el('summary', '', swatch(next.at('L')), el('span', 'faint',
+      `${kind} ray${next.shape.label ? ' → ' + next.shape.label : ''}, weight ${short(+weight.toPrecision(2))}`)), ray_box(next))); }
   if (ray.left_out) box.append(el('div', 'faint', `+ ${ray.left_out} rays that bring little are left out here; glint explain has them`));
   return box;
 }

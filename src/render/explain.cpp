@@ -11,7 +11,8 @@ struct Explainer::State {
         : scene(whole), settings(whole.render_settings()), places(whole.frozen().description),
           parts(whole.frozen()), tracer(whole.frozen()) {}
 
-    ExplainedSample sample(int x, int y, int i, bool with_rays) {
+    ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
+        const bool with_rays = i < limits.samples;
         const FilterSample place = places.place(x, y, i);
         Sample camera;
         places.aim(x, y, place, camera);
@@ -22,7 +23,7 @@ struct Explainer::State {
         const Terms terms = tracer.trace(camera.origin, camera.direction, with_rays ? &tree : nullptr);
         out.terms = terms.value;
         out.radiance = terms.sum();
-        if (with_rays) out.rays = explain_tree(parts, tree);
+        if (with_rays) out.rays = explain_tree(parts, tree, limits.weight);
         return out;
     }
 
@@ -55,7 +56,7 @@ Explainer::~Explainer() = default;
 Explainer::Explainer(Explainer&&) noexcept = default;
 Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 
-Explanation Explainer::pixel(int x, int y, int with_rays) {
+Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     static constexpr const char* filters[] = {"box", "tent", "gaussian", "mitchell"};
     const RenderSettings& r = state_->settings;
     if (x < 0 || y < 0 || x >= r.width || y >= r.height)
@@ -72,7 +73,7 @@ Explanation Explainer::pixel(int x, int y, int with_rays) {
     PixelSum<Terms> sum;
     int negative = 0;
     for (int i = 0; i < r.spp; ++i) {
-        out.samples.push_back(state_->sample(x, y, i, i < with_rays));
+        out.samples.push_back(state_->sample(x, y, i, limits));
         const ExplainedSample& sample = out.samples.back();
         sum.add(Terms{sample.terms}, sample.weight);
         negative += sample.weight > 0 ? 0 : 1;

@@ -36,7 +36,7 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
 /// Adds to `steps` where the light goes on from a hit, and what share of it: mirror and refracted ray.
 void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& ray);
 
-/// All rays of a recorded tree.
-std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree);
+/// All rays of a recorded tree; those of less weight without lights and steps.
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight);
 
 } // namespace glint

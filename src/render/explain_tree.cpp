@@ -15,6 +15,8 @@ class RayWorking {
 
     void explain() {
         copy_path();
+        give({"W", "", out_.weight, "weight", "this ray's weight in the sample"});
+        give({"d", "", node_.direction, "ray", "direction of the ray"});
         if (!node_.hit) return missed();
         copy_hit();
         give_surface();
@@ -30,13 +32,7 @@ class RayWorking {
         weigh_gain();
     }
 
-  private:
-    void give(Step s) { out_.given.push_back(std::move(s)); }
-    void step(Step s) { out_.steps.push_back(std::move(s)); }
-    const FrozenMaterial& material() const { return scene_.material(node_.hit.object); }
-    bool clamps() const { return scene_.settings.clamp; }
-    bool absorbs() const { return node_.transmittance != vec3(1.0f); }
-
+    /// Where it comes from and goes, and what it brings.
     void copy_path() {
         out_.kind = node_.kind;
         out_.end = node_.end;
@@ -51,10 +47,15 @@ class RayWorking {
         out_.transmittance = node_.transmittance;
         for (const std::uint32_t object : node_.media) out_.inside.push_back(scene_.label(object));
         for (const Hit& hit : node_.passed_over) out_.passed_over.push_back(scene_.label(hit.object));
-        give({"W", "", out_.weight, "weight", "this ray's weight in the sample"});
-        give({"d", "", node_.direction, "ray", "direction of the ray"});
         out_.why = reason();
     }
+
+  private:
+    void give(Step s) { out_.given.push_back(std::move(s)); }
+    void step(Step s) { out_.steps.push_back(std::move(s)); }
+    const FrozenMaterial& material() const { return scene_.material(node_.hit.object); }
+    bool clamps() const { return scene_.settings.clamp; }
+    bool absorbs() const { return node_.transmittance != vec3(1.0f); }
 
     std::string reason() const {
         switch (node_.end) {
@@ -271,7 +272,7 @@ const std::string& ExplainedScene::material_name(std::uint32_t object) const {
     return scene.description.materials[scene.objects[object].material].name;
 }
 
-std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree) {
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight) {
     std::vector<ExplainedRay> rays(tree.nodes.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const RayNode& node = tree.nodes[i];
@@ -283,7 +284,9 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
             rays[i].weight = rays[parent].weight * from.transmittance *
                              (mirror ? from.reflected_weight : from.refracted_weight);
         }
-        RayWorking(scene, tree, node, rays[i]).explain();
+        RayWorking working(scene, tree, node, rays[i]);
+        const vec3& w = rays[i].weight;
+        max(w.x, max(w.y, w.z)) < least_weight ? working.copy_path() : working.explain();
     }
     return rays;
 }
