@@ -12,7 +12,7 @@ const char* const wrong_side = "the smooth normal would send the ray through the
 class Bounce {
   public:
     Bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& out)
-        : scene_(scene), material_(scene.material(node.hit.object)), tree_(tree), node_(node), out_(out),
+        : material_(scene.material(node.hit.object)), tree_(tree), node_(node), out_(out),
           v_(-node.direction), solid_(scene.scene.objects[node.hit.object].solid) {}
 
     void explain() {
@@ -162,7 +162,6 @@ class Bounce {
               mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample"});
     }
 
-    const ExplainedScene& scene_;
     const FrozenMaterial& material_;
     const RayTree& tree_;
     const RayNode& node_;
