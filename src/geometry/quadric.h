@@ -3,6 +3,7 @@
 // Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7. Every sum is written so that mirrored scenes,
 // scenes with x and y exchanged and scenes scaled by 2^k give the same bits.
 
+#include "geometry/quadric.shared.h"
 #include "math/vec.h"
 
 namespace glint {
@@ -58,10 +59,7 @@ bool intersect(const Line& line, const Sphere& sphere, Interval& t);
 bool intersect(const Line& line, const Cylinder& cylinder, CylinderInterval& t);
 /// False if the line is parallel to the plane.
 inline bool intersect(const Line& line, const Plane& plane, double& t) {
-    const double fall = glm::dot(plane.normal, line.direction);
-    if (fall == 0.0) return false;
-    t = (plane.offset - glm::dot(plane.normal, line.origin)) / fall;
-    return true;
+    return line_meets_plane(line.origin, line.direction, plane.normal, plane.offset, t);
 }
 
 /// The point of the surface nearest to p, outward normal.

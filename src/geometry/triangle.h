@@ -14,6 +14,7 @@
 // Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (triangle_point_error) against that.
 
 #include "geometry/quadric.h"
+#include "geometry/triangle.shared.h"
 #include "math/ray.h"
 #include "math/vec.h"
 
@@ -48,60 +49,9 @@ struct ShearedRay {
 /// Three vertices, x y z each.
 using TriangleVertices = std::array<std::array<float, 3>, 3>;
 
-/// What the test finds; valid only where it returned true.
-struct TriangleHit {
-    float t, u, v; ///< u, v: weights of vertices 1 and 2
-    bool on_edge;  ///< exactly through an edge or a vertex
-    bool positive; ///< the sign of the sheared area: equal for triangles of one facing along one ray
-};
-
-/// Is there a sign both above and below zero among the three? NaN has none. Without branches: no processor
-/// can guess which way a triangle faces.
-template <class T>
-inline bool mixed_signs(T a, T b, T c) {
-    const int below = int(a < T(0)) | int(b < T(0)) | int(c < T(0));
-    const int above = int(a > T(0)) | int(b > T(0)) | int(c > T(0));
-    return (below & above) != 0;
-}
-
-/// A vertex seen from a sheared ray: x and y across it, z = v[kz] − o[kz] before its scaling by sz.
-struct ShearedVertex {
-    float x, y, z;
-};
-
 inline ShearedVertex shear(const ShearedRay& ray, const std::array<float, 3>& v) {
     const float z = v[ray.kz] - ray.oz;
     return {(v[ray.kx] - ray.ox) - ray.sx * z, (v[ray.ky] - ray.oy) - ray.sy * z, z};
-}
-
-/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So what
-/// this rejects, exact arithmetic rejects as well.
-inline bool surely_outside(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
-    return mixed_signs(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
-}
-
-/// The exact part of the test, for what is not surely outside.
-inline bool intersect_sheared(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c,
-                              float sz, float tmin, float limit, TriangleHit& hit) {
-    // Products of floats are exact in double, so that these signs are exact.
-    const double u = double(c.x) * b.y - double(c.y) * b.x;
-    const double v = double(a.x) * c.y - double(a.y) * c.x;
-    const double w = double(b.x) * a.y - double(b.y) * a.x;
-    if (mixed_signs(u, v, w)) return false;
-    const double det = u + v + w;
-    if (det == 0.0) return false;
-
-    const double az = sz * a.z;
-    const double bz = sz * b.z;
-    const double cz = sz * c.z;
-    const double t = (u * az + v * bz + w * cz) / det;
-    hit.t = static_cast<float>(t);
-    if (!(t > tmin && hit.t <= limit)) return false;
-    hit.u = static_cast<float>(v / det);
-    hit.v = static_cast<float>(w / det);
-    hit.on_edge = u == 0.0 || v == 0.0 || w == 0.0;
-    hit.positive = det > 0.0;
-    return true;
 }
 
 /// Hit with tmin < t (in double) and t (rounded to float) <= limit. Both orientations count. A ray with a NaN

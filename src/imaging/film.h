@@ -51,6 +51,33 @@ class PairwiseSum {
 /// From this many samples on, a filter's negative lobes count.
 inline constexpr std::uint32_t samples_for_lobes = 16;
 
+/// Do so many samples, of these so many of positive weight, resolve the negative lobes?
+inline bool lobes_count(std::uint32_t count, std::uint32_t positives) {
+    return count >= samples_for_lobes && 4 * std::int64_t{positives} >= 3 * std::int64_t{count};
+}
+
+/// Sums over one pixel's samples, those of positive and those of negative weight apart.
+template <class T>
+struct SignedSums {
+    T positive{};
+    T negative{};
+    std::uint32_t count = 0;     ///< of samples
+    std::uint32_t positives = 0; ///< of samples of positive weight
+};
+
+/// The pixel's value: see PixelSum. T{} where there are no samples.
+template <class T>
+T pixel_value(const SignedSums<T>& sums) {
+    const std::uint32_t negatives = sums.count - sums.positives;
+    if (sums.count == 0) return T{};
+    if (sums.positives == 0) return sums.negative / static_cast<float>(negatives);
+
+    if (!lobes_count(sums.count, sums.positives))
+        return sums.positive / static_cast<float>(sums.positives);
+    const std::int64_t weights = std::int64_t{sums.positives} - std::int64_t{negatives};
+    return (sums.positive - sums.negative) / static_cast<float>(weights);
+}
+
 /// One pixel's samples: Σ w L / Σ w for weights of ±1 (imaging/filter.h). Few samples do not resolve a
 /// negative lobe: one bright sample on it among four would turn a pixel black. So with fewer than
 /// samples_for_lobes, or where the weights nearly cancel (Σ w < n / 2), the pixel is the plain mean of the
@@ -87,25 +114,16 @@ class PixelSum {
 
     /// T{} when nothing was added.
     T value() const {
-        const std::uint32_t count = positive_.count();
-        const std::uint32_t negatives = count - positives_;
-        if (count == 0) return T{};
-        if (positives_ == 0) return negative_.total() / static_cast<float>(negatives);
-
-        if (!lobes_count()) return positive_.total() / static_cast<float>(positives_);
-        return (positive_.total() - negative_.total()) / static_cast<float>(weights());
+        return pixel_value(
+            SignedSums<T>{positive_.total(), negative_.total(), positive_.count(), positives_});
     }
 
     /// Of all that was added: do samples of such a weight count?
-    bool counts(float weight) const { return weight > 0 || positives_ == 0 || lobes_count(); }
-
-  private:
-    std::int64_t weights() const { return 2 * std::int64_t{positives_} - std::int64_t{positive_.count()}; }
-    bool lobes_count() const {
-        const std::uint32_t count = positive_.count();
-        return count >= samples_for_lobes && 2 * weights() >= std::int64_t{count};
+    bool counts(float weight) const {
+        return weight > 0 || positives_ == 0 || lobes_count(positive_.count(), positives_);
     }
 
+  private:
     PairwiseSum<T> positive_;
     PairwiseSum<T> negative_;
     std::uint32_t positives_ = 0;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace glint {
 
@@ -38,6 +39,12 @@ class PixelFilterSampler {
 
     /// Maps u, v in [0, 1) to an offset, monotonically; 1 − u gives exactly the mirrored offset of u.
     FilterSample sample(float u, float v) const;
+
+    /// The table, for those who search it elsewhere: the share of |f| beyond a distance of radius · (1 − i /
+    /// n), i = 0 … n; and the number of its outermost steps on which the filter is below 0.
+    std::span<const float> tails() const { return tail_; }
+    std::size_t negative_steps() const { return negative_steps_; }
+    float radius() const { return radius_; }
 
   private:
     struct Offset {

@@ -4,7 +4,7 @@
 // no templates, no recursion, constructors in the form T(a, b), float literals with the suffix f, and none of
 // GLSL's reserved words as names (sample, input, output, half, active, common, partition, smooth, flat,
 // precise …). Only + - * / sqrt floor reach the machine: everything else is computed by ourselves, with the
-// same bits anywhere.
+// same bits anywhere. GLINT_PRECISE marks values that a shader's compiler must not fuse.
 //
 // What differs from ray to ray is `real`, `integer` or vec3, and choices between such values are made by
 // pick(condition, one, other), which computes both: so the same functions serve vectors of rays
@@ -17,11 +17,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #define GLINT_SHARED_BEGIN namespace glint {
 #define GLINT_SHARED_END }
 #define GLINT_FN inline
 #define GLINT_OUT(type) type&
+#define GLINT_PRECISE
 
 namespace glint {
 
@@ -54,6 +56,7 @@ inline float intBitsToFloat(int bits) {
     std::memcpy(&x, &bits, sizeof x);
     return x;
 }
+inline double infinite_double() { return std::numeric_limits<double>::infinity(); }
 
 } // namespace glint
 
@@ -66,5 +69,8 @@ inline float intBitsToFloat(int bits) {
 #define real float
 #define integer int
 #define pick(condition, one, other) ((condition) ? (one) : (other))
+#define GLINT_PRECISE precise
+
+double infinite_double() { return packDouble2x32(uvec2(0u, 0x7ff00000u)); }
 
 #endif

@@ -81,6 +81,7 @@ class InstanceTree {
     const dmat3& inverse(std::uint32_t instance) const { return places_[instance].inverse; }
     const dvec3& translation(std::uint32_t instance) const { return places_[instance].translation; }
 
+    const Tree& tree() const { return tree_; } ///< over the boxes of the instances, one a leaf
     std::size_t size() const { return places_.size(); }
     const Bounds& bounds() const { return tree_.bounds; } ///< of the boxes: a little more than the triangles
     /// How far a ray must grow these bounds on every side, in its origin's largest |coordinate|, besides what

@@ -119,7 +119,7 @@ struct Inside {
     Mask met;
 };
 
-/// line_in_ball of geometry/quadric.cpp. False if all lines miss.
+/// line_in_ball of geometry/quadric.shared.h. False if all lines miss.
 HWY_INLINE bool in_ball(const Vec& f, const Vec& d, double radius, Inside& in) {
     const Doubles zero = hn::Zero(dd);
     const Doubles squared = all(radius * radius);

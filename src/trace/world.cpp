@@ -194,4 +194,6 @@ Bounds World::bounds() const {
 
 WorldStats World::stats() const { return data_->stats; }
 
+const WorldData& World::data() const { return *data_; }
+
 } // namespace glint

@@ -120,6 +120,8 @@ struct WorldStats {
     BuildQuality quality = BuildQuality::high;
 };
 
+struct WorldData;
+
 class World {
   public:
     World();
@@ -171,6 +173,7 @@ class World {
 
     Bounds bounds() const; ///< of everything finite
     WorldStats stats() const;
+    const WorldData& data() const; ///< trace/world_data.h, for backends that have trees of their own
 
   private:
     struct Data;

@@ -1,5 +1,6 @@
 #pragma once
-// What a World holds, and how a ray goes through it. Private to this room.
+// What a World holds, and how a ray goes through it. Private to this room and to those who turn it into
+// trees of their own.
 
 #include "bvh/traverse.h"
 #include "bvh/tree.h"

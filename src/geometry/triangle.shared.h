@@ -1,0 +1,92 @@
+#ifndef GLINT_GEOMETRY_TRIANGLE_SHARED_H
+#define GLINT_GEOMETRY_TRIANGLE_SHARED_H
+#include "math/shared.h"
+
+// The triangle test behind the shear, and the point that it finds: geometry/triangle.h has the whole story.
+
+GLINT_SHARED_BEGIN
+
+/// What the test finds; valid only where it returned true.
+struct TriangleHit {
+    float t;       ///< rounded from double
+    float u;       ///< weight of vertex 1
+    float v;       ///< weight of vertex 2
+    bool on_edge;  ///< exactly through an edge or a vertex
+    bool positive; ///< the sign of the sheared area: equal for triangles of one facing along one ray
+};
+
+/// Is there a sign both above and below zero among the three? NaN has none. Without branches: no processor
+/// can guess which way a triangle faces.
+GLINT_FN bool mixed_signs(float a, float b, float c) {
+    int below = int(a < 0.0f) | int(b < 0.0f) | int(c < 0.0f);
+    int above = int(a > 0.0f) | int(b > 0.0f) | int(c > 0.0f);
+    return (below & above) != 0;
+}
+GLINT_FN bool mixed_signs(double a, double b, double c) {
+    int below = int(a < 0.0) | int(b < 0.0) | int(c < 0.0);
+    int above = int(a > 0.0) | int(b > 0.0) | int(c > 0.0);
+    return (below & above) != 0;
+}
+
+/// A vertex seen from a sheared ray: x and y across it, z = v[kz] − o[kz] before its scaling by sz.
+struct ShearedVertex {
+    float x;
+    float y;
+    float z;
+};
+
+/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So what
+/// this rejects, exact arithmetic rejects as well.
+GLINT_FN bool surely_outside(ShearedVertex a, ShearedVertex b, ShearedVertex c) {
+    GLINT_PRECISE float u = c.x * b.y - c.y * b.x;
+    GLINT_PRECISE float v = a.x * c.y - a.y * c.x;
+    GLINT_PRECISE float w = b.x * a.y - b.y * a.x;
+    return mixed_signs(u, v, w);
+}
+
+/// The exact part of the test, for what is not surely outside.
+GLINT_FN bool intersect_sheared(ShearedVertex a, ShearedVertex b, ShearedVertex c, float sz, float tmin,
+                                float limit, GLINT_OUT(TriangleHit) hit) {
+    // Products of floats are exact in double, so that these signs are exact.
+    double u = double(c.x) * double(b.y) - double(c.y) * double(b.x);
+    double v = double(a.x) * double(c.y) - double(a.y) * double(c.x);
+    double w = double(b.x) * double(a.y) - double(b.y) * double(a.x);
+    if (mixed_signs(u, v, w)) return false;
+    double det = u + v + w;
+    if (det == 0.0) return false;
+
+    double az = double(sz * a.z);
+    double bz = double(sz * b.z);
+    double cz = double(sz * c.z);
+    double t = (u * az + v * bz + w * cz) / det;
+    hit.t = float(t);
+    if (!(t > double(tmin) && hit.t <= limit)) return false;
+    hit.u = float(v / det);
+    hit.v = float(w / det);
+    hit.on_edge = u == 0.0 || v == 0.0 || w == 0.0;
+    hit.positive = det > 0.0;
+    return true;
+}
+
+/// The point with weights u and v of vertices b and c, and the unit normal by the winding. Where the triangle
+/// has no area, any unit normal facing `seen_along` (not zero).
+GLINT_FN void point_of_triangle(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
+                                GLINT_OUT(dvec3) p, GLINT_OUT(dvec3) n) {
+    dvec3 origin = dvec3(a);
+    dvec3 e1 = dvec3(b) - origin;
+    dvec3 e2 = dvec3(c) - origin;
+    dvec3 normal = cross(e1, e2);
+    if (dot(normal, normal) == 0.0) normal = -seen_along;
+    p = origin + e1 * u + e2 * v;
+    n = normal / sqrt(dot(normal, normal));
+}
+
+/// triangle_point_error() of geometry/triangle.h. 2^-24 and 2^-21 are written out.
+GLINT_FN vec3 error_of_triangle(vec3 a, vec3 b, vec3 c, vec3 p) {
+    vec3 far = max(max(abs(a - p), abs(b - p)), abs(c - p));
+    float reach = max(max(far.x, far.y), far.z);
+    return abs(p) * (1.0f / 16777216.0f) + vec3(reach * (1.0f / 2097152.0f));
+}
+
+GLINT_SHARED_END
+#endif
