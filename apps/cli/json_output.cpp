@@ -50,6 +50,7 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
     Json json{{"glint", version()}, {"file", record.scene}, {"output", record.output}};
     if (record.frame) json["frame"] = *record.frame;
     json.update(Json{
+        {"device", record.device.empty() ? "cpu" : record.device},
         {"complete", picture.complete},
         {"fraction", record.fraction},
         {"width", picture.image.width},

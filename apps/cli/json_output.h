@@ -20,6 +20,7 @@ struct RenderRecord {
     double load_seconds = 0;
     double build_seconds = 0;
     double write_seconds = 0;
+    std::string device; ///< the graphics card; empty: the CPU
 };
 
 /// The document of --stats, with a line feed at its end.

@@ -42,6 +42,7 @@ constexpr std::array render_options{
     Option{0, "stats", "FILE", "write counts, rays and times as JSON; - is stdout"},
     threads,
     Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
+    Option{0, "backend", "cpu|gpu|auto", "where to render; default: cpu"},
     Option{0, "kernel", "auto|scalar|single|packet|stream", "of the tracing: only the time changes"},
     Option{0, "simd", "auto|plain|sse4|avx2|avx512", "vectors of the tracing; auto: the machine's widest"},
     Option{0, "progress", "auto|plain|json|none", "on stderr; auto: a bar on a terminal, else plain"},

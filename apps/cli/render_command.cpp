@@ -1,3 +1,4 @@
+#include "backend.h"
 #include "commands.h"
 #include "frames.h"
 #include "interrupt.h"
@@ -27,7 +28,7 @@ class Stopwatch {
 };
 
 PictureOptions picture_options(const RenderRequest& request, const Scene& scene, Picture& picture,
-                               const std::string& hash) {
+                               const RenderRecord& record) {
     PictureOptions options;
     options.view = request.view;
     options.bits = request.bits;
@@ -42,7 +43,9 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     if (const auto& crop = request.render.crop)
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
-    options.metadata.emplace_back("glint.hash", hash);
+    // What a graphics card rounds decides the picture's last bits.
+    if (!record.device.empty()) options.metadata.emplace_back("glint.device", record.device);
+    options.metadata.emplace_back("glint.hash", record.hash);
     return options;
 }
 
@@ -53,8 +56,9 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
         stats.triangles > 0 ? counted(stats.triangles, "triangle") : counted(stats.objects, "object");
     const std::string partial =
         picture.complete ? "" : fmt::format("stopped early with {:.0f} % done, ", record.fraction * 100);
-    return fmt::format("{}: {}{}×{}, {} spp, {}, {}, {}, hash {}", shown_name(record.output), partial,
-                       picture.image.width, picture.image.height, scene.render_settings().spp, size,
+    const std::string device = record.device.empty() ? "" : "on " + record.device + ", ";
+    return fmt::format("{}: {}{}×{}, {} spp, {}, {}{}, {}, hash {}", shown_name(record.output), partial,
+                       picture.image.width, picture.image.height, scene.render_settings().spp, size, device,
                        duration(picture.stats.wall_seconds),
                        ray_rate(picture.stats.rays(), picture.stats.wall_seconds), record.hash);
 }
@@ -111,7 +115,7 @@ class Renderer {
         if (picture_format(record.output) == PictureFormat::png)
             picture.image = visible(picture.image, request_.render.show, scene);
         const Stopwatch writing;
-        write_picture(record.output, picture.image, picture_options(request_, scene, picture, record.hash));
+        write_picture(record.output, picture.image, picture_options(request_, scene, picture, record));
         record.write_seconds = writing.seconds();
         if (request_.stats) stats_.push_back(stats_json(record, scene, picture));
         print_details(console_, scene, record, picture.stats);
@@ -141,10 +145,11 @@ class Renderer {
         options.progress = [&](const Progress& progress) { meter.update(progress); };
         options.cancel = &cancel_flag();
         stop_gently();
-        Picture picture = render(scene, options);
+        RenderedPicture rendered = render_on_backend(arguments_, scene, options, console_);
         meter.finish();
-        record.fraction = picture.complete ? 1 : meter.fraction();
-        return picture;
+        record.device = rendered.device;
+        record.fraction = rendered.picture.complete ? 1 : meter.fraction();
+        return std::move(rendered.picture);
     }
 
     const Arguments& arguments_;

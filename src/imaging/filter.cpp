@@ -1,5 +1,7 @@
 #include "imaging/filter.h"
 
+#include "imaging/filter.shared.h"
+
 #include <cmath>
 
 namespace glint {
@@ -95,8 +97,8 @@ PixelFilterSampler::Offset PixelFilterSampler::along_axis(float u) const {
         step = start_[static_cast<std::size_t>(tail * static_cast<float>(starts))];
         while (tail_[step + 1] <= tail) ++step;
     }
-    const float share = (tail - tail_[step]) / (tail_[step + 1] - tail_[step]);
-    const float distance = radius_ * (1 - (static_cast<float>(step) + share) / static_cast<float>(steps));
+    const float distance = filter_distance(radius_, static_cast<int>(step), static_cast<int>(steps), tail,
+                                           tail_[step], tail_[step + 1]);
     return {left ? -distance : distance, step < negative_steps_ ? -1.0f : 1.0f};
 }
 

@@ -19,6 +19,7 @@ using glm::dvec3;
 using glm::dvec4;
 using glm::uvec2;
 using glm::uvec3;
+using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;

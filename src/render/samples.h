@@ -28,6 +28,9 @@ class SamplePlaces {
     /// The ray through a pixel's centre.
     void aim_at_centre(int x, int y, Sample& sample) const;
 
+    const PinholeCamera& camera() const { return camera_; }
+    const PixelFilterSampler& filter() const { return filter_; }
+
     /// Where on the film sample i of a pixel lies, and the ray through a place on the film.
     FilterSample place(int x, int y, int i) const;
     void aim(int x, int y, const FilterSample& place, Sample& sample) const;

@@ -1,0 +1,28 @@
+// What stands in the place of the backend where glint is built without it.
+
+#include "glint/gpu.h"
+
+namespace glint {
+
+struct GpuRenderer::State {
+    GpuDevice device;
+};
+
+std::vector<GpuDevice> gpu_devices(std::string* why) {
+    if (why != nullptr) *why = "this glint was built without GPU support (-DGLINT_GPU=OFF)";
+    return {};
+}
+
+GpuRenderer::GpuRenderer(int) {
+    std::string why;
+    gpu_devices(&why);
+    throw Error(ErrorKind::device, why, "--backend cpu needs none");
+}
+GpuRenderer::~GpuRenderer() = default;
+GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
+GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
+const GpuDevice& GpuRenderer::device() const { return state_->device; }
+void GpuRenderer::prepare(const Scene&) {}
+Picture GpuRenderer::render(const RenderOptions&) { return {}; }
+
+} // namespace glint

@@ -1,0 +1,152 @@
+#include "gpu/program.h"
+
+#include "gpu/context.h"
+#include "gpu/shader_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <epoxy/gl.h>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t least_bytes = 256;
+
+std::string define(const char* name, int value) {
+    return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
+}
+
+std::size_t digits_from(const std::string& text, std::size_t at) {
+    while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) ++at;
+    return at;
+}
+
+/// "7:12(3): error", "7(12) : error" or "ERROR: 7:12: error": file 7 by name.
+std::string readable_line(const std::string& line) {
+    std::size_t begin = line.find_first_of("0123456789");
+    if (begin == std::string::npos || begin > 10) return line;
+    const std::size_t end = digits_from(line, begin);
+    if (end == line.size() || (line[end] != ':' && line[end] != '(') || end - begin > 3) return line;
+    const std::size_t number_end = digits_from(line, end + 1);
+    const auto file = static_cast<std::size_t>(std::stoi(line.substr(begin, end - begin)));
+    std::size_t files = 0;
+    while (shader_files[files].path != nullptr) ++files;
+    if (number_end == end + 1 || file == 0 || file > files) return line;
+    return line.substr(0, begin) + shader_files[file - 1].path + ":" +
+           line.substr(end + 1, number_end - end - 1) + line.substr(number_end + (line[end] == '(' ? 1 : 0));
+}
+
+template <class Query, class Get>
+std::string log_of(GLuint id, Query query, Get get) {
+    GLint length = 0;
+    query(id, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    get(id, length, nullptr, log.data());
+    log.resize(std::min(log.size(), log.find('\0')));
+    return readable_log(log);
+}
+
+[[noreturn]] void refuse(const GpuContext& context, const std::string& log) {
+    throw Error(ErrorKind::device, "the driver of " + context.device().name + " refuses the shader:\n" + log,
+                "this is a defect of glint or of the driver: please report it; --backend cpu needs neither");
+}
+
+} // namespace
+
+std::string shader_source(const ProgramChoice& choice) {
+    std::string source = "#version 430 core\n";
+    source += define("GLINT_GLSL", 1) + define("GLINT_GLASS", choice.glass ? 1 : 0) +
+              define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
+              define("GLINT_TERMS", choice.terms ? 7 : 1) + define("GLINT_STACK", choice.stack);
+    for (int i = 0; shader_files[i].path != nullptr; ++i)
+        source += "#line 1 " + std::to_string(i + 1) + "\n" + shader_files[i].text + "\n";
+    return source;
+}
+
+std::string readable_log(const std::string& log) {
+    std::string out;
+    for (std::size_t at = 0; at < log.size();) {
+        const std::size_t end = std::min(log.find('\n', at), log.size());
+        out += readable_line(log.substr(at, end - at)) + "\n";
+        at = end + 1;
+    }
+    return out;
+}
+
+GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) {
+    const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
+    const char* text = source.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint done = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (done == GL_FALSE) {
+        const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+        glDeleteShader(shader);
+        refuse(context, log);
+    }
+    id_ = glCreateProgram();
+    glAttachShader(id_, shader);
+    glLinkProgram(id_);
+    glDeleteShader(shader);
+    glGetProgramiv(id_, GL_LINK_STATUS, &done);
+    if (done == GL_FALSE) {
+        const std::string log = log_of(id_, glGetProgramiv, glGetProgramInfoLog);
+        glDeleteProgram(id_);
+        refuse(context, log);
+    }
+}
+
+GpuProgram::~GpuProgram() { glDeleteProgram(id_); }
+
+void GpuProgram::use() const { glUseProgram(id_); }
+
+GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* data, std::size_t bytes)
+    : bytes_(std::max(bytes, least_bytes)) {
+    const std::uint64_t most = context.device().largest_buffer;
+    if (bytes > most)
+        throw Error(ErrorKind::device,
+                    "the scene's " + std::string(name) + " take " + std::to_string(bytes) +
+                        " bytes, and a buffer of " + context.device().name + " holds " + std::to_string(most),
+                    "render on the CPU");
+    glGenBuffers(1, &id_);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_COPY);
+    try {
+        context.check(("its " + std::string(name)).c_str());
+    } catch (...) {
+        glDeleteBuffers(1, &id_);
+        throw;
+    }
+    if (data == nullptr || bytes < bytes_) clear();
+    if (data != nullptr && bytes > 0) write(0, data, bytes);
+}
+
+GpuBuffer::~GpuBuffer() { glDeleteBuffers(1, &id_); }
+
+void GpuBuffer::bind_storage(std::uint32_t binding) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
+}
+
+void GpuBuffer::bind_uniform(std::uint32_t binding) const {
+    glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_);
+}
+
+void GpuBuffer::clear() const {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
+    glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuBuffer::write(std::size_t offset, const void* data, std::size_t bytes) const {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+                    data);
+}
+
+void GpuBuffer::read(std::size_t offset, void* data, std::size_t bytes) const {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset),
+                       static_cast<GLsizeiptr>(bytes), data);
+}
+
+} // namespace glint

@@ -1,0 +1,244 @@
+#include "gpu/scene_data.h"
+
+#include "glint/error.h"
+#include "render/samples.h"
+#include "trace/world_data.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+namespace glint {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t object_solid = 1;
+constexpr std::uint32_t object_lit_as_stored = 2;
+constexpr std::uint32_t object_flipped = 4;
+constexpr std::uint32_t object_fresnel = 8;
+constexpr std::size_t most_media = 8; ///< around one ray
+constexpr std::size_t most_glass = 0xffff;
+
+class Flattener {
+  public:
+    explicit Flattener(const FrozenScene& scene) : scene_(scene), world_(scene.world.data()) {}
+
+    GpuSceneData run() {
+        data_.tree = build_gpu_tree(world_);
+        data_.glass = scene_.any_transparent;
+        add_meshes();
+        add_shapes();
+        add_media();
+        add_objects();
+        add_tables();
+        set_camera();
+        set_scene();
+        return std::move(data_);
+    }
+
+  private:
+    std::uint32_t words() const { return static_cast<std::uint32_t>(data_.words.size()); }
+    std::uint32_t shapes() const { return static_cast<std::uint32_t>(data_.shapes.size()); }
+
+    void add(const dvec3& v) { data_.shapes.insert(data_.shapes.end(), {v.x, v.y, v.z}); }
+    void add(const dmat3& m) {
+        for (int column = 0; column < 3; ++column) add(m[column]);
+    }
+    void add(double x) { data_.shapes.push_back(x); }
+
+    /// The number of the first triangle, and the object, of each mesh in the world.
+    void add_meshes() {
+        for (std::size_t i = 0; i < world_.meshes.size(); ++i) {
+            data_.words.push_back(world_.first_numbers[i]);
+            data_.words.push_back(world_.meshes[i].object);
+        }
+        data_.settings.limits.w = static_cast<std::uint32_t>(world_.meshes.size());
+    }
+
+    void add_shapes() {
+        for (const NumberedPlane& plane : world_.planes) {
+            add(plane.plane.normal);
+            add(plane.plane.offset);
+            add(plane.object);
+        }
+        data_.settings.limits.z = static_cast<std::uint32_t>(world_.planes.size());
+        data_.settings.at_shapes.x = shapes();
+        for (const Quadric& quadric : world_.quadrics) {
+            add(static_cast<double>(quadric.kind));
+            add(quadric.affine);
+            add(quadric.object);
+            add(quadric.prim);
+            add(quadric.shape.base);
+            add(quadric.shape.axis);
+            add(quadric.shape.height);
+            add(quadric.shape.radius);
+        }
+        data_.settings.at_shapes.y = shapes();
+        for (const Affine& affine : world_.affines) {
+            add(affine.linear);
+            add(affine.inverse);
+            add(affine.translation);
+        }
+        add_instances();
+        data_.settings.at_shapes.w = data_.tree.root;
+    }
+
+    void add_instances() {
+        data_.settings.at_shapes.z = shapes();
+        for (std::uint32_t i = 0; i < world_.instances.size(); ++i) {
+            const PlacedMesh& placed = world_.instances[i];
+            add(world_.instance_tree.inverse(i));
+            add(world_.instance_tree.translation(i));
+            add(placed.linear);
+            add(placed.slack);
+            add(placed.object);
+            add(placed.turned ? 1.0 : 0.0);
+            add(data_.tree.mesh_roots[placed.mesh]);
+            add(data_.tree.mesh_corners[placed.mesh]);
+        }
+    }
+
+    bool is_glass(std::uint32_t object) const {
+        const FrozenObject& o = scene_.objects[object];
+        return o.solid && scene_.materials[o.material].transparency > 0.0f;
+    }
+
+    /// Transparent solids by rank: their numbers there, from 1, are what rays carry.
+    void add_media() {
+        std::vector<std::uint32_t> glass;
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i)
+            if (is_glass(i)) glass.push_back(i);
+        if (glass.size() > most_glass)
+            throw Error(ErrorKind::device,
+                        "the scene has " + std::to_string(glass.size()) +
+                            " transparent solids, and the GPU can tell " + std::to_string(most_glass) +
+                            " apart",
+                        "render on the CPU");
+        std::sort(glass.begin(), glass.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return scene_.objects[a].rank < scene_.objects[b].rank;
+        });
+        data_.settings.at_tables.z = words();
+        media_.assign(scene_.objects.size(), 0);
+        for (const std::uint32_t object : glass) {
+            data_.words.push_back(object);
+            media_[object] = words() - data_.settings.at_tables.z;
+        }
+        set_media_of_eye();
+    }
+
+    /// Highest rank first; camera_media has the lowest first.
+    void set_media_of_eye() {
+        if (scene_.camera_media.size() > most_media)
+            throw Error(ErrorKind::device,
+                        "the camera is in " + std::to_string(scene_.camera_media.size()) +
+                            " transparent solids, and a ray on the GPU can be in " +
+                            std::to_string(most_media),
+                        "render on the CPU");
+        std::size_t place = scene_.camera_media.size();
+        for (const std::uint32_t object : scene_.camera_media) {
+            --place;
+            data_.settings.media_of_eye[static_cast<int>(place / 2)] |= media_[object]
+                                                                        << (place % 2 == 0 ? 16 : 0);
+        }
+    }
+
+    void add_objects() {
+        std::vector<bool> flipped(scene_.objects.size(), false);
+        for (const WorldInput::Triangles& mesh : world_.meshes) flipped[mesh.object] = mesh.flip;
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+            const FrozenObject& o = scene_.objects[i];
+            std::uint32_t flags = 0;
+            if (o.solid) flags |= object_solid;
+            if (o.lit_as_stored) flags |= object_lit_as_stored;
+            if (flipped[i]) flags |= object_flipped;
+            if (scene_.materials[o.material].fresnel) flags |= object_fresnel;
+            data_.objects.emplace_back(o.material, o.rank, flags, media_[i]);
+            data_.objects.push_back(attributes_of(o));
+        }
+    }
+
+    uvec4 attributes_of(const FrozenObject& object) {
+        uvec4 at(none);
+        if (object.attributes == no_attributes) return at;
+        const MeshAttributes& a = scene_.attributes[static_cast<std::size_t>(object.attributes)];
+        at.x = place(a.mesh->triangles);
+        if (a.normals != nullptr) at.y = place(*a.normals);
+        if (a.colored || a.mesh->triangles.empty()) at.z = place(a.mesh->colors);
+        if (object.normal_matrix == no_normal_matrix) return at;
+        at.w = shapes();
+        add(scene_.normal_matrices[static_cast<std::size_t>(object.normal_matrix)]);
+        return at;
+    }
+
+    /// Where an array of vectors is among the words; those that objects share are laid once.
+    template <class Vector>
+    std::uint32_t place(const std::vector<Vector>& vectors) {
+        if (vectors.empty()) return none;
+        const auto [found, is_new] = placed_.try_emplace(vectors.data(), words());
+        if (!is_new) return found->second;
+        if (data_.words.size() + 3 * vectors.size() >= none)
+            throw Error(ErrorKind::device, "the scene's normals and colours take more than 16 GiB",
+                        "render on the CPU");
+        for (const Vector& v : vectors)
+            for (int axis = 0; axis < 3; ++axis) data_.words.push_back(std::bit_cast<std::uint32_t>(v[axis]));
+        return found->second;
+    }
+
+    void add_tables() {
+        for (const FrozenMaterial& m : scene_.materials) {
+            data_.tables.emplace_back(m.color, m.ambient);
+            data_.tables.emplace_back(m.emission, m.diffuse);
+            data_.tables.emplace_back(m.absorption, m.highlight);
+            data_.tables.emplace_back(m.shininess, m.transparency, m.index, m.reflectivity);
+        }
+        data_.settings.at_tables.x = static_cast<std::uint32_t>(data_.tables.size());
+        for (const FrozenLight& l : scene_.lights) {
+            data_.tables.emplace_back(l.position, static_cast<float>(l.kind));
+            data_.tables.emplace_back(l.direction, l.cos_outer);
+            data_.tables.emplace_back(l.strength, l.cos_inner);
+        }
+        data_.settings.limits.y = static_cast<std::uint32_t>(scene_.lights.size());
+    }
+
+    void set_camera() {
+        GpuSettings& s = data_.settings;
+        const SamplePlaces places(scene_.description);
+        const PinholeCamera& camera = places.camera();
+        const PixelFilterSampler& filter = places.filter();
+        s.camera_eye = vec4(camera.eye, camera.width);
+        s.camera_forward = vec4(camera.forward, camera.height);
+        s.camera_right = vec4(camera.right, filter.radius());
+        s.camera_up = vec4(camera.up, scene_.index_outside);
+        s.at_tables.y = static_cast<std::uint32_t>(data_.tables.size());
+        for (const float tail : filter.tails()) data_.tables.emplace_back(tail, 0.0f, 0.0f, 0.0f);
+        const RenderSettings& r = scene_.description.render;
+        s.seed = uvec4(static_cast<std::uint32_t>(r.seed), static_cast<std::uint32_t>(r.seed >> 32),
+                       static_cast<std::uint32_t>(filter.tails().size() - 1),
+                       static_cast<std::uint32_t>(filter.negative_steps()));
+        s.tile.w = static_cast<std::uint32_t>(r.spp);
+    }
+
+    void set_scene() {
+        GpuSettings& s = data_.settings;
+        const WhittedSettings& w = scene_.description.whitted;
+        s.ambient_light = vec4(scene_.ambient, data_.tree.corner);
+        s.background = vec4(scene_.background, world_.instance_tree.slack());
+        s.limits.x = static_cast<std::uint32_t>(w.max_depth);
+        s.modes = uvec4(w.shadows == Shadows::opaque, w.clamp, w.energy == Energy::balanced,
+                        w.highlight_model == HighlightModel::phong);
+        s.at_tables.w = data_.glass ? 1 : 0;
+    }
+
+    const FrozenScene& scene_;
+    const WorldData& world_;
+    GpuSceneData data_;
+    std::vector<std::uint32_t> media_;            ///< by object
+    std::map<const void*, std::uint32_t> placed_; ///< arrays that are among the words
+};
+
+} // namespace
+
+GpuSceneData flatten(const FrozenScene& scene) { return Flattener(scene).run(); }
+
+} // namespace glint

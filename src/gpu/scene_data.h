@@ -1,0 +1,26 @@
+#pragma once
+// A frozen scene as the shader reads it: flat arrays, records found by their numbers (shaders/data.glsl).
+
+#include "gpu/settings.h"
+#include "gpu/tree.h"
+#include "scene/frozen.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace glint {
+
+struct GpuSceneData {
+    GpuTree tree;
+    std::vector<uvec4> objects;
+    std::vector<std::uint32_t> words;
+    std::vector<vec4> tables;
+    std::vector<double> shapes;
+    GpuSettings settings; ///< all that the scene decides
+    bool glass = false;   ///< does anything let light through?
+};
+
+/// Throws Error(device) for a scene that the shader's numbers cannot name, with the sizes.
+GpuSceneData flatten(const FrozenScene& scene);
+
+} // namespace glint

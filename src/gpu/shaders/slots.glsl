@@ -1,0 +1,103 @@
+// A slot is one pixel of the tile and what is under way for it. Between two dispatches it waits in `work`:
+// a sample's rays need not be followed to the end in one.
+
+const uint counters = 16u; // of work: unfinished slots, faults, rays by kind
+const uint counter_unfinished = 0u;
+const uint counter_faults = 1u;
+const uint counter_rays = 2u; // primary, reflected, refracted, shadow
+const uint fault_media = 1u;
+
+// Fields of a slot: sample, state, terms, then the rays that wait.
+const uint state_waiting = 0xffffu; // how many rays wait
+const uint state_begun = 0x10000u;
+const uint state_negative = 0x20000u; // the sample's weight is −1
+const uint state_covered = 0x40000u;  // it hit something
+const uint fields_before_rays = 2u + 3u * uint(GLINT_TERMS);
+const uint fields_of_ray = 14u;
+
+uint slot_field(uint slot, uint field) { return counters + field * settings.turn.z + slot; }
+
+void save_vector(uint at, vec3 v) {
+    work[at] = floatBitsToUint(v.x);
+    work[at + settings.turn.z] = floatBitsToUint(v.y);
+    work[at + 2u * settings.turn.z] = floatBitsToUint(v.z);
+}
+vec3 saved_vector(uint at) {
+    return vec3(uintBitsToFloat(work[at]), uintBitsToFloat(work[at + settings.turn.z]),
+                uintBitsToFloat(work[at + 2u * settings.turn.z]));
+}
+
+uint ray_field(uint slot, uint ray) { return slot_field(slot, fields_before_rays + ray * fields_of_ray); }
+
+void save_path(uint slot, uint ray, Path path) {
+    uint at = ray_field(slot, ray);
+    uint stride = settings.turn.z;
+    save_vector(at, path.origin);
+    save_vector(at + 3u * stride, path.direction);
+    save_vector(at + 6u * stride, path.weight);
+    work[at + 9u * stride] = path.depth | (path.term == none ? 0u : path.term << 16);
+#if GLINT_GLASS
+    for (int i = 0; i < 4; ++i) work[at + uint(10 + i) * stride] = path.media[i];
+#endif
+}
+
+Path saved_path(uint slot, uint ray) {
+    uint at = ray_field(slot, ray);
+    uint stride = settings.turn.z;
+    Path path;
+    path.origin = saved_vector(at);
+    path.direction = saved_vector(at + 3u * stride);
+    path.weight = saved_vector(at + 6u * stride);
+    uint info = work[at + 9u * stride];
+    path.depth = info & 0xffffu;
+    path.term = info >> 16 == 0u ? none : info >> 16;
+    path.media = uvec4(0u);
+#if GLINT_GLASS
+    for (int i = 0; i < 4; ++i) path.media[i] = work[at + uint(10 + i) * stride];
+#endif
+    return path;
+}
+
+/// Slots go through the tile in squares of 8 × 8 pixels.
+uvec2 slot_pixel(uint slot) {
+    uint square = slot / 64u;
+    uint columns = settings.tile.z / 8u;
+    return settings.tile.xy + 8u * uvec2(square % columns, square / columns) + uvec2(slot % 8u, slot % 64u / 8u);
+}
+
+/// imaging/filter.cpp: along_axis(), its table searched by halving. The offset, and the sign of the filter.
+vec2 filter_offset(float u) {
+    bool left = u < 0.5f;
+    float tail = left ? 2.0f * u : 2.0f - 2.0f * u;
+    uint low = 0u;
+    uint high = settings.seed.z;
+    while (high - low > 1u) {
+        uint middle = (low + high) / 2u;
+        if (tables[settings.at_tables.y + middle].x <= tail)
+            low = middle;
+        else
+            high = middle;
+    }
+    float outer = tables[settings.at_tables.y + low].x;
+    float inner = tables[settings.at_tables.y + low + 1u].x;
+    float distance_to = filter_distance(settings.camera_right.w, int(low), int(settings.seed.z), tail, outer, inner);
+    return vec2(left ? -distance_to : distance_to, low < settings.seed.w ? -1.0f : 1.0f);
+}
+
+/// The camera ray of a sample, and its weight.
+Path primary_path(uvec2 pixel, uint number, uint samples, out float weight) {
+    vec2 offset = vec2(0.0f);
+    weight = 1.0f;
+    if (samples > 1u) {
+        vec2 u = sample_pair(pixel_key(settings.seed.x, settings.seed.y, pixel.x, pixel.y), number, 0u);
+        vec2 x = filter_offset(u.x);
+        vec2 y = filter_offset(u.y);
+        offset = vec2(x.x, y.x);
+        weight = x.y * y.y;
+    }
+    PinholeCamera camera = PinholeCamera(settings.camera_eye.xyz, settings.camera_forward.xyz,
+                                         settings.camera_right.xyz, settings.camera_up.xyz,
+                                         settings.camera_eye.w, settings.camera_forward.w);
+    vec3 direction = pinhole_direction(camera, int(pixel.x), int(pixel.y), offset.x, offset.y);
+    return Path(camera.eye, direction, vec3(1.0f), 0u, none, settings.media_of_eye);
+}

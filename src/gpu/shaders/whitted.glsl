@@ -1,0 +1,215 @@
+// Whitted's model, a turn at a time: each turn of the loop traces one ray, to a surface or to a light.
+// Trees are followed depth first; a ray carries its weight, so that nothing comes back from its branches.
+
+layout(local_size_x = 64) in;
+
+const uint phase_next = 0u;   // a new ray is wanted
+const uint phase_path = 1u;   // on the way to a surface
+const uint phase_lights = 2u; // at a surface, a light is wanted
+const uint phase_shadow = 3u; // on the way to a light
+
+// What a sample's light is made of so far.
+vec3 terms[GLINT_TERMS];
+
+void add_term(uint term, vec3 value) { terms[GLINT_TERMS == 1 ? 0u : term] += value; }
+
+void add_to_film(uint slot, float weight, bool covered) {
+    uint stride = settings.turn.z;
+    uint at = slot + (weight > 0.0f ? 0u : 3u * uint(GLINT_TERMS) * stride);
+    for (int i = 0; i < GLINT_TERMS; ++i)
+        for (int axis = 0; axis < 3; ++axis) film[at + uint(3 * i + axis) * stride] += terms[i][axis];
+    uint counts = slot + 6u * uint(GLINT_TERMS) * stride;
+    if (weight > 0.0f) film[counts] += 1.0f;
+    if (covered) film[counts + stride] += 1.0f;
+}
+
+void main() {
+    uint slot = settings.turn.x + gl_GlobalInvocationID.x;
+    if (slot >= settings.turn.y) return;
+    uvec2 pixel = slot_pixel(slot);
+    uint number = work[slot_field(slot, 0u)];
+    if (any(greaterThanEqual(pixel, settings.area.xy)) || number >= settings.area.w) return;
+
+    uint state = work[slot_field(slot, 1u)];
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) terms[i] = saved_vector(slot_field(slot, 2u + 3u * i));
+    uint waiting = state & state_waiting;
+    bool begun = (state & state_begun) != 0u;
+    float weight = (state & state_negative) != 0u ? -1.0f : 1.0f;
+    bool covered = (state & state_covered) != 0u;
+
+    uvec4 rays = uvec4(0u);
+    uint budget = settings.turn.w;
+    uint phase = phase_next;
+    Path path;
+    Path sibling;
+    bool has_path = false; // `path` is the next to be followed
+    Lit s;
+    Material m;
+    Arriving arriving;
+    uint light = 0u;
+    vec3 diffuse = vec3(0.0f);
+    vec3 highlight = vec3(0.0f);
+    float shadow = 1.0f;
+    bool walking = false;
+    uvec4 shadow_media = uvec4(0u);
+    vec3 origin = vec3(0.0f);
+    vec3 direction = vec3(0.0f);
+    float limit = 0.0f;
+    Hit after = no_hit(0.0f);
+    for (;;) {
+        if (phase == phase_next) {
+            if (!has_path && waiting == 0u) {
+                if (begun) {
+                    add_to_film(slot, weight, covered);
+                    for (int i = 0; i < GLINT_TERMS; ++i) terms[i] = vec3(0.0f);
+                    begun = false;
+                    ++number;
+                }
+                if (number >= settings.area.w) break;
+                if (budget == 0u) break;
+                path = primary_path(pixel, number, settings.tile.w, weight);
+                begun = true;
+                covered = false;
+                ++rays.x;
+            } else {
+                if (budget == 0u) break;
+                if (!has_path) path = saved_path(slot, --waiting);
+            }
+            has_path = false;
+            --budget;
+            phase = phase_path;
+            origin = path.origin;
+            direction = path.direction;
+            limit = 3.40282347e38f;
+            after = no_hit(0.0f);
+            walking = true;
+        }
+
+        Hit hit = trace(origin, direction, limit, after, !walking);
+        Surface surface;
+        if (hit.kind != kind_none && walking) surface = surface_of(hit, origin, direction);
+
+        if (phase == phase_path) {
+            if (hit.kind == kind_none) {
+                // What never leaves a solid brings nothing; what misses everything gets the background.
+                if (path.media.x == 0u)
+                    add_term(path.term == none ? 6u : path.term, path.weight * settings.background.xyz);
+                phase = phase_next;
+                continue;
+            }
+            if (media_hide(path.media, hit.object)) {
+                uint medium = object_medium(hit.object);
+                if (medium != 0u)
+                    path.media = media_across(path.media, medium, dot(surface.n, direction) < 0.0f);
+                after = hit;
+                continue;
+            }
+            if (path.depth == 0u) covered = true;
+            if (path.media.x != 0u) {
+                vec3 sigma = material_absorption(object_material(media_object(media_head(path.media))));
+                if (sigma != vec3(0.0f)) path.weight *= transmittance(sigma, hit.t);
+            }
+            s = lit_surface(hit, surface, direction);
+            m = material_at(object_material(hit.object));
+            diffuse = vec3(0.0f);
+            highlight = vec3(0.0f);
+            light = 0u;
+            phase = phase_lights;
+        } else {
+            if (hit.kind != kind_none) {
+                if (!walking) {
+                    shadow = 0.0f;
+                } else {
+                    if (!media_hide(shadow_media, hit.object)) {
+                        float tau = material_transparency(object_material(hit.object));
+                        shadow = settings.modes.x != 0u || !(tau > 0.0f) ? 0.0f : shadow * tau;
+                    }
+                    uint medium = object_medium(hit.object);
+                    if (medium != 0u)
+                        shadow_media = media_across(shadow_media, medium, dot(surface.n, direction) < 0.0f);
+                    after = hit;
+                    if (shadow > 0.0f) continue;
+                }
+            }
+            add_light(s, m, arriving, shadow, diffuse, highlight);
+            ++light;
+            phase = phase_lights;
+        }
+
+        // The next light that is worth a ray. It ends at t = 1 for a light with a place.
+        bool shines = m.diffuse > 0.0f || m.highlight > 0.0f;
+        for (; shines && light < settings.limits.y; ++light) {
+            Light source = light_at(light);
+            arriving = arriving_from(source, s);
+            if (arriving.light == vec3(0.0f)) continue;
+            origin = offset_ray_origin(s.p, s.p_error, s.n_g, arriving.direction);
+            direction = arriving.direction;
+            limit = 3.40282347e38f;
+            if (source.kind != light_directional) {
+                direction = source.position - origin;
+                limit = 0.99999994f;
+            }
+            phase = phase_shadow;
+            break;
+        }
+        if (phase == phase_shadow) {
+            ++rays.w;
+            shadow = 1.0f;
+            after = no_hit(0.0f);
+            shadow_media = path.media;
+            uint medium = object_medium(s.object);
+            if (s.lit_side < 0.0f && medium != 0u) shadow_media = media_across(shadow_media, medium, s.entering);
+            walking = GLINT_GLASS != 0 && (settings.modes.x == 0u || shadow_media.x != 0u);
+            continue;
+        }
+
+        // The local terms, limited and weighed, and what becomes of the light that goes on.
+        vec3 ambient = ambient_term(settings.ambient_light.xyz, s.color, m.ambient);
+        vec3 clamped = vec3(0.0f);
+        if (settings.modes.y != 0u) {
+            ambient = limit_to_range(ambient);
+            highlight = limit_to_range(highlight);
+            vec3 sum = (ambient + diffuse) + highlight;
+            clamped = limit_to_one(sum) - sum;
+        }
+        bool goes_on = (m.reflectivity > 0.0f || m.transparency > 0.0f) && path.depth < settings.limits.x;
+        float local = goes_on ? local_weight(m.reflectivity, m.transparency, settings.modes.z != 0u) : 1.0f;
+        if (path.term == none && GLINT_TERMS != 1) {
+            add_term(0u, path.weight * (ambient * local));
+            add_term(1u, path.weight * (diffuse * local));
+            add_term(2u, path.weight * (highlight * local));
+            add_term(3u, path.weight * (clamped * local));
+            add_term(6u, path.weight * m.emission);
+        } else {
+            vec3 sum = (((ambient * local + diffuse * local) + highlight * local) + clamped * local) + m.emission;
+            add_term(path.term, path.weight * sum);
+        }
+        phase = phase_next;
+        if (!goes_on) continue;
+        Split split = split_at(path, s, m);
+        bool reflects = split.reflected > 0.0f;
+        bool transmits = split.refracted > 0.0f;
+        if (transmits) {
+            ++rays.z;
+            sibling = transmitted_path(path, s, split);
+            if (reflects) save_path(slot, waiting++, sibling);
+        }
+        if (reflects) {
+            ++rays.y;
+            path = reflected_path(path, s, split.reflected);
+        } else if (transmits) {
+            path = sibling;
+        }
+        has_path = reflects || transmits;
+    }
+
+    if (has_path) save_path(slot, waiting++, path);
+    work[slot_field(slot, 0u)] = number;
+    work[slot_field(slot, 1u)] = waiting | (begun ? state_begun : 0u) | (weight < 0.0f ? state_negative : 0u) |
+                                 (covered ? state_covered : 0u);
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(slot_field(slot, 2u + 3u * i), terms[i]);
+    if (number < settings.area.w) atomicAdd(work[counter_unfinished], 1u);
+    if (media_overflowed) atomicOr(work[counter_faults], fault_media);
+    for (uint i = 0u; i < 4u; ++i)
+        if (rays[i] != 0u) atomicAdd(work[counter_rays + i], rays[i]);
+}

@@ -1,0 +1,234 @@
+#include "gpu/tree.h"
+
+#include "glint/error.h"
+#include "trace/world_data.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t words_of_node = 6;
+constexpr std::uint32_t most_nodes = 0x00ffffffu;
+constexpr std::uint32_t most_leaf_units = 0x02000000u;
+
+/// A child on its way into a node.
+struct Child {
+    Bounds box;
+    std::uint32_t code = 0;
+};
+
+/// What a node's axis is measured in: the least power of two that spans it in 255 steps.
+int exponent_for(double extent) {
+    int exponent = 0;
+    std::frexp(extent / 255.0, &exponent);
+    return std::clamp(exponent, -126, 127);
+}
+
+/// Where each child stands: the one that lies furthest toward a corner gets that corner's number.
+std::array<int, wide_children> slots_of(const std::vector<Child>& children, const Bounds& all) {
+    std::array<int, wide_children> child_at;
+    child_at.fill(-1);
+    std::vector<bool> placed(children.size(), false);
+    for (std::size_t round = 0; round < children.size(); ++round) {
+        float most = -std::numeric_limits<float>::infinity();
+        std::size_t best_child = 0;
+        std::size_t best_slot = 0;
+        for (std::size_t c = 0; c < children.size(); ++c) {
+            if (placed[c]) continue;
+            const vec3 away = (children[c].box.lo - all.lo) + (children[c].box.hi - all.hi);
+            for (std::size_t slot = 0; slot < wide_children; ++slot) {
+                const vec3 corner((slot & 1) != 0 ? 1.0f : -1.0f, (slot & 2) != 0 ? 1.0f : -1.0f,
+                                  (slot & 4) != 0 ? 1.0f : -1.0f);
+                const float reach = glm::dot(away, corner);
+                if (child_at[slot] >= 0 || !(reach > most)) continue;
+                most = reach;
+                best_child = c;
+                best_slot = slot;
+            }
+        }
+        // Boxes beyond the range of floats have no place of their own: any will do.
+        if (!(most > -std::numeric_limits<float>::infinity())) {
+            best_child = std::size_t(std::find(placed.begin(), placed.end(), false) - placed.begin());
+            best_slot = std::size_t(std::find(child_at.begin(), child_at.end(), -1) - child_at.begin());
+        }
+        placed[best_child] = true;
+        child_at[best_slot] = static_cast<int>(best_child);
+    }
+    return child_at;
+}
+
+/// Writes a node over its children, at most eight; grows `corner` by what its boxes reach.
+void write_node(const std::vector<Child>& children, uvec4* out, float& corner) {
+    Bounds all;
+    for (const Child& child : children) all.grow(child.box);
+    const std::array<int, wide_children> child_at = slots_of(children, all);
+    std::array<std::uint32_t, 4> head{};
+    std::array<std::uint32_t, wide_children> codes{};
+    std::array<std::array<std::uint32_t, 4>, 3> sides{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double origin = all.lo[axis];
+        const int exponent = exponent_for(double(all.hi[axis]) - origin);
+        const double step = std::ldexp(1.0, exponent);
+        head[std::size_t(axis)] = std::bit_cast<std::uint32_t>(all.lo[axis]);
+        head[3] |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
+        for (std::size_t slot = 0; slot < wide_children; ++slot) {
+            if (child_at[slot] < 0) continue;
+            const Bounds& box = children[std::size_t(child_at[slot])].box;
+            const double low = std::clamp(std::floor((double(box.lo[axis]) - origin) / step), 0.0, 255.0);
+            const double high = std::clamp(std::ceil((double(box.hi[axis]) - origin) / step), 0.0, 255.0);
+            const auto shift = static_cast<std::uint32_t>(8 * (slot % 4));
+            sides[std::size_t(axis)][slot / 4] |= static_cast<std::uint32_t>(low) << shift;
+            sides[std::size_t(axis)][2 + slot / 4] |= static_cast<std::uint32_t>(high) << shift;
+            corner = std::max({corner, static_cast<float>(std::abs(origin)),
+                               static_cast<float>(std::abs(origin + high * step))});
+        }
+    }
+    for (std::size_t slot = 0; slot < wide_children; ++slot) {
+        if (child_at[slot] < 0) continue;
+        head[3] |= 1u << (24 + slot);
+        codes[slot] = children[std::size_t(child_at[slot])].code;
+    }
+    out[0] = {head[0], head[1], head[2], head[3]};
+    out[1] = {codes[0], codes[1], codes[2], codes[3]};
+    out[2] = {codes[4], codes[5], codes[6], codes[7]};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        out[3 + axis] = {sides[axis][0], sides[axis][1], sides[axis][2], sides[axis][3]};
+}
+
+int depth_below(const MeshTree& tree, std::uint32_t node) {
+    int deepest = 0;
+    for (const std::uint32_t code : tree.nodes[node].child)
+        if (code != no_child && (code & leaf_bit) == 0) deepest = std::max(deepest, depth_below(tree, code));
+    return deepest + 1;
+}
+
+class Builder {
+  public:
+    explicit Builder(const WorldData& world) : world_(world) {}
+
+    GpuTree run() {
+        const std::uint32_t mesh_root = add_mesh(world_.mesh_tree, tree_.corner);
+        int mesh_depth = depth_;
+        for (const SharedMesh& mesh : world_.shared_meshes) {
+            depth_ = 0;
+            float corner = 0;
+            tree_.mesh_roots.push_back(add_mesh(mesh.tree, corner));
+            tree_.mesh_corners.push_back(corner);
+            mesh_depth = std::max(mesh_depth, depth_ + 1);
+        }
+        depth_ = 0;
+        std::vector<Item> items;
+        if (mesh_root != GpuTree::no_root) items.push_back({world_.mesh_tree.bounds, nullptr, {}, mesh_root});
+        const Tree& instances = world_.instance_tree.tree();
+        if (!instances.empty()) items.push_back({instances.bounds, &instances, instances.root, 0});
+        const Tree& quadrics = world_.quadric_tree;
+        if (!quadrics.empty()) items.push_back({quadrics.bounds, &quadrics, quadrics.root, 0});
+        if (!items.empty()) tree_.root = add_top(std::move(items), 1);
+        // A walk leaves one entry behind in each node, and one more where it enters an instance.
+        tree_.stack = depth_ + mesh_depth + 2;
+        return std::move(tree_);
+    }
+
+  private:
+    /// A child of an upper node: a subtree of a binary tree, or a code.
+    struct Item {
+        Bounds box;
+        const Tree* tree = nullptr;
+        TreeRef ref;
+        std::uint32_t code = 0;
+
+        bool can_open() const { return tree != nullptr && ref.count == 0; }
+    };
+
+    std::uint32_t new_nodes(std::size_t count) {
+        const std::size_t first = tree_.nodes.size() / words_of_node;
+        if (first + count > most_nodes)
+            throw Error(ErrorKind::device,
+                        "the scene's tree has more than " + std::to_string(most_nodes) +
+                            " nodes, which is what the GPU's can have",
+                        "render on the CPU");
+        tree_.nodes.resize((first + count) * words_of_node);
+        return static_cast<std::uint32_t>(first);
+    }
+
+    std::uint32_t add_mesh(const MeshTree& mesh, float& corner) {
+        if (mesh.nodes.empty()) return GpuTree::no_root;
+        const std::uint32_t first = new_nodes(mesh.nodes.size());
+        const std::size_t units = tree_.leaves.size() / 4;
+        tree_.leaves.insert(tree_.leaves.end(), mesh.leaf_words.begin(), mesh.leaf_words.end());
+        tree_.leaves.resize((tree_.leaves.size() + 3) / 4 * 4);
+        if (tree_.leaves.size() / 4 > most_leaf_units)
+            throw Error(ErrorKind::device,
+                        "the scene's triangles take more than the 512 MiB that the GPU's tree can name",
+                        "render on the CPU, or show meshes more than once as instances");
+        std::vector<Child> children;
+        for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+            const WideNode& node = mesh.nodes[i];
+            children.clear();
+            for (std::size_t c = 0; c < wide_children; ++c) {
+                const std::uint32_t code = node.child[c];
+                if (code == no_child) continue;
+                Child child;
+                child.box = {{node.lo[0][c], node.lo[1][c], node.lo[2][c]},
+                             {node.hi[0][c], node.hi[1][c], node.hi[2][c]}};
+                child.code = (code & leaf_bit) != 0 ? code + static_cast<std::uint32_t>(units) : code + first;
+                children.push_back(child);
+            }
+            write_node(children, &tree_.nodes[(first + i) * words_of_node], corner);
+        }
+        depth_ = std::max(depth_, depth_below(mesh, 0));
+        return first;
+    }
+
+    /// Makes a node of items, the largest opened as long as there is room.
+    std::uint32_t add_top(std::vector<Item> items, int depth) {
+        depth_ = std::max(depth_, depth);
+        for (;;) {
+            Item* largest = nullptr;
+            for (Item& item : items)
+                if (item.can_open() &&
+                    (largest == nullptr || item.box.half_area() > largest->box.half_area()))
+                    largest = &item;
+            if (largest == nullptr || items.size() == wide_children) break;
+            const Item opened = *largest;
+            *largest = child_of(opened, 0);
+            items.push_back(child_of(opened, 1));
+        }
+        const std::uint32_t node = new_nodes(1);
+        std::vector<Child> children;
+        for (const Item& item : items) children.push_back({item.box, code_of(item, depth)});
+        write_node(children, &tree_.nodes[node * words_of_node], tree_.corner);
+        return node;
+    }
+
+    static Item child_of(const Item& item, std::size_t child) {
+        const TreeNode& node = item.tree->nodes[item.ref.first];
+        return {{{node.lo[0][child], node.lo[1][child], node.lo[2][child]},
+                 {node.hi[0][child], node.hi[1][child], node.hi[2][child]}},
+                item.tree,
+                node.child[child],
+                0};
+    }
+
+    std::uint32_t code_of(const Item& item, int depth) {
+        if (item.tree == nullptr) return item.code;
+        if (item.can_open()) return add_top({child_of(item, 0), child_of(item, 1)}, depth + 1);
+        if (item.tree == &world_.quadric_tree)
+            return 0x40000000u | (item.ref.count - 1) << 24 | item.ref.first;
+        return 0x60000000u | item.tree->order[item.ref.first];
+    }
+
+    const WorldData& world_;
+    GpuTree tree_;
+    int depth_ = 0;
+};
+
+} // namespace
+
+GpuTree build_gpu_tree(const WorldData& world) { return Builder(world).run(); }
+
+} // namespace glint

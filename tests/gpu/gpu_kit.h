@@ -1,0 +1,29 @@
+#pragma once
+// What tests of the GPU share: one renderer, for drivers take long to compile, and how far two pictures are
+// apart.
+
+#include "glint/gpu.h"
+
+#include <string>
+
+namespace glint {
+
+/// The renderer of this process, or null where no device can be used; then `why_no_gpu` has the reason.
+GpuRenderer* gpu();
+const std::string& why_no_gpu();
+
+/// Ends a test where there is no device, and says so.
+#define GLINT_NEEDS_GPU()                                                                                    \
+    if (glint::gpu() == nullptr) GTEST_SKIP() << "no GPU: " << glint::why_no_gpu()
+
+/// How a picture of the GPU agrees with the CPU's.
+struct Agreement {
+    double far = 0;   ///< share of the pixels that are off by more than 1/255 in a channel
+    double error = 0; ///< over the others the mean of |a − b| / max(b, 1e-3)
+};
+Agreement agreement(const Image& gpu, const Image& cpu);
+
+/// Fails where the scene's pictures agree less than the backend promises.
+void expect_agreement(const SceneDescription& description, const std::string& name);
+
+} // namespace glint

@@ -1,0 +1,98 @@
+// The GPU's tree holds what the CPU's holds, in boxes that are never smaller.
+
+#include "gallery.h"
+
+#include "gpu/tree.h"
+#include "scene/frozen.h"
+#include "trace/world_data.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <set>
+
+namespace glint {
+namespace {
+
+/// The box of a node's child as the shader reads it.
+Bounds child_box(const GpuTree& tree, std::uint32_t node, std::uint32_t child) {
+    Bounds box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const uvec4 head = tree.nodes[6 * node];
+        const auto at = 6 * node + 3 + static_cast<std::uint32_t>(axis);
+        const float origin = std::bit_cast<float>(head[axis]);
+        const float step = std::ldexp(1.0f, static_cast<int>(head.w >> (8 * axis) & 255u) - 127);
+        const auto side = [&](std::uint32_t word) {
+            const std::uint32_t four = tree.nodes[at][static_cast<int>(word + child / 4)];
+            return origin + static_cast<float>(four >> (8 * (child % 4)) & 255u) * step;
+        };
+        box.lo[axis] = side(0);
+        box.hi[axis] = side(2);
+    }
+    return box;
+}
+
+/// What is found below a node.
+struct Found {
+    std::set<std::uint32_t> triangles, quadrics, instances;
+};
+
+bool holds(const Bounds& box, const vec3& p) {
+    const float slack = 1e-6f * (glm::length(p) + 1);
+    return glm::all(glm::lessThanEqual(box.lo - slack, p)) && glm::all(glm::lessThanEqual(p, box.hi + slack));
+}
+
+void visit_leaf(const GpuTree& tree, std::uint32_t code, const Bounds& box, Found& found) {
+    const LeafCode leaf{code};
+    for (std::uint32_t i = 0; i < leaf.triangles(); ++i)
+        found.triangles.insert(tree.leaves[leaf.word() + 4 + 3 * leaf.vertices() + i]);
+    // Cut triangles reach beyond their boxes: some vertex or the box's own side is near.
+    for (std::uint32_t i = 0; i < leaf.vertices(); ++i) {
+        vec3 p;
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] = std::bit_cast<float>(
+                tree.leaves[leaf.word() + 4 + static_cast<std::uint32_t>(axis) * leaf.vertices() + i]);
+        EXPECT_TRUE(holds(box, p)) << "a vertex outside its box";
+    }
+}
+
+void visit(const GpuTree& tree, std::uint32_t node, int depth, Found& found) {
+    ASSERT_LT(depth, tree.stack);
+    for (std::uint32_t child = 0; child < 8; ++child) {
+        if ((tree.nodes[6 * node].w >> (24 + child) & 1u) == 0) continue;
+        const std::uint32_t code = tree.nodes[6 * node + 1 + child / 4][static_cast<int>(child % 4)];
+        if (code >> 31 != 0)
+            visit_leaf(tree, code, child_box(tree, node, child), found);
+        else if (code >> 30 == 0)
+            visit(tree, code, depth + 1, found);
+        else if (code >> 29 == 3)
+            EXPECT_TRUE(found.instances.insert(code & 0x1fffffffu).second);
+        else
+            for (std::uint32_t i = 0; i <= (code >> 24 & 31u); ++i)
+                EXPECT_TRUE(found.quadrics.insert((code & 0xffffffu) + i).second);
+    }
+}
+
+TEST(GpuTree, HoldsEverythingOnce) {
+    for (const kit::Exhibit& exhibit : kit::gallery()) {
+        const Scene scene = freeze(exhibit.scene);
+        const WorldData& world = scene.frozen().world.data();
+        const GpuTree tree = build_gpu_tree(world);
+        if (tree.root == GpuTree::no_root) continue;
+        Found found;
+        visit(tree, tree.root, 0, found);
+        EXPECT_EQ(found.triangles.size(), world.mesh_tree.triangles - world.mesh_tree.left_out)
+            << exhibit.name;
+        EXPECT_EQ(found.quadrics.size(), world.quadrics.size()) << exhibit.name;
+        EXPECT_EQ(found.instances.size(), world.instances.size()) << exhibit.name;
+        for (std::size_t i = 0; i < world.shared_meshes.size(); ++i) {
+            Found below;
+            visit(tree, tree.mesh_roots[i], 0, below);
+            EXPECT_EQ(below.triangles.size(), world.shared_meshes[i].tree.triangles) << exhibit.name;
+        }
+    }
+}
+
+} // namespace
+} // namespace glint
