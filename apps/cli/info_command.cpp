@@ -1,3 +1,4 @@
+#include "backend.h"
 #include "commands.h"
 #include "frames.h"
 #include "json_output.h"
@@ -99,6 +100,12 @@ std::string info_text(const std::string& file, const SceneDescription& descripti
 } // namespace
 
 int info_command(const Arguments& arguments, Console& console) {
+    if (arguments.has("devices")) {
+        if (!arguments.operands().empty())
+            throw Error(ErrorKind::usage, "--devices takes no file", "glint info --devices");
+        print_data(devices_text());
+        return exit_code::done;
+    }
     const std::string& file = arguments.operands().front();
     require_mesh_for_up(arguments, file);
     const LoadedScene loaded = load_scene(file, load_options(arguments));

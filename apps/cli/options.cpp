@@ -77,7 +77,16 @@ constexpr std::array check_options{
     help};
 
 constexpr std::array info_options{
-    Option{0, "json", "", "for programs"}, frame, set, up, allow_outside, threads, color, quiet, help,
+    Option{0, "json", "", "for programs"},
+    Option{0, "devices", "", "instead of FILE: what --backend gpu can use, and why not"},
+    frame,
+    set,
+    up,
+    allow_outside,
+    threads,
+    color,
+    quiet,
+    help,
 };
 
 constexpr std::array explain_options{

@@ -133,7 +133,9 @@ Arguments parse_arguments(const Command& command, const std::vector<std::string>
         if (flags[key(option)]) given.emplace_back();
         if (given.empty()) values.erase(key(option));
     }
-    if (!values.count("help")) check_operands(command, operands);
+    // Devices are no matter of a file.
+    const bool needs_operands = !values.count("help") && !values.count("devices");
+    if (needs_operands) check_operands(command, operands);
     return {command, std::move(values), std::move(operands)};
 }
 

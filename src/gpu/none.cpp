@@ -9,7 +9,7 @@ struct GpuRenderer::State {
 };
 
 std::vector<GpuDevice> gpu_devices(std::string* why) {
-    if (why != nullptr) *why = "this glint was built without GPU support (-DGLINT_GPU=OFF)";
+    if (why != nullptr) *why = "this glint was built with no GPU support (-DGLINT_GPU=OFF)";
     return {};
 }
 

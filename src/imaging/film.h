@@ -72,8 +72,7 @@ T pixel_value(const SignedSums<T>& sums) {
     if (sums.count == 0) return T{};
     if (sums.positives == 0) return sums.negative / static_cast<float>(negatives);
 
-    if (!lobes_count(sums.count, sums.positives))
-        return sums.positive / static_cast<float>(sums.positives);
+    if (!lobes_count(sums.count, sums.positives)) return sums.positive / static_cast<float>(sums.positives);
     const std::int64_t weights = std::int64_t{sums.positives} - std::int64_t{negatives};
     return (sums.positive - sums.negative) / static_cast<float>(weights);
 }

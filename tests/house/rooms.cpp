@@ -19,6 +19,7 @@ const std::vector<Room>& rooms() {
         {"scene", 3, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading"}},
         {"render", 4, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
         {"formats", 4, {"math", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
+        {"gpu", 5, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene", "render"}},
     };
     return table;
 }
@@ -35,6 +36,8 @@ struct Foreign {
 const std::vector<Foreign>& foreign_headers() {
     static const std::vector<Foreign> table = {
         {"glm/", {}, true},
+        {"epoxy/", {"gpu"}, false},
+        {"dlfcn.h", {"gpu"}, false},
         {"hwy/", {"math", "trace", "shading", "render"}, true},
         {"fmt/", {"scene", "render", "formats", "apps"}, false},
         {"toml++/", {"formats"}, false},
@@ -144,6 +147,10 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/kernels.h", "trace"},     {"glint/document.h", "formats"}, {"glint/term.h", "scene"},
         {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},   {"glint/progressive.h", "render"},
         {"glint/pick.h", "render"},
+        {"glint/error.h", "scene"},     {"glint/scene.h", "scene"},       {"glint/image.h", "imaging"},
+        {"glint/formats.h", "formats"}, {"glint/render.h", "render"},     {"glint/trace.h", "trace"},
+        {"glint/kernels.h", "trace"},   {"glint/gpu.h", "gpu"},           {"glint/document.h", "formats"},
+        {"glint/term.h", "scene"},      {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;
