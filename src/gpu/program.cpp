@@ -40,10 +40,10 @@ template <class Query, class Get>
 std::string log_of(GLuint id, Query query, Get get) {
     GLint length = 0;
     query(id, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    get(id, length, nullptr, log.data());
-    log.resize(std::min(log.size(), log.find('\0')));
-    return readable_log(log);
+    std::string said(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    get(id, length, nullptr, said.data());
+    said.resize(std::min(said.size(), said.find('\0')));
+    return readable_log(said);
 }
 
 [[noreturn]] void refuse(const GpuContext& context, const std::string& log) {
@@ -63,11 +63,11 @@ std::string shader_source(const ProgramChoice& choice) {
     return source;
 }
 
-std::string readable_log(const std::string& log) {
+std::string readable_log(const std::string& text) {
     std::string out;
-    for (std::size_t at = 0; at < log.size();) {
-        const std::size_t end = std::min(log.find('\n', at), log.size());
-        out += readable_line(log.substr(at, end - at)) + "\n";
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        out += readable_line(text.substr(at, end - at)) + "\n";
         at = end + 1;
     }
     return out;
@@ -81,9 +81,9 @@ GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) {
     GLint done = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
     if (done == GL_FALSE) {
-        const std::string log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+        const std::string said = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
         glDeleteShader(shader);
-        refuse(context, log);
+        refuse(context, said);
     }
     id_ = glCreateProgram();
     glAttachShader(id_, shader);
@@ -91,9 +91,9 @@ GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) {
     glDeleteShader(shader);
     glGetProgramiv(id_, GL_LINK_STATUS, &done);
     if (done == GL_FALSE) {
-        const std::string log = log_of(id_, glGetProgramiv, glGetProgramInfoLog);
+        const std::string said = log_of(id_, glGetProgramiv, glGetProgramInfoLog);
         glDeleteProgram(id_);
-        refuse(context, log);
+        refuse(context, said);
     }
 }
 

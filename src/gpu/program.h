@@ -25,7 +25,7 @@ struct ProgramChoice {
 std::string shader_source(const ProgramChoice& choice);
 
 /// A driver's log with numbers of files replaced by their names: "shading/whitted.shared.h:12: …".
-std::string readable_log(const std::string& log);
+std::string readable_log(const std::string& text);
 
 /// A compiled program; needs its context to be current wherever it is used.
 class GpuProgram {

@@ -21,9 +21,9 @@ TEST(GpuProgram, ARefusedShaderIsNamedByFileAndLine) {
     const GpuContext context(-1);
     const GpuScope scope(context);
     std::string source = shader_source({});
-    const std::string sound = "float spot_falloff(";
+    const std::string sound = "real spot_falloff(";
     ASSERT_NE(source.find(sound), std::string::npos);
-    source.replace(source.find(sound), sound.size(), "fluat spot_falloff(");
+    source.replace(source.find(sound), sound.size(), "reel spot_falloff(");
     try {
         const GpuProgram program(context, source);
         FAIL() << "was taken";
