@@ -146,11 +146,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/formats.h", "formats"},   {"glint/render.h", "render"},    {"glint/trace.h", "trace"},
         {"glint/kernels.h", "trace"},     {"glint/document.h", "formats"}, {"glint/term.h", "scene"},
         {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},   {"glint/progressive.h", "render"},
-        {"glint/pick.h", "render"},
-        {"glint/error.h", "scene"},     {"glint/scene.h", "scene"},       {"glint/image.h", "imaging"},
-        {"glint/formats.h", "formats"}, {"glint/render.h", "render"},     {"glint/trace.h", "trace"},
-        {"glint/kernels.h", "trace"},   {"glint/gpu.h", "gpu"},           {"glint/document.h", "formats"},
-        {"glint/term.h", "scene"},      {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},
+        {"glint/pick.h", "render"},       {"glint/gpu.h", "gpu"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;
