@@ -36,7 +36,6 @@ struct Foreign {
 const std::vector<Foreign>& foreign_headers() {
     static const std::vector<Foreign> table = {
         {"glm/", {}, true},
-        {"epoxy/", {"gpu"}, false},
         {"dlfcn.h", {"gpu"}, false},
         {"hwy/", {"math", "trace", "shading", "render"}, true},
         {"fmt/", {"scene", "render", "formats", "apps"}, false},
@@ -53,7 +52,7 @@ const std::vector<Foreign>& foreign_headers() {
         {"CLI/", {"apps"}, false},
         {"thread", {"parallel", "apps"}, false},
         {"GLFW/", {"apps"}, false},
-        {"epoxy/", {"apps"}, false},
+        {"epoxy/", {"gpu", "apps"}, false},
         {"imgui.h", {"apps"}, false},
         {"backends/", {"apps"}, false},
         {"iostream", {"formats", "apps"}, false},
