@@ -49,8 +49,13 @@ std::string row(const char* label, const std::string& text) {
 RenderedPicture render_on_backend(const Arguments& arguments, const Scene& scene,
                                   const RenderOptions& options, Console& console) {
     const std::string backend = arguments.text("backend").value_or("cpu");
+    const bool light = options.show == Aspect::final;
+    if (backend == "gpu" && !light)
+        throw Error(ErrorKind::usage,
+                    fmt::format("--show {} is drawn on the CPU only", aspect_name(options.show)),
+                    "leave --backend gpu away");
     if (backend == "gpu") return render_on_gpu(scene, options);
-    if (backend == "auto") return render_where_best(scene, options, console);
+    if (backend == "auto" && light) return render_where_best(scene, options, console);
     return {render(scene, options), {}};
 }
 

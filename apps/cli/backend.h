@@ -16,8 +16,9 @@ struct RenderedPicture {
     std::string device; ///< empty: the CPU
 };
 
-/// Renders where --backend says. `auto` takes a graphics card where there is one, and says in one line why it
-/// takes the CPU instead. Throws Error(device) where --backend gpu cannot be had.
+/// Renders where --backend says; what is not light, on the CPU. `auto` takes a graphics card where there is
+/// one, and says in one line why it takes the CPU instead. Throws Error(device) where --backend gpu cannot be
+/// had.
 RenderedPicture render_on_backend(const Arguments& arguments, const Scene& scene,
                                   const RenderOptions& options, Console& console);
 

@@ -6,8 +6,8 @@
 #include "gpu/program.h"
 #include "gpu/scene_data.h"
 #include "imaging/film.h"
-#include "render/samples.h"
 #include "render/ray_tree.h"
+#include "render/samples.h"
 
 #include <algorithm>
 #include <array>

@@ -27,6 +27,14 @@ TEST_F(Backend, GpuRendersWithoutADisplay) {
     EXPECT_EQ(glint("diff gpu.png cpu.png --tolerance 1").exit, 0);
 }
 
+TEST_F(Backend, OnlyLightIsRenderedOnTheGpu) {
+    const Outcome outcome = glint("good.toml --backend gpu --show normal -o a.png");
+    EXPECT_EQ(outcome.exit, 2);
+    EXPECT_NE(outcome.err.find("--show normal is drawn on the CPU only"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(exists("a.png"));
+    EXPECT_EQ(glint("good.toml --backend auto --show normal -o a.png").exit, 0);
+}
+
 TEST_F(Backend, GpuWithoutADeviceEndsWithSevenAndAReason) {
     const Outcome outcome = glint("good.toml --backend gpu -o a.png", without_devices());
     EXPECT_EQ(outcome.exit, 7);

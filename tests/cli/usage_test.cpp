@@ -55,7 +55,7 @@ const Case cases[] = {
     {"KnowsNoUnbuiltShards", "good.toml --shard 1/2", 2, "unknown option \"--shard\""},
     {"KnowsNoUnbuiltTime", "good.toml --time 30s", 2, "unknown option \"--time\"\n    see glint"},
     {"KnowsNoUnbuiltCheckpoint", "good.toml --checkpoint x", 2, "unknown option \"--checkpoint\""},
-    {"KnowsNoUnbuiltBackend", "good.toml --backend gpu", 2, "unknown option \"--backend\""},
+    {"RefusesAnUnknownBackend", "good.toml --backend vulkan", 2, "expected cpu, gpu, auto"},
     {"KnowsNoUnbuiltMerge", "merge a b", 2, "neither a command"},
     {"KnowsNoUnbuiltConvert", "convert a b", 2, "neither a command"},
     {"KnowsOptionsOfTheCommandOnly", "check good.toml --spp 4", 2, "see glint check --help"},
@@ -150,7 +150,8 @@ TEST_P(Help, SaysNothingOfWhatIsNotBuilt) {
         EXPECT_EQ(text.find(word), std::string::npos) << word;
 }
 
-INSTANTIATE_TEST_SUITE_P(, Help, testing::Values("", "render", "view", "check", "info", "explain", "diff", "new"),
+INSTANTIATE_TEST_SUITE_P(, Help,
+                         testing::Values("", "render", "view", "check", "info", "explain", "diff", "new"),
                          [](const auto& tested) {
                              return *tested.param ? std::string(tested.param) : "top";
                          });
