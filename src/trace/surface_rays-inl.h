@@ -32,8 +32,8 @@ constexpr std::size_t lanes = hn::MaxLanes(dd);
 HWY_INLINE Doubles all(double x) { return hn::Set(dd, x); }
 HWY_INLINE Doubles rounded(Doubles x) {
     const Doubles finite = hn::PromoteTo(dd, hn::DemoteTo(df, x));
-#if HWY_TARGET == HWY_SCALAR
-    // What rounds to infinity: without vectors Highway would take it to the greatest float.
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+    // What rounds to infinity: without the machine's vectors Highway would take it to the greatest float.
     const Mask infinite = hn::Ge(hn::Abs(x), all(0x1.ffffffp127));
     return hn::IfThenElse(infinite, hn::Mul(x, all(std::numeric_limits<double>::infinity())), finite);
 #else
