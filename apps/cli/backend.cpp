@@ -9,12 +9,6 @@
 namespace glint::cli {
 namespace {
 
-RenderedPicture render_on_gpu(const Scene& scene, const RenderOptions& options) {
-    GpuRenderer renderer;
-    renderer.prepare(scene);
-    return {renderer.render(options), renderer.device().name};
-}
-
 /// Why no graphics card can be used, or nothing.
 std::string why_no_card() {
     std::string why;
@@ -26,37 +20,43 @@ std::string why_no_card() {
     return why.empty() ? "there is no graphics card" : why;
 }
 
-RenderedPicture render_where_best(const Scene& scene, const RenderOptions& options, Console& console) {
-    std::string why = why_no_card();
-    if (why.empty()) {
-        try {
-            return render_on_gpu(scene, options);
-        } catch (const Error& error) {
-            if (error.kind() != ErrorKind::device) throw;
-            why = error.diagnostics().front().message;
-        }
-    }
-    console.line("on the CPU: " + why.substr(0, why.find('\n')));
-    return {render(scene, options), {}};
-}
-
 std::string row(const char* label, const std::string& text) {
     return fmt::format("  {:<16}{}\n", label, text);
 }
 
 } // namespace
 
-RenderedPicture render_on_backend(const Arguments& arguments, const Scene& scene,
-                                  const RenderOptions& options, Console& console) {
-    const std::string backend = arguments.text("backend").value_or("cpu");
-    const bool light = options.show == Aspect::final;
-    if (backend == "gpu" && !light)
-        throw Error(ErrorKind::usage,
-                    fmt::format("--show {} is drawn on the CPU only", aspect_name(options.show)),
-                    "leave --backend gpu away");
-    if (backend == "gpu") return render_on_gpu(scene, options);
-    if (backend == "auto" && light) return render_where_best(scene, options, console);
-    return {render(scene, options), {}};
+Backend::Backend(const Arguments& arguments, Console& console)
+    : wanted_(arguments.text("backend").value_or("cpu")), console_(console) {}
+
+RenderedPicture Backend::render(const Scene& scene, const RenderOptions& options) {
+    if (std::optional<RenderedPicture> rendered = render_on_card(scene, options)) return std::move(*rendered);
+    return {glint::render(scene, options), {}};
+}
+
+std::optional<RenderedPicture> Backend::render_on_card(const Scene& scene, const RenderOptions& options) {
+    if (wanted_ == "cpu") return std::nullopt;
+    if (wanted_ == "gpu") return on_gpu(scene, options);
+    std::string why = gpu_ ? "" : why_no_card();
+    if (why.empty()) {
+        try {
+            return on_gpu(scene, options);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::device) throw;
+            gpu_.reset(); // it may be lost
+            why = error.diagnostics().front().message;
+        }
+    }
+    // Frames of one animation have one reason.
+    if (why != told_) console_.line("on the CPU: " + why.substr(0, why.find('\n')));
+    told_ = why;
+    return std::nullopt;
+}
+
+RenderedPicture Backend::on_gpu(const Scene& scene, const RenderOptions& options) {
+    if (!gpu_) gpu_.emplace();
+    gpu_->prepare(scene);
+    return {gpu_->render(options), gpu_->device().name};
 }
 
 std::string devices_text() {

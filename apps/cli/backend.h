@@ -6,6 +6,7 @@
 
 #include "glint/gpu.h"
 
+#include <optional>
 #include <string>
 
 namespace glint::cli {
@@ -16,11 +17,26 @@ struct RenderedPicture {
     std::string device; ///< empty: the CPU
 };
 
-/// Renders where --backend says; what is not light, on the CPU. `auto` takes a graphics card where there is
-/// one, and says in one line why it takes the CPU instead. Throws Error(device) where --backend gpu cannot be
-/// had.
-RenderedPicture render_on_backend(const Arguments& arguments, const Scene& scene,
-                                  const RenderOptions& options, Console& console);
+/// What --backend asks for, kept from picture to picture: the card's programs, and what it holds of a scene.
+class Backend {
+  public:
+    Backend(const Arguments& arguments, Console& console);
+
+    /// Renders where --backend says. `auto` takes a graphics card where there is one, and says in one line
+    /// why it takes the CPU instead. Throws Error(device) where --backend gpu cannot be had.
+    RenderedPicture render(const Scene& scene, const RenderOptions& options);
+
+    /// The same, but nothing where the CPU would render.
+    std::optional<RenderedPicture> render_on_card(const Scene& scene, const RenderOptions& options);
+
+  private:
+    RenderedPicture on_gpu(const Scene& scene, const RenderOptions& options);
+
+    std::string wanted_; ///< cpu, gpu or auto
+    Console& console_;
+    std::optional<GpuRenderer> gpu_;
+    std::string told_; ///< why the CPU renders, as it was said last
+};
 
 /// The devices as text for `glint info --devices`.
 std::string devices_text();

@@ -1,3 +1,4 @@
+#include "backend.h"
 #include "commands.h"
 #include "frames.h"
 #include "outputs.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace glint::cli {
 namespace {
@@ -17,7 +19,8 @@ namespace {
 constexpr const char* pixel_example = "X,Y such as 320,240";
 
 /// What the page of --format html is made of: the whole picture, and places to ask.
-std::string page_of(const Scene& scene, const Arguments& arguments, const std::string& title) {
+std::string page_of(const Scene& scene, const Arguments& arguments, const std::string& title,
+                    Backend& backend) {
     ExplanationPage page;
     page.scene = title;
     if (const auto grid = arguments.integers("grid", 2, 'x', 1, 4096, "WxH such as 160x90")) {
@@ -30,6 +33,10 @@ std::string page_of(const Scene& scene, const Arguments& arguments, const std::s
     Picture picture = render(scene, options);
     page.image = std::move(picture.image);
     page.terms = std::move(picture.terms);
+    if (std::optional<RenderedPicture> card = backend.render_on_card(scene, {})) {
+        page.gpu = card->device;
+        page.gpu_image = std::move(card->picture.image);
+    }
     // Lighter rays would not fit into the page anyway.
     constexpr float least_weight = 1.0f / 4096;
     Explainer explainer(scene);
@@ -37,10 +44,24 @@ std::string page_of(const Scene& scene, const Arguments& arguments, const std::s
     return explanation_html(page);
 }
 
-std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::string& title, bool color) {
+/// The pixel as the card that --backend asks for renders it.
+std::optional<OtherPixel> pixel_on_card(const Scene& scene, int x, int y, Backend& backend) {
+    RenderOptions options;
+    options.crop = Rect{x, y, 1, 1};
+    const std::optional<RenderedPicture> card = backend.render_on_card(scene, options);
+    if (!card) return std::nullopt;
+    const float* color = card->picture.image.at(0, 0);
+    return OtherPixel{card->device, {color[0], color[1], color[2]}};
+}
+
+std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::string& title, bool color,
+                     Backend& backend) {
     const auto pixel = *arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, pixel_example);
-    Explanation explanation = explain(scene, static_cast<int>(pixel[0]), static_cast<int>(pixel[1]));
+    const auto x = static_cast<int>(pixel[0]);
+    const auto y = static_cast<int>(pixel[1]);
+    Explanation explanation = explain(scene, x, y);
     explanation.scene = title;
+    explanation.gpu = pixel_on_card(scene, x, y, backend);
     const std::string format = arguments.text("format").value_or("text");
     if (format == "json") return explanation_json(explanation);
     if (format == "svg") return explanation_svg(explanation);
@@ -79,7 +100,9 @@ int explain_command(const Arguments& arguments, Console& console) {
     const std::string title = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
     const bool color = output == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
     const bool page = arguments.text("format") == "html";
-    write_text(output, page ? page_of(scene, arguments, title) : pixel_of(scene, arguments, title, color));
+    Backend backend(arguments, console);
+    write_text(output, page ? page_of(scene, arguments, title, backend)
+                            : pixel_of(scene, arguments, title, color, backend));
     return exit_code::done;
 }
 

@@ -94,6 +94,8 @@ constexpr std::array explain_options{
     frame,
     Option{0, "format", "text|json|svg|html", "default: text; html shows the whole picture"},
     Option{0, "grid", "WxH", "html: places that can be asked; default: 160x90"},
+    Option{0, "backend", "cpu|gpu|auto",
+           "gpu: tell how far its picture is from the CPU's, which is explained"},
     Option{'o', "output", "FILE", "where to; default: stdout"},
     size,
     spp,

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <set>
 
 namespace glint::cli {
@@ -81,7 +82,7 @@ void print_details(Console& console, const Scene& scene, const RenderRecord& rec
 class Renderer {
   public:
     Renderer(const Arguments& arguments, const RenderRequest& request, Console& console)
-        : arguments_(arguments), request_(request), console_(console) {}
+        : arguments_(arguments), request_(request), console_(console), backend_(arguments, console) {}
 
     /// Reads the scene and reports what is odd about it. Later frames that are wrong are told now.
     LoadedScene read() {
@@ -101,7 +102,8 @@ class Renderer {
         const Stopwatch building;
         FreezeOptions how;
         how.threads = request_.render.threads;
-        const Scene scene = freeze(description, how);
+        const Scene scene = last_ ? refreeze(*last_, description, how) : freeze(description, how);
+        last_ = scene;
         record.build_seconds = building.seconds();
         warn(scene);
 
@@ -145,7 +147,7 @@ class Renderer {
         options.progress = [&](const Progress& progress) { meter.update(progress); };
         options.cancel = &cancel_flag();
         stop_gently();
-        RenderedPicture rendered = render_on_backend(arguments_, scene, options, console_);
+        RenderedPicture rendered = backend_.render(scene, options);
         meter.finish();
         record.device = rendered.device;
         record.fraction = rendered.picture.complete ? 1 : meter.fraction();
@@ -155,6 +157,8 @@ class Renderer {
     const Arguments& arguments_;
     const RenderRequest& request_;
     Console& console_;
+    Backend backend_;
+    std::optional<Scene> last_; ///< whose trees the next picture may share
     double load_seconds_ = 0;
     double stopped_at_ = 0;
     std::vector<std::string> stats_;

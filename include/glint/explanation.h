@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -142,7 +143,13 @@ struct ExplainedSample {
     std::vector<ExplainedRay> rays; ///< the first is the primary ray; parents stand before their children
 };
 
-/// One pixel. `color` is the pixel of the rendered float picture, to the bit.
+/// The same pixel as a graphics card renders it.
+struct OtherPixel {
+    std::string device;
+    glm::vec3 color{0.0f}; ///< linear RGB
+};
+
+/// One pixel. `color` is the pixel of the float picture that the CPU renders, to the bit.
 struct Explanation {
     int x = 0; ///< from the left
     int y = 0; ///< from the top
@@ -154,6 +161,7 @@ struct Explanation {
     std::vector<ExplainedSample> samples;
     std::array<glm::vec3, term_count> terms{}; ///< by Term; their sum in order is `color`
     glm::vec3 color{0.0f};                     ///< linear RGB
+    std::optional<OtherPixel> gpu; ///< to be told beside it, where the caller has rendered it there
 };
 
 } // namespace glint

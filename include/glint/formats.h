@@ -148,6 +148,8 @@ struct ExplanationPage {
     std::string scene;                   ///< title
     Image image;                         ///< the picture, and
     std::array<Image, term_count> terms; ///< its terms, as render() gives them
+    std::string gpu;                     ///< the graphics card that rendered gpu_image; empty: none did
+    Image gpu_image;                     ///< the picture from there, to be compared with
     int columns = 160; ///< the page holds the explanations of so many places, at most one a pixel:
     int rows = 90;     ///< the middles of an even grid
     std::function<Explanation(int x, int y)> explain; ///< of a pixel; the rays of its first sample are shown

@@ -73,6 +73,7 @@ struct RenderOptions {
 struct RenderStats {
     double wall_seconds = 0;
     double cpu_seconds = 0;
+    double device_seconds = 0; ///< that a graphics card worked
     std::uint64_t primary_rays = 0;
     std::uint64_t reflected_rays = 0;
     std::uint64_t refracted_rays = 0;

@@ -1,5 +1,7 @@
 #include "formats/explain_formula.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -103,6 +105,13 @@ std::string quantity_text(const Quantity& q, int digits) {
     if (!q.vector) return number_text(q.value.x, digits);
     return "(" + number_text(q.value.x, digits) + ", " + number_text(q.value.y, digits) + ", " +
            number_text(q.value.z, digits) + ")";
+}
+
+std::string other_pixel_text(const Explanation& explanation, int digits) {
+    const OtherPixel& other = *explanation.gpu;
+    const glm::vec3 off = glm::abs(other.color - explanation.color);
+    return "on " + other.device + " it is " + quantity_text(other.color, digits) + ", off by at most " +
+           number_text(std::max({off.x, off.y, off.z}), 3);
 }
 
 } // namespace glint

@@ -35,4 +35,8 @@ std::string number_text(float x, int digits);
 /// "0.5", or "(1, 0, 0.25)".
 std::string quantity_text(const Quantity& q, int digits);
 
+/// What a graphics card makes of the pixel, and how far that is from the explanation, which must have it:
+/// "on DEVICE it is (…), off by at most …".
+std::string other_pixel_text(const Explanation& explanation, int digits);
+
 } // namespace glint

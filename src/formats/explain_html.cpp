@@ -8,7 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -25,6 +28,16 @@ std::string base64(std::span<const std::byte> bytes) {
         for (std::size_t k = 0; k < 4; ++k) out += k <= n ? digits[word >> (18 - 6 * k) & 63u] : '=';
     }
     return out;
+}
+
+/// The pixels that the page can be asked for, row by row.
+std::vector<std::pair<int, int>> places(const ExplanationPage& page) {
+    std::vector<std::pair<int, int>> all;
+    for (int row = 0; row < page.rows; ++row)
+        for (int column = 0; column < page.columns; ++column)
+            all.emplace_back((2 * column + 1) * page.image.width / (2 * page.columns),
+                             (2 * row + 1) * page.image.height / (2 * page.rows));
+    return all;
 }
 
 std::string picture(const std::string& id, const Image& image) {
@@ -50,6 +63,29 @@ std::string layers(const std::array<Image, term_count>& terms) {
     return out;
 }
 
+/// Whose numbers the page has, and how far a graphics card is from them.
+std::string backends(const ExplanationPage& page) {
+    const std::string own = "The numbers are the CPU's. ";
+    if (page.gpu.empty()) return own;
+    const Comparison found = compare(page.gpu_image, page.image, 1.0 / 255, 1);
+    char figures[96];
+    std::snprintf(figures, sizeof figures,
+                  "%.4g %% of the pixels are within 1/255 of them, the furthest is off by %.3g. ",
+                  100 * (1 - found.share), found.max);
+    return own + "On " + escape_markup(page.gpu) + " " + figures;
+}
+
+/// What the card has at each place.
+std::string gpu_of(const ExplanationPage& page) {
+    if (page.gpu.empty()) return "null";
+    nlohmann::json colors = nlohmann::json::array();
+    for (const auto& [x, y] : places(page)) {
+        const float* pixel = page.gpu_image.at(x, y);
+        for (int channel = 0; channel < 3; ++channel) colors.push_back(pixel[channel]);
+    }
+    return "{\"device\":" + nlohmann::json(page.gpu).dump() + ",\"colors\":" + colors.dump() + "}";
+}
+
 std::string before_data(const ExplanationPage& page) {
     const std::string title = escape_markup(page.scene);
     return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
@@ -65,8 +101,8 @@ std::string before_data(const ExplanationPage& page) {
            "Click to keep a place; <kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from place to "
            "place. "
            "Switch the terms off and on to see what each adds. " +
-           std::to_string(page.columns) + "×" + std::to_string(page.rows) +
-           " places.</div></div>\n"
+           std::to_string(page.columns) + "×" + std::to_string(page.rows) + " places. " + backends(page) +
+           "</div></div>\n"
            "<div id=\"tree\"><div id=\"place\"></div><div id=\"rays\"></div></div>\n" +
            picture("final", page.image) + layers(page.terms) + "<script id=\"data\" type=\"text/plain\">";
 }
@@ -80,7 +116,7 @@ std::string head_of(const ExplanationPage& page, const Explanation& any) {
                               ? any.rule
                               : "the pixel is made of " + std::to_string(any.samples.size()) + " samples")
                .dump() +
-           ",";
+           ",\"gpu\":" + gpu_of(page) + ",";
 }
 
 /// As many rays as the page has room for.
@@ -105,13 +141,11 @@ std::string explanation_html(const ExplanationPage& request) {
     page.rows = std::clamp(page.rows, 1, page.image.height);
     PageData data;
     std::string head;
-    for (int row = 0; row < page.rows; ++row)
-        for (int column = 0; column < page.columns; ++column) {
-            const Explanation e = page.explain((2 * column + 1) * page.image.width / (2 * page.columns),
-                                               (2 * row + 1) * page.image.height / (2 * page.rows));
-            if (head.empty()) head = head_of(page, e);
-            data.add(e);
-        }
+    for (const auto& [x, y] : places(page)) {
+        const Explanation e = page.explain(x, y);
+        if (head.empty()) head = head_of(page, e);
+        data.add(e);
+    }
     std::string out = before_data(page);
     const std::string end = std::string("</script>\n<script>") + page_script + "</script>\n</body></html>\n";
     // Four characters of text hold three bytes.

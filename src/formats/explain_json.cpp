@@ -177,6 +177,15 @@ std::string json_sample(const ExplainedSample& s) {
     return members.add("rays", lines(rays, 2)).object();
 }
 
+std::string json_gpu(const Explanation& e) {
+    if (!e.gpu) return "null";
+    return Members()
+        .words("device", e.gpu->device)
+        .add("color", json_vector(e.gpu->color))
+        .add("difference", json_vector(e.gpu->color - e.color))
+        .object();
+}
+
 } // namespace
 
 std::string explanation_json(const Explanation& e) {
@@ -186,7 +195,8 @@ std::string explanation_json(const Explanation& e) {
     members.words("scene", e.scene);
     members.add("pixel", "[" + std::to_string(e.x) + ", " + std::to_string(e.y) + "]");
     members.add("size", "[" + std::to_string(e.width) + ", " + std::to_string(e.height) + "]");
-    members.words("filter", e.filter).words("rule", e.rule).add("color", json_vector(e.color));
+    members.words("filter", e.filter).words("rule", e.rule).words("backend", "cpu");
+    members.add("color", json_vector(e.color)).add("gpu", json_gpu(e));
     members.add("terms", json_terms(e.terms)).add("samples", lines(samples, 0));
     return members.object() + "\n";
 }

@@ -258,7 +258,14 @@ function tell_layers() {
   const sum = sum_shown(shown), all = on.every(x => x);
   $('place').replaceChildren(el('div', 'head', swatch(sum), `pixel ${shown.x},${shown.y} = `, short(shown.color)),
     el('div', 'faint', (all ? '' : 'shown terms: ' + short(sum) + '; ') + page.rule +
-      (page.samples > 1 ? '; the rays are those of sample 1' : '') + (pinned ? ' — pinned, click to release' : '')));
+      (page.samples > 1 ? '; the rays are those of sample 1' : '') + (pinned ? ' — pinned, click to release' : '')),
+    ...(page.gpu ? [el('div', 'faint', on_gpu(shown))] : []));
+}
+/// What a graphics card makes of the pixel.
+function on_gpu(pixel) {
+  const at = 3 * (pixel.row * page.columns + pixel.column), color = page.gpu.colors.slice(at, at + 3).map(f);
+  const off = Math.max(...color.map((x, i) => Math.abs(x - pixel.color[i])));
+  return `on ${page.gpu.device} it is ${short(color)}, off by at most ${+off.toPrecision(3)}`;
 }
 function show(column, row) {
   shown = rays_of(column, row);

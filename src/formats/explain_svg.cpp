@@ -246,7 +246,9 @@ class SvgTree {
         text(margin + 72, margin + 20, "pixel " + std::to_string(e.x) + "," + std::to_string(e.y) + scene,
              "title");
         text(margin + 72, margin + 43,
-             "= " + quantity_text(e.color, digits) + ", linear red, green, blue; " + e.rule, "what");
+             "= " + quantity_text(e.color, digits) + ", linear red, green, blue, computed on the CPU; " +
+                 e.rule + (e.gpu ? "; " + other_pixel_text(e, digits) : ""),
+             "what");
         legend(margin + 72, margin + 62);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + place(width) + "\" height=\"" +
                place(height) + "\" viewBox=\"0 0 " + place(width) + " " + place(height) + "\">\n" + style() +

@@ -47,7 +47,9 @@ class TextTree {
         const Explanation& e = explanation_;
         const std::string size = std::to_string(e.width) + "×" + std::to_string(e.height);
         line(c_.strong + std::string("pixel ") + std::to_string(e.x) + "," + std::to_string(e.y) + c_.plain +
-             " of " + size + " = " + c_.value + text_of(e.color) + c_.plain + " (linear red, green, blue)");
+             " of " + size + " = " + c_.value + text_of(e.color) + c_.plain +
+             " (linear red, green, blue; computed on the CPU)");
+        if (e.gpu) line("  " + other_pixel_text(e, digits));
         line("  " + e.rule + (e.samples.size() > 1 ? " (" + e.filter + " filter)" : ""));
         line("  = " + terms_text(e.terms));
         for (std::size_t i = 0; i < e.samples.size(); ++i) {

@@ -153,7 +153,7 @@ struct GpuContext::State {
     std::vector<std::string> complaints;
 };
 
-GpuContext::GpuContext(int number) : state_(std::make_unique<State>()) {
+GpuContext::GpuContext(int number, std::uint64_t largest_buffer) : state_(std::make_unique<State>()) {
     std::string why;
     const std::vector<EGLDeviceEXT> devices = list_devices(why);
     const auto refuse = [](const std::string& what) {
@@ -171,6 +171,7 @@ GpuContext::GpuContext(int number) : state_(std::make_unique<State>()) {
             state_->device = describe(state_->opened, devices[i]);
             why = state_->device.name + ": " + state_->device.fault;
             if (state_->device.fault.empty() && (number >= 0 || state_->device.software == software)) {
+                if (largest_buffer > 0) state_->device.largest_buffer = largest_buffer;
                 glEnable(GL_DEBUG_OUTPUT);
                 glDebugMessageCallback(note_complaint, &state_->complaints);
                 leave();
@@ -198,15 +199,15 @@ void GpuContext::leave() const {
     eglMakeCurrent(state_->opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 
-void GpuContext::check(const char* doing) const {
+void GpuContext::check(const std::string& doing) const {
     const bool tells = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness");
     if (tells && glGetGraphicsResetStatus() != GL_NO_ERROR)
-        throw Error(ErrorKind::device, "the GPU was lost while " + std::string(doing),
+        throw Error(ErrorKind::device, "the GPU was lost while " + doing,
                     "another program or its watchdog may have reset it; try again, or use --backend cpu");
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
     if (error == GL_OUT_OF_MEMORY)
-        throw Error(ErrorKind::device, "the GPU has too little memory for " + std::string(doing),
+        throw Error(ErrorKind::device, "the GPU ran out of memory while " + doing,
                     "render on the CPU, or a smaller scene");
     throw Error(ErrorKind::device, "OpenGL error " + std::to_string(error) + " while " + doing,
                 state_->complaints.empty() ? "" : state_->complaints.back());

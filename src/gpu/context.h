@@ -3,6 +3,7 @@
 
 #include "glint/gpu.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@ namespace glint {
 class GpuContext {
   public:
     /// Throws Error(device) where the device of that number (−1: the first usable) cannot be used.
-    explicit GpuContext(int device);
+    /// `largest_buffer` bytes stand in the place of the device's own limit, unless 0.
+    explicit GpuContext(int device, std::uint64_t largest_buffer = 0);
     ~GpuContext();
     GpuContext(const GpuContext&) = delete;
     GpuContext& operator=(const GpuContext&) = delete;
@@ -24,8 +26,8 @@ class GpuContext {
     void leave() const;
 
     /// Throws Error(device) where the device was lost or an operation failed since the last call; `doing`
-    /// says what was being done.
-    void check(const char* doing) const;
+    /// says what was being done: "rendering".
+    void check(const std::string& doing) const;
     /// What the driver complained of since the context was made.
     const std::vector<std::string>& complaints() const;
 

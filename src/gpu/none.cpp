@@ -13,7 +13,7 @@ std::vector<GpuDevice> gpu_devices(std::string* why) {
     return {};
 }
 
-GpuRenderer::GpuRenderer(int) {
+GpuRenderer::GpuRenderer(int, const GpuLimits&) {
     std::string why;
     gpu_devices(&why);
     throw Error(ErrorKind::device, why, "--backend cpu needs none");

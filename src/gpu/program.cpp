@@ -1,9 +1,11 @@
 #include "gpu/program.h"
 
 #include "gpu/context.h"
+#include "gpu/scene_data.h"
 #include "gpu/shader_text.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <epoxy/gl.h>
 
@@ -53,13 +55,27 @@ std::string log_of(GLuint id, Query query, Get get) {
 
 } // namespace
 
+ProgramChoice program_for(const GpuSceneData& scene) {
+    ProgramChoice choice;
+    choice.glass = scene.glass;
+    choice.instances = !scene.tree.mesh_roots.empty();
+    // Few sizes, for drivers take long to compile.
+    choice.stack = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(scene.tree.stack, 16))));
+    return choice;
+}
+
 std::string shader_source(const ProgramChoice& choice) {
     std::string source = "#version 430 core\n";
-    source += define("GLINT_GLSL", 1) + define("GLINT_GLASS", choice.glass ? 1 : 0) +
-              define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
-              define("GLINT_TERMS", choice.terms ? 7 : 1) + define("GLINT_STACK", choice.stack);
+    source +=
+        define("GLINT_GLSL", 1) + define("GLINT_GLASS", choice.glass ? 1 : 0) +
+        define("GLINT_INSTANCES", choice.instances ? 1 : 0) + define("GLINT_TERMS", choice.terms ? 7 : 1) +
+        define("GLINT_FIRST_HIT", choice.first_hit ? 1 : 0) +
+        define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) + define("GLINT_STACK", choice.stack);
+    // Two files have a main().
+    const std::string other = choice.rays ? "gpu/shaders/whitted.glsl" : "gpu/shaders/rays.glsl";
     for (int i = 0; shader_files[i].path != nullptr; ++i)
-        source += "#line 1 " + std::to_string(i + 1) + "\n" + shader_files[i].text + "\n";
+        if (shader_files[i].path != other)
+            source += "#line 1 " + std::to_string(i + 1) + "\n" + shader_files[i].text + "\n";
     return source;
 }
 
@@ -106,14 +122,14 @@ GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* da
     const std::uint64_t most = context.device().largest_buffer;
     if (bytes > most)
         throw Error(ErrorKind::device,
-                    "the scene's " + std::string(name) + " take " + std::to_string(bytes) +
-                        " bytes, and a buffer of " + context.device().name + " holds " + std::to_string(most),
+                    std::string(name) + " take " + std::to_string(bytes) + " bytes, and a buffer of " +
+                        context.device().name + " holds " + std::to_string(most),
                     "render on the CPU");
     glGenBuffers(1, &id_);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
     glBufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes_), nullptr, GL_DYNAMIC_COPY);
     try {
-        context.check(("its " + std::string(name)).c_str());
+        context.check("taking " + std::to_string(bytes_) + " bytes for " + name);
     } catch (...) {
         glDeleteBuffers(1, &id_);
         throw;
@@ -147,6 +163,16 @@ void GpuBuffer::read(std::size_t offset, void* data, std::size_t bytes) const {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(offset),
                        static_cast<GLsizeiptr>(bytes), data);
+}
+
+GpuTimer::GpuTimer() { glGenQueries(1, &id_); }
+GpuTimer::~GpuTimer() { glDeleteQueries(1, &id_); }
+void GpuTimer::start() const { glBeginQuery(GL_TIME_ELAPSED, id_); }
+void GpuTimer::stop() const { glEndQuery(GL_TIME_ELAPSED); }
+double GpuTimer::seconds() const {
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(id_, GL_QUERY_RESULT, &nanoseconds);
+    return 1e-9 * static_cast<double>(nanoseconds);
 }
 
 } // namespace glint

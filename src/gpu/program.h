@@ -15,11 +15,19 @@ class GpuContext;
 struct ProgramChoice {
     bool glass = false; ///< does anything let light through?
     bool instances = false;
-    bool terms = false; ///< keep the terms of the light apart
-    int stack = 8;      ///< entries of a walk through the tree
+    bool terms = false;     ///< keep the terms of the light apart
+    bool first_hit = false; ///< show numbers of first hits in place of the light
+    bool rays = false;      ///< trace rays alone: gpu/rays.h
+    bool count = false;     ///< count the steps of walks
+    int stack = 8;          ///< entries of a walk through the tree
 
     friend auto operator<=>(const ProgramChoice&, const ProgramChoice&) = default;
 };
+
+struct GpuSceneData;
+
+/// What a scene asks for: the rest is the caller's.
+ProgramChoice program_for(const GpuSceneData& scene);
 
 /// All of the shader's text, as it is given to the compiler.
 std::string shader_source(const ProgramChoice& choice);
@@ -46,7 +54,8 @@ class GpuProgram {
 class GpuBuffer {
   public:
     /// Throws Error(device) where it is larger than the device's buffers can be, with the sizes; `name` says
-    /// what it holds. Without data it is filled with zeros. Never empty: shaders may read its first bytes.
+    /// what it holds: "the scene's triangles". Without data it is filled with zeros. Never empty: shaders may
+    /// read its first bytes.
     GpuBuffer(const GpuContext& context, const char* name, const void* data, std::size_t bytes);
     ~GpuBuffer();
     GpuBuffer(const GpuBuffer&) = delete;
@@ -63,6 +72,22 @@ class GpuBuffer {
   private:
     std::uint32_t id_ = 0;
     std::size_t bytes_ = 0;
+};
+
+/// How long the device works.
+class GpuTimer {
+  public:
+    GpuTimer();
+    ~GpuTimer();
+    GpuTimer(const GpuTimer&) = delete;
+    GpuTimer& operator=(const GpuTimer&) = delete;
+
+    void start() const;
+    void stop() const;
+    double seconds() const; ///< between the two; waits for the device
+
+  private:
+    std::uint32_t id_ = 0;
 };
 
 } // namespace glint

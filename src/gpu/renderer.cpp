@@ -3,14 +3,15 @@
 
 #include "glint/gpu.h"
 #include "gpu/context.h"
+#include "gpu/pace.h"
 #include "gpu/program.h"
-#include "gpu/scene_data.h"
+#include "gpu/scene_buffers.h"
 #include "imaging/film.h"
+#include "render/aspect.h"
 #include "render/ray_tree.h"
 #include "render/samples.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <epoxy/gl.h>
 #include <map>
@@ -19,40 +20,14 @@
 namespace glint {
 namespace {
 
-constexpr std::uint32_t group_size = 64;
+constexpr std::uint32_t group_size = Pace::group_size;
 constexpr std::size_t counters = 16; ///< words before the slots' fields (shaders/slots.glsl)
 constexpr std::uint32_t fault_media = 1;
-constexpr std::size_t most_slots = std::size_t{1} << 19;
-constexpr std::uint32_t fewest_slots = 64 * group_size;
-constexpr double least_seconds = 0.01; ///< of a dispatch; below, the next is larger
-constexpr double most_seconds = 0.06;
+constexpr std::uint32_t fault_loops = 2;
 
 double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-/// The scene in the device's memory, in the order of the bindings.
-struct SceneBuffers {
-    GpuBuffer nodes, leaves, objects, words, tables, shapes;
-
-    template <class T>
-    static std::size_t size(const std::vector<T>& v) {
-        return v.size() * sizeof(T);
-    }
-    SceneBuffers(const GpuContext& c, const GpuSceneData& d)
-        : nodes(c, "tree's nodes", d.tree.nodes.data(), size(d.tree.nodes)),
-          leaves(c, "triangles", d.tree.leaves.data(), size(d.tree.leaves)),
-          objects(c, "objects", d.objects.data(), size(d.objects)),
-          words(c, "normals and colours", d.words.data(), size(d.words)),
-          tables(c, "materials and lights", d.tables.data(), size(d.tables)),
-          shapes(c, "shapes", d.shapes.data(), size(d.shapes)) {}
-
-    void bind() const {
-        std::uint32_t binding = 0;
-        for (const GpuBuffer* buffer : {&nodes, &leaves, &objects, &words, &tables, &shapes})
-            buffer->bind_storage(binding++);
-    }
-};
 
 /// What the counters of a tile say.
 struct Counters {
@@ -61,24 +36,9 @@ struct Counters {
     std::uint32_t rays[4] = {};
 };
 
-/// How much a dispatch does, by how long the last ones took.
-struct Pace {
-    std::uint32_t slots = fewest_slots;
-    std::uint32_t nodes = 4; ///< of ray trees, for each slot
-
-    void learn(double seconds, bool whole) {
-        if (seconds < least_seconds && whole) slots = std::min<std::uint32_t>(slots * 2, most_slots);
-        if (seconds <= most_seconds) return;
-        if (slots > fewest_slots)
-            slots = std::max(slots / 2, fewest_slots);
-        else
-            nodes = std::max(nodes / 2, 1u);
-    }
-};
-
 class Rendering {
   public:
-    Rendering(const GpuContext& context, const GpuProgram& program, const GpuSceneData& scene,
+    Rendering(const GpuContext& context, const GpuProgram& program, const GpuSettings& scene,
               const SceneBuffers& buffers, const RenderOptions& options, const RenderSettings& settings,
               Pace& pace)
         : context_(context), program_(program), scene_(scene), buffers_(buffers), options_(options),
@@ -114,7 +74,7 @@ class Rendering {
     static int whole_squares(int pixels) { return (pixels + 7) / 8 * 8; }
 
     std::size_t fields() const {
-        const std::size_t rays = scene_.settings.limits.x + 2;
+        const std::size_t rays = scene_.limits.x + 2;
         return 2 + 3 * terms_ + rays * 14;
     }
     std::size_t film_fields() const { return 6 * terms_ + 2; }
@@ -125,7 +85,7 @@ class Rendering {
             std::min<std::uint64_t>(context_.device().largest_buffer, std::size_t{1} << 28);
         const std::size_t bytes = 4 * std::max(fields(), film_fields());
         const auto slots =
-            static_cast<int>(std::clamp<std::size_t>((largest - 4 * counters) / bytes, 64, most_slots));
+            static_cast<int>(std::clamp<std::size_t>((largest - 4 * counters) / bytes, 64, Pace::most_slots));
         const int width = std::min(whole_squares(area_.width), slots / 64 * 8);
         const int height = std::min(whole_squares(area_.height), std::max(slots / width / 8 * 8, 8));
         for (int y = 0; y < area_.height; y += height)
@@ -133,9 +93,10 @@ class Rendering {
                 tiles_.push_back({x, y, std::min(width, whole_squares(area_.width - x)),
                                   std::min(height, whole_squares(area_.height - y))});
         const auto most = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-        work_.emplace(context_, "rays under way", nullptr, 4 * (counters + fields() * most));
-        film_.emplace(context_, "pixels", nullptr, 4 * film_fields() * most);
-        block_.emplace(context_, "settings", nullptr, sizeof(GpuSettings));
+        work_.emplace(context_, "the rays under way", nullptr, 4 * (counters + fields() * most));
+        film_.emplace(context_, "the pixels", nullptr, 4 * film_fields() * most);
+        block_.emplace(context_, "the settings", nullptr, sizeof(GpuSettings));
+        timer_.emplace();
         std::uint64_t slots_in_all = 0;
         for (const Rect& tile : tiles_)
             slots_in_all += std::uint64_t(tile.width) * std::uint64_t(tile.height);
@@ -145,7 +106,7 @@ class Rendering {
     /// Whether it was not cancelled.
     bool render_tile(const Rect& tile) {
         const auto slots = static_cast<std::uint32_t>(tile.width * tile.height);
-        GpuSettings settings = scene_.settings;
+        GpuSettings settings = scene_;
         settings.tile.x = static_cast<std::uint32_t>(area_.x + tile.x);
         settings.tile.y = static_cast<std::uint32_t>(area_.y + tile.y);
         settings.tile.z = static_cast<std::uint32_t>(tile.width);
@@ -166,10 +127,9 @@ class Rendering {
             progress_.tiles_done = groups_before + (slots - counted.unfinished) / group_size;
             progress_.seconds = wall_seconds() - start_;
             if (options_.progress) options_.progress(progress_);
-            // A few long trees need no new look at all slots after each step.
-            if (counted.unfinished < slots / 4) pace_.nodes = std::min(pace_.nodes * 2, 256u);
+            if (counted.unfinished < slots / 4) pace_.few_left();
         }
-        pace_.nodes = 4;
+        pace_.next_tile();
         read_tile(tile, slots);
         return true;
     }
@@ -178,15 +138,19 @@ class Rendering {
     bool sweep(GpuSettings& settings, std::uint32_t slots) {
         for (std::uint32_t first = 0; first < slots;) {
             if (cancelled()) return false;
-            const std::uint32_t past = std::min(first + pace_.slots, slots);
-            settings.turn = uvec4(first, past, slots, pace_.nodes);
+            const std::uint32_t past = std::min(first + pace_.slots(), slots);
+            const bool whole = past - first == pace_.slots();
+            settings.turn = uvec4(first, past, slots, pace_.nodes());
             const double start = wall_seconds();
             block_->write(0, &settings, sizeof settings);
+            timer_->start();
             glDispatchCompute((past - first + group_size - 1) / group_size, 1, 1);
+            timer_->stop();
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
             glFinish();
             context_.check("rendering");
-            pace_.learn(wall_seconds() - start, past - first == pace_.slots);
+            pace_.learn(wall_seconds() - start, whole);
+            picture_.stats.device_seconds += timer_->seconds();
             first = past;
         }
         return true;
@@ -201,6 +165,10 @@ class Rendering {
             throw Error(ErrorKind::device,
                         "a ray is in more than eight transparent solids at once, which the GPU cannot follow",
                         "render on the CPU");
+        if ((c.faults & fault_loops) != 0)
+            throw Error(ErrorKind::device,
+                        "the driver of " + context_.device().name + " ended the walk of a ray before its end",
+                        "the scene asks for too many steps at once: render on the CPU");
         RenderStats& stats = picture_.stats;
         stats.primary_rays += c.rays[0];
         stats.reflected_rays += c.rays[1];
@@ -249,7 +217,7 @@ class Rendering {
 
     const GpuContext& context_;
     const GpuProgram& program_;
-    const GpuSceneData& scene_;
+    const GpuSettings& scene_;
     const SceneBuffers& buffers_;
     const RenderOptions& options_;
     const RenderSettings& settings_;
@@ -260,6 +228,7 @@ class Rendering {
     std::size_t finished_ = 0;
     std::vector<Rect> tiles_; ///< within the area, sides multiples of 8
     std::optional<GpuBuffer> work_, film_, block_;
+    std::optional<GpuTimer> timer_;
     Progress progress_;
     Picture picture_;
 };
@@ -267,7 +236,7 @@ class Rendering {
 } // namespace
 
 struct GpuRenderer::State {
-    explicit State(int device) : context(device) {}
+    State(int device, const GpuLimits& limits) : context(device, limits.buffer), pace(limits) {}
     ~State() {
         // Programs and buffers go while their context is current.
         const GpuScope scope(context);
@@ -281,6 +250,11 @@ struct GpuRenderer::State {
         return *made;
     }
 
+    /// Is the tree of a scene the one that is in the device's memory?
+    bool has_tree_of(const Scene& other) const {
+        return scene && &scene->frozen().world.data() == &other.frozen().world.data();
+    }
+
     GpuContext context;
     std::map<ProgramChoice, std::unique_ptr<GpuProgram>> programs;
     std::unique_ptr<SceneBuffers> buffers;
@@ -289,7 +263,8 @@ struct GpuRenderer::State {
     Pace pace;
 };
 
-GpuRenderer::GpuRenderer(int device) : state_(std::make_unique<State>(device)) {}
+GpuRenderer::GpuRenderer(int device, const GpuLimits& limits)
+    : state_(std::make_unique<State>(device, limits)) {}
 GpuRenderer::~GpuRenderer() = default;
 GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
 GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
@@ -298,10 +273,12 @@ const GpuDevice& GpuRenderer::device() const { return state_->context.device(); 
 
 void GpuRenderer::prepare(const Scene& scene) {
     const GpuScope scope(state_->context);
-    state_->buffers.reset();
+    const bool same_tree = state_->has_tree_of(scene);
+    std::unique_ptr<SceneBuffers> before = std::move(state_->buffers);
+    if (!same_tree) before.reset();
     state_->scene.reset();
-    GpuSceneData data = flatten(scene.frozen());
-    state_->buffers = std::make_unique<SceneBuffers>(state_->context, data);
+    GpuSceneData data = flatten(scene.frozen(), same_tree ? &state_->data.tree : nullptr);
+    state_->buffers = std::make_unique<SceneBuffers>(state_->context, data, before.get());
     state_->context.check("laying out the scene");
     data.tree.nodes = {};
     data.tree.leaves = {};
@@ -312,15 +289,24 @@ void GpuRenderer::prepare(const Scene& scene) {
 
 Picture GpuRenderer::render(const RenderOptions& options) {
     if (!state_->scene) throw Error(ErrorKind::usage, "no scene was prepared");
+    if (term_of(options.show))
+        return render_term(options, [this](const RenderOptions& all) { return render(all); });
     const GpuScope scope(state_->context);
     const GpuSceneData& data = state_->data;
-    ProgramChoice choice;
-    choice.glass = data.glass;
-    choice.instances = !data.tree.mesh_roots.empty();
+    GpuSettings settings = data.settings;
+    RenderSettings picture = state_->scene->render_settings();
+    ProgramChoice choice = program_for(data);
     choice.terms = options.terms;
-    choice.stack = (data.tree.stack + 7) / 8 * 8;
-    return Rendering(state_->context, state_->program(choice), data, *state_->buffers, options,
-                     state_->scene->render_settings(), state_->pace)
+    if (!is_light(options.show)) {
+        // One ray through each pixel's centre, and nothing bounces.
+        choice.first_hit = true;
+        settings.area.z = static_cast<std::uint32_t>(options.show);
+        settings.limits.x = 0;
+        settings.tile.w = 1;
+        picture.spp = 1;
+    }
+    return Rendering(state_->context, state_->program(choice), settings, *state_->buffers, options, picture,
+                     state_->pace)
         .run();
 }
 

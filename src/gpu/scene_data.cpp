@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr std::uint32_t object_solid = 1;
 constexpr std::uint32_t object_lit_as_stored = 2;
-constexpr std::uint32_t object_flipped = 4;
+constexpr std::uint32_t object_turned = 4;
 constexpr std::uint32_t object_fresnel = 8;
 constexpr std::size_t most_media = 8; ///< around one ray
 constexpr std::size_t most_glass = 0xffff;
@@ -24,8 +24,8 @@ class Flattener {
   public:
     explicit Flattener(const FrozenScene& scene) : scene_(scene), world_(scene.world.data()) {}
 
-    GpuSceneData run() {
-        data_.tree = build_gpu_tree(world_);
+    GpuSceneData run(const GpuTree* tree) {
+        data_.tree = tree != nullptr ? *tree : build_gpu_tree(world_);
         data_.glass = scene_.any_transparent;
         add_meshes();
         add_shapes();
@@ -144,14 +144,12 @@ class Flattener {
     }
 
     void add_objects() {
-        std::vector<bool> flipped(scene_.objects.size(), false);
-        for (const WorldInput::Triangles& mesh : world_.meshes) flipped[mesh.object] = mesh.flip;
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
             const FrozenObject& o = scene_.objects[i];
             std::uint32_t flags = 0;
             if (o.solid) flags |= object_solid;
             if (o.lit_as_stored) flags |= object_lit_as_stored;
-            if (flipped[i]) flags |= object_flipped;
+            if (o.turned) flags |= object_turned;
             if (scene_.materials[o.material].fresnel) flags |= object_fresnel;
             data_.objects.emplace_back(o.material, o.rank, flags, media_[i]);
             data_.objects.push_back(attributes_of(o));
@@ -239,6 +237,6 @@ class Flattener {
 
 } // namespace
 
-GpuSceneData flatten(const FrozenScene& scene) { return Flattener(scene).run(); }
+GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }
 
 } // namespace glint

@@ -20,7 +20,8 @@ struct GpuSceneData {
     bool glass = false;   ///< does anything let light through?
 };
 
-/// Throws Error(device) for a scene that the shader's numbers cannot name, with the sizes.
-GpuSceneData flatten(const FrozenScene& scene);
+/// Where `tree` is given it is the scene's, made before. Throws Error(device) for a scene that the shader's
+/// numbers cannot name, with the sizes.
+GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree = nullptr);
 
 } // namespace glint

@@ -1,6 +1,7 @@
 #include "render/aspect.h"
 
 #include "parallel/task_pool.h"
+#include "render/aspect.shared.h"
 #include "render/samples.h"
 
 #include <array>
@@ -10,6 +11,10 @@
 #include <mutex>
 
 namespace glint {
+
+static_assert(shown_shadows == static_cast<int>(Aspect::shadows) &&
+              shown_normal == static_cast<int>(Aspect::normal) &&
+              shown_depth == static_cast<int>(Aspect::depth) && shown_cost == static_cast<int>(Aspect::cost));
 
 bool is_light(Aspect aspect) { return aspect == Aspect::final || term_of(aspect); }
 
@@ -63,16 +68,15 @@ vec3 Probe::measure_first_hit(const Sample& sample) {
         ray.origin = sample.origin;
         ray.direction = sample.direction;
         const TraceCost cost = scene_.frozen().world.cost(ray);
-        return vec3(static_cast<float>(cost.nodes), static_cast<float>(cost.shapes), 0.0f);
+        return cost_number(cost.nodes, cost.shapes);
     }
     tracer_.trace(sample.origin, sample.direction, &tree_);
     if (tree_.nodes.empty()) return vec3(0.0f); // cancelled
     const RayNode& node = tree_.nodes.front();
-    if (aspect_ == Aspect::depth) return vec3(node.hit.t);
-    if (aspect_ == Aspect::normal) return node.shading_normal;
     float hidden = 0;
-    for (const LightNode& light : node.lights) hidden += 1.0f - light.shadow;
-    return vec3(hidden);
+    for (const LightNode& light : node.lights) hidden = hidden_with(hidden, light.shadow);
+    return first_hit_number(static_cast<int>(aspect_), static_cast<bool>(node.hit), node.hit.t,
+                            node.shading_normal, hidden);
 }
 
 namespace {
@@ -144,16 +148,20 @@ class AspectJob {
 
 } // namespace
 
-Picture render_aspect(const Scene& scene, const RenderOptions& options) {
-    const auto term = term_of(options.show);
-    if (!term) return AspectJob(scene, options).result();
+Picture render_term(const RenderOptions& options,
+                    const std::function<Picture(const RenderOptions&)>& render_light) {
     RenderOptions all = options;
     all.show = Aspect::final;
     all.terms = true;
-    Picture picture = render(scene, all);
-    picture.image = picture.terms[static_cast<std::size_t>(*term)];
+    Picture picture = render_light(all);
+    picture.image = picture.terms[static_cast<std::size_t>(*term_of(options.show))];
     if (!options.terms) picture.terms = {};
     return picture;
+}
+
+Picture render_aspect(const Scene& scene, const RenderOptions& options) {
+    if (!term_of(options.show)) return AspectJob(scene, options).result();
+    return render_term(options, [&](const RenderOptions& all) { return render(scene, all); });
 }
 
 } // namespace glint

@@ -4,6 +4,7 @@
 #include "glint/render.h"
 #include "render/whitted.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -40,6 +41,10 @@ class Probe {
 
 /// The scene as an aspect needs it: where only first hits count, nothing bounces.
 Scene scene_for(const Scene& scene, Aspect aspect);
+
+/// A picture of the term that `options` asks for, by what renders the light with its terms apart.
+Picture render_term(const RenderOptions& options,
+                    const std::function<Picture(const RenderOptions&)>& render_light);
 
 /// render() for all but Aspect::final.
 Picture render_aspect(const Scene& scene, const RenderOptions& options);

@@ -27,12 +27,37 @@ TEST_F(Backend, GpuRendersWithoutADisplay) {
     EXPECT_EQ(glint("diff gpu.png cpu.png --tolerance 1").exit, 0);
 }
 
-TEST_F(Backend, OnlyLightIsRenderedOnTheGpu) {
-    const Outcome outcome = glint("good.toml --backend gpu --show normal -o a.png");
-    EXPECT_EQ(outcome.exit, 2);
-    EXPECT_NE(outcome.err.find("--show normal is drawn on the CPU only"), std::string::npos) << outcome.err;
-    EXPECT_FALSE(exists("a.png"));
-    EXPECT_EQ(glint("good.toml --backend auto --show normal -o a.png").exit, 0);
+TEST_F(Backend, DebugViewsAreRenderedOnTheGpu) {
+    if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    for (const std::string view : {"normal", "depth", "shadows", "diffuse"}) {
+        const Outcome gpu = glint("good.toml --backend gpu --show " + view + " -o gpu.png");
+        EXPECT_EQ(gpu.exit, 0) << gpu.err;
+        EXPECT_NE(gpu.err.find(", on "), std::string::npos) << gpu.err;
+        EXPECT_EQ(glint("good.toml --show " + view + " -o cpu.png").exit, 0);
+        EXPECT_EQ(glint("diff gpu.png cpu.png --tolerance 1").exit, 0) << view;
+    }
+    EXPECT_EQ(glint("good.toml --backend gpu --show cost -o cost.pfm").exit, 0);
+}
+
+TEST_F(Backend, FramesOfOneAnimationShareTheCard) {
+    if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    write("moving.toml", content("good.toml") + "\n[[animate]]\nkey = \"camera.fov\"\nframes = [0, 2]\n"
+                                                "values = [30, 60]\n");
+    const Outcome all = glint("moving.toml --backend gpu --frames 0..2 -o gpu-%d.pfm");
+    ASSERT_EQ(all.exit, 0) << all.err;
+    for (const std::string frame : {"0", "1", "2"}) {
+        ASSERT_EQ(glint("moving.toml --backend gpu --frames " + frame + " -o alone.pfm").exit, 0);
+        EXPECT_EQ(content("gpu-" + frame + ".pfm"), content("alone.pfm")) << frame;
+    }
+    EXPECT_NE(content("gpu-0.pfm"), content("gpu-2.pfm"));
+}
+
+TEST_F(Backend, AutoSaysItsReasonOnceForAllFrames) {
+    const Outcome outcome = glint("good.toml --backend auto --frames 0..2 -o f-%d.png", without_devices());
+    ASSERT_EQ(outcome.exit, 0) << outcome.err;
+    const std::size_t first = outcome.err.find("on the CPU: ");
+    ASSERT_NE(first, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("on the CPU: ", first + 1), std::string::npos) << outcome.err;
 }
 
 TEST_F(Backend, GpuWithoutADeviceEndsWithSevenAndAReason) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <sstream>
 
@@ -107,6 +108,58 @@ TEST_F(Explain, DrawsATree) {
 TEST_F(Explain, PagesStayBelowTenMegabytes) {
     ASSERT_EQ(glint("explain cabinet.toml --format html --size 640x360 --spp 1 -o page.html").exit, 0);
     EXPECT_LT(content("page.html").size(), 10'000'000u);
+}
+
+/// No driver is found: as on a machine that has none.
+Setting without_devices() {
+    Setting setting;
+    setting.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=none"};
+    return setting;
+}
+
+TEST_F(Explain, SaysWhoseNumbersItShows) {
+    const std::string line = "explain cabinet.toml --pixel 22,18";
+    EXPECT_NE(glint(line).out.find("computed on the CPU"), std::string::npos);
+    EXPECT_NE(glint(line + " --format svg").out.find("computed on the CPU"), std::string::npos);
+    const json found = json::parse(glint(line + " --format json").out);
+    EXPECT_EQ(found["backend"], "cpu");
+    EXPECT_TRUE(found["gpu"].is_null());
+}
+
+TEST_F(Explain, TellsHowFarTheGpuIs) {
+    const bool device = glint("info --devices").out.find("usable          yes") != std::string::npos;
+    if (!device) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    const std::string line = "explain cabinet.toml --pixel 22,18 --spp 3 --backend gpu";
+    const json found = json::parse(glint(line + " --format json").out);
+    EXPECT_FALSE(found["gpu"]["device"].get<std::string>().empty());
+    ASSERT_EQ(glint("cabinet.toml --spp 3 --backend gpu --crop 22,18,1,1 -o pixel.pfm").exit, 0);
+    const std::string pixel = content("pixel.pfm");
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto cpu = found["color"][c].get<float>();
+        const auto gpu = found["gpu"]["color"][c].get<float>();
+        float rendered = 0;
+        std::memcpy(&rendered, pixel.data() + pixel.size() - 12 + 4 * c, sizeof rendered);
+        EXPECT_EQ(gpu, rendered) << "the pixel of the GPU's picture";
+        EXPECT_EQ(found["gpu"]["difference"][c].get<float>(), gpu - cpu);
+        EXPECT_NEAR(gpu, cpu, 1.0 / 255);
+    }
+    for (const char* format : {"text", "svg"})
+        EXPECT_NE(glint(line + " --format " + format).out.find("it is ("), std::string::npos) << format;
+    ASSERT_EQ(glint("explain cabinet.toml --spp 3 --backend gpu --format html --grid 8x6 -o page.html").exit,
+              0);
+    EXPECT_NE(content("page.html").find("100 % of the pixels are within 1/255"), std::string::npos);
+}
+
+TEST_F(Explain, TheGpuMustBeThereToBeComparedWith) {
+    const std::string line = "explain cabinet.toml --pixel 22,18 --format json --backend ";
+    const Outcome gpu = glint(line + "gpu", without_devices());
+    EXPECT_EQ(gpu.exit, 7);
+    EXPECT_NE(gpu.err.find("no GPU"), std::string::npos) << gpu.err;
+    EXPECT_EQ(gpu.out, "");
+    const Outcome either = glint(line + "auto", without_devices());
+    EXPECT_EQ(either.exit, 0);
+    EXPECT_EQ(either.err.rfind("on the CPU: ", 0), 0u) << either.err;
+    EXPECT_TRUE(json::parse(either.out)["gpu"].is_null());
 }
 
 std::string browser() {

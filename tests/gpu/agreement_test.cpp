@@ -72,6 +72,14 @@ TEST(GpuAgreement, ScenesOfTheGalleryLookAsOnTheCpu) {
     expect_folder_agrees(scenes, 1);
 }
 
+TEST(GpuAgreement, LongTreesOfManySamplesLookAsOnTheCpu) {
+    GLINT_NEEDS_GPU();
+    // Most of the drink's pixels have hundreds of rays.
+    std::optional<SceneDescription> drink = small_scene(scenes / "drink.toml", 4);
+    ASSERT_TRUE(drink && drink->render.spp == 4);
+    expect_agreement(*drink, "drink");
+}
+
 TEST(GpuAgreement, EveryKindOfObjectLightAndMaterialLooksAsOnTheCpu) {
     GLINT_NEEDS_GPU();
     for (kit::Exhibit exhibit : kit::gallery()) {

@@ -4,6 +4,7 @@
 
 #include "glint/gpu.h"
 
+#include <functional>
 #include <string>
 
 namespace glint {
@@ -19,11 +20,16 @@ const std::string& why_no_gpu();
 /// How a picture of the GPU agrees with the CPU's.
 struct Agreement {
     double far = 0;   ///< share of the pixels that are off by more than 1/255 in a channel
-    double error = 0; ///< over the others the mean of |a − b| / max(b, 1e-3)
+    double error = 0; ///< over the others the mean of |a − b| / max(|b|, 1e-3)
 };
 Agreement agreement(const Image& gpu, const Image& cpu);
 
+/// Fails where two pictures agree less than the backend promises.
+void expect_agreement(const Image& gpu, const Image& cpu, const std::string& name);
 /// Fails where the scene's pictures agree less than the backend promises.
 void expect_agreement(const SceneDescription& description, const std::string& name);
+
+/// What the device says against some work; it must be an Error(device).
+std::string refusal(const std::function<void()>& work);
 
 } // namespace glint

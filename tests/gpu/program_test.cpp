@@ -40,11 +40,12 @@ TEST(GpuProgram, ABufferBeyondTheDevicesLimitIsRefusedWithTheSizes) {
     const GpuScope scope(context);
     const auto bytes = static_cast<std::size_t>(context.device().largest_buffer) + 1;
     try {
-        const GpuBuffer buffer(context, "triangles", nullptr, bytes);
+        const GpuBuffer buffer(context, "the triangles", nullptr, bytes);
         FAIL() << "was taken";
     } catch (const Error& error) {
         const std::string text = error.what();
-        EXPECT_NE(text.find("triangles take " + std::to_string(bytes) + " bytes"), std::string::npos) << text;
+        EXPECT_NE(text.find("the triangles take " + std::to_string(bytes) + " bytes"), std::string::npos)
+            << text;
         EXPECT_NE(text.find("holds " + std::to_string(bytes - 1)), std::string::npos) << text;
     }
 }

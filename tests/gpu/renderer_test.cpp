@@ -17,16 +17,6 @@ SceneDescription exhibit(const std::string& name) {
     throw Error(ErrorKind::internal, "no exhibit " + name);
 }
 
-std::string refusal(const std::function<void()>& work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::device) << error.what();
-        return error.what();
-    }
-    return "nothing was refused";
-}
-
 TEST(GpuRenderer, GivesTheSameBitsTwice) {
     GLINT_NEEDS_GPU();
     SceneDescription description = exhibit("fresnel_glass");

@@ -24,7 +24,7 @@ layout(std140, binding = 0) uniform Settings {
     uvec4 at_shapes;  // quadrics, affines, instances (doubles); root of the tree
     uvec4 at_tables;  // lights, filter (of tables); media (of words); is anything transparent?
     uvec4 tile;       // x, y of its first pixel; its width, a multiple of 8; samples a pixel
-    uvec4 area;       // x, y past the last pixel; unused, samples to take up to
+    uvec4 area;       // x, y past the last pixel; what is shown of first hits, samples to take up to
     uvec4 turn;       // first slot, past the last, slots in all, nodes of ray trees to follow
 } settings;
 
@@ -33,7 +33,7 @@ const uint none = 0xffffffffu;
 // Flags of objects.
 const uint object_solid = 1u;
 const uint object_lit_as_stored = 2u;
-const uint object_flipped = 4u;
+const uint object_turned = 4u; // its normals are turned against the winding
 const uint object_fresnel = 8u;
 
 uint object_material(uint object) { return objects[2u * object].x; }

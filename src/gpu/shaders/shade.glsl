@@ -40,7 +40,8 @@ Lit lit_surface(Hit hit, Surface surface, vec3 direction) {
     s.n_g = s.entering ? surface.n : -surface.n;
     s.n = s.n_g;
     s.color = tables[4u * object_material(hit.object)].xyz;
-    s.lit_side = object_is(hit.object, object_lit_as_stored) && !s.entering ? -1.0f : 1.0f;
+    bool behind = s.entering == object_is(hit.object, object_turned);
+    s.lit_side = object_is(hit.object, object_lit_as_stored) && behind ? -1.0f : 1.0f;
     interpolate(hit, s.n_g, s.color, s.n);
     return s;
 }

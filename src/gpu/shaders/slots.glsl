@@ -6,12 +6,14 @@ const uint counter_unfinished = 0u;
 const uint counter_faults = 1u;
 const uint counter_rays = 2u; // primary, reflected, refracted, shadow
 const uint fault_media = 1u;
+const uint fault_loops = 2u;
 
 // Fields of a slot: sample, state, terms, then the rays that wait.
 const uint state_waiting = 0xffffu; // how many rays wait
 const uint state_begun = 0x10000u;
 const uint state_negative = 0x20000u; // the sample's weight is −1
 const uint state_covered = 0x40000u;  // it hit something
+const uint state_running = 0x80000u;  // a dispatch has begun with the slot, and has not saved it
 const uint fields_before_rays = 2u + 3u * uint(GLINT_TERMS);
 const uint fields_of_ray = 14u;
 

@@ -40,7 +40,7 @@ Surface triangle_surface(Hit hit, vec3 direction, double u, double v) {
     Surface surface;
     surface.p = vec3(p);
     surface.p_error = error_of_triangle(a, b, c, surface.p);
-    surface.n = vec3(object_is(hit.object, object_flipped) ? -n : n);
+    surface.n = vec3(object_is(hit.object, object_turned) ? -n : n);
     return surface;
 }
 

@@ -230,9 +230,22 @@ bool traceable(vec3 origin, vec3 direction) {
 
 const uint leave_instance = 0xffffffffu;
 
+// Turns of all walks so far.
+uint turns = 0u;
+
+#if GLINT_COUNT
+// What the last trace() did: nodes whose children's boxes it tested, and shapes that it tested.
+uint steps_to_nodes = 0u;
+uint steps_to_shapes = 0u;
+#endif
+
 /// The least hit with 0 < t <= limit that follows `after`; with `any` the first that is found.
 Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
     Hit best = no_hit(limit);
+#if GLINT_COUNT
+    steps_to_nodes = 0u;
+    steps_to_shapes = 0u;
+#endif
     if (!traceable(origin, direction)) return best;
     SpaceRay ray = space_ray(origin, direction, settings.ambient_light.w, settings.background.w);
     float from = max(after.t, 0.0f);
@@ -246,6 +259,7 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
     uint leaf = kind_plane;            // their kind
     uint leaf_at = 0u;
     for (;;) {
+        ++turns;
         if (left == 0u) {
             if (next == none) {
                 if (met == 0u) {
@@ -292,10 +306,16 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
                 node = next;
                 next = none;
                 met = children_met(node, ray, from, best.t);
+#if GLINT_COUNT
+                ++steps_to_nodes;
+#endif
             }
         }
         if (left > 0u) {
             --left;
+#if GLINT_COUNT
+            ++steps_to_shapes;
+#endif
             Hit hit;
             bool found;
             if (leaf == kind_triangle)

@@ -1,5 +1,6 @@
 // Whitted's model, a turn at a time: each turn of the loop traces one ray, to a surface or to a light.
 // Trees are followed depth first; a ray carries its weight, so that nothing comes back from its branches.
+// With GLINT_FIRST_HIT the rays are those of a tree without branches, and numbers are shown in place of light.
 
 layout(local_size_x = 64) in;
 
@@ -7,6 +8,11 @@ const uint phase_next = 0u;   // a new ray is wanted
 const uint phase_path = 1u;   // on the way to a surface
 const uint phase_lights = 2u; // at a surface, a light is wanted
 const uint phase_shadow = 3u; // on the way to a light
+
+// Mesa's llvmpipe ends all loops of eight invocations for good after 65,535 turns in all, and says nothing. So no
+// more of a slot is followed in a dispatch once its walks have turned so often; and a slot that never came to
+// the end of its dispatch is found by its state_running in the next.
+const uint most_turns = 2048u;
 
 // What a sample's light is made of so far.
 vec3 terms[GLINT_TERMS];
@@ -23,6 +29,13 @@ void add_to_film(uint slot, float weight, bool covered) {
     if (covered) film[counts + stride] += 1.0f;
 }
 
+void save_slot(uint slot, uint number, uint state) {
+    work[slot_field(slot, 0u)] = number;
+    work[slot_field(slot, 1u)] = state;
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(slot_field(slot, 2u + 3u * i), terms[i]);
+    if (number >= settings.area.w) atomicAdd(work[counter_unfinished], 0xffffffffu); // one less
+}
+
 void main() {
     uint slot = settings.turn.x + gl_GlobalInvocationID.x;
     if (slot >= settings.turn.y) return;
@@ -31,6 +44,12 @@ void main() {
     if (any(greaterThanEqual(pixel, settings.area.xy)) || number >= settings.area.w) return;
 
     uint state = work[slot_field(slot, 1u)];
+    if ((state & state_running) != 0u) {
+        atomicOr(work[counter_faults], fault_loops);
+        return;
+    }
+    work[slot_field(slot, 1u)] = state | state_running;
+    atomicAdd(work[counter_unfinished], 1u);
     for (uint i = 0u; i < uint(GLINT_TERMS); ++i) terms[i] = saved_vector(slot_field(slot, 2u + 3u * i));
     uint waiting = state & state_waiting;
     bool begun = (state & state_begun) != 0u;
@@ -56,24 +75,35 @@ void main() {
     vec3 direction = vec3(0.0f);
     float limit = 0.0f;
     Hit after = no_hit(0.0f);
+#if GLINT_FIRST_HIT
+    int shown = int(settings.area.z);
+    float hidden = 0.0f;
+    float first_t = 0.0f;
+#endif
     for (;;) {
         if (phase == phase_next) {
-            if (!has_path && waiting == 0u) {
-                if (begun) {
-                    add_to_film(slot, weight, covered);
-                    for (int i = 0; i < GLINT_TERMS; ++i) terms[i] = vec3(0.0f);
-                    begun = false;
-                    ++number;
-                }
-                if (number >= settings.area.w) break;
-                if (budget == 0u) break;
+            bool idle = !has_path && waiting == 0u;
+            if (idle && begun) {
+                add_to_film(slot, weight, covered);
+                for (int i = 0; i < GLINT_TERMS; ++i) terms[i] = vec3(0.0f);
+                begun = false;
+                ++number;
+            }
+            if ((idle && number >= settings.area.w) || budget == 0u || turns >= most_turns) {
+                // Here and not behind the loop: a driver may have ended that.
+                if (has_path) save_path(slot, waiting++, path);
+                save_slot(slot, number,
+                          waiting | (begun ? state_begun : 0u) | (weight < 0.0f ? state_negative : 0u) |
+                              (covered ? state_covered : 0u));
+                break;
+            }
+            if (idle) {
                 path = primary_path(pixel, number, settings.tile.w, weight);
                 begun = true;
                 covered = false;
                 ++rays.x;
-            } else {
-                if (budget == 0u) break;
-                if (!has_path) path = saved_path(slot, --waiting);
+            } else if (!has_path) {
+                path = saved_path(slot, --waiting);
             }
             has_path = false;
             --budget;
@@ -90,6 +120,15 @@ void main() {
         if (hit.kind != kind_none && walking) surface = surface_of(hit, origin, direction);
 
         if (phase == phase_path) {
+#if GLINT_FIRST_HIT
+            if (shown == shown_cost || hit.kind == kind_none) {
+                add_term(0u, shown == shown_cost ? cost_number(steps_to_nodes, steps_to_shapes)
+                                                 : first_hit_number(shown, false, 0.0f, vec3(0.0f), 0.0f));
+                covered = hit.kind != kind_none;
+                phase = phase_next;
+                continue;
+            }
+#else
             if (hit.kind == kind_none) {
                 // What never leaves a solid brings nothing; what misses everything gets the background.
                 if (path.media.x == 0u)
@@ -97,6 +136,7 @@ void main() {
                 phase = phase_next;
                 continue;
             }
+#endif
             if (media_hide(path.media, hit.object)) {
                 uint medium = object_medium(hit.object);
                 if (medium != 0u)
@@ -115,6 +155,11 @@ void main() {
             highlight = vec3(0.0f);
             light = 0u;
             phase = phase_lights;
+#if GLINT_FIRST_HIT
+            hidden = 0.0f;
+            first_t = hit.t;
+            if (shown != shown_shadows) light = settings.limits.y;
+#endif
         } else {
             if (hit.kind != kind_none) {
                 if (!walking) {
@@ -131,7 +176,11 @@ void main() {
                     if (shadow > 0.0f) continue;
                 }
             }
+#if GLINT_FIRST_HIT
+            hidden = hidden_with(hidden, shadow);
+#else
             add_light(s, m, arriving, shadow, diffuse, highlight);
+#endif
             ++light;
             phase = phase_lights;
         }
@@ -163,6 +212,10 @@ void main() {
             continue;
         }
 
+#if GLINT_FIRST_HIT
+        add_term(0u, first_hit_number(shown, true, first_t, s.n, hidden));
+        phase = phase_next;
+#else
         // The local terms, limited and weighed, and what becomes of the light that goes on.
         vec3 ambient = ambient_term(settings.ambient_light.xyz, s.color, m.ambient);
         vec3 clamped = vec3(0.0f);
@@ -201,14 +254,9 @@ void main() {
             path = sibling;
         }
         has_path = reflects || transmits;
+#endif
     }
 
-    if (has_path) save_path(slot, waiting++, path);
-    work[slot_field(slot, 0u)] = number;
-    work[slot_field(slot, 1u)] = waiting | (begun ? state_begun : 0u) | (weight < 0.0f ? state_negative : 0u) |
-                                 (covered ? state_covered : 0u);
-    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(slot_field(slot, 2u + 3u * i), terms[i]);
-    if (number < settings.area.w) atomicAdd(work[counter_unfinished], 1u);
     if (media_overflowed) atomicOr(work[counter_faults], fault_media);
     for (uint i = 0u; i < 4u; ++i)
         if (rays[i] != 0u) atomicAdd(work[counter_rays + i], rays[i]);

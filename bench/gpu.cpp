@@ -1,0 +1,165 @@
+// glint-bench-gpu: what a graphics card does, as tables.
+
+#include "gpu_frames.h"
+#include "gpu_rays.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace glint::bench {
+namespace {
+
+constexpr const char* description =
+    R"(Rays and pictures on a graphics card, as Markdown on standard output.
+
+Rays: of a knot of 70,000 triangles that is made for it, and of the meshes that are named; a file FILE.cam beside
+FILE.ply gives the camera. Pictures: the scenes of a folder, the meshes, and a field of knots with ten million
+triangles, one ray a pixel. Times are those of the device's own clock, medians.)";
+
+struct Options {
+    std::vector<std::string> files;
+    std::string scenes = "scenes/report";
+    int device = -1;
+    int rounds = 9;
+    int rays_size = 1024;
+    std::string size = "1920x1080";
+    double triangles = 10e6;
+};
+
+// What a step reads and computes, counted in gpu/shaders/trace.glsl: a node's 96 bytes and the boxes of its
+// eight children; a triangle's three corners with their numbers, the shear and the three signs.
+constexpr double bytes_of_node = 96;
+constexpr double bytes_of_triangle = 44;
+constexpr double operations_of_node = 410;
+constexpr double operations_of_triangle = 45;
+
+std::string per_second(double amount, double seconds, double unit) {
+    return seconds > 0 ? fmt::format("{:.1f}", amount / seconds / unit) : "–";
+}
+
+std::string ray_rows(const std::string& mesh, const std::vector<GpuSetResult>& sets) {
+    std::string text;
+    for (const GpuSetResult& set : sets) {
+        const auto rays = static_cast<double>(set.rays);
+        const bool counted = set.nodes > 0;
+        const double bytes = bytes_of_node * set.nodes + bytes_of_triangle * set.triangles;
+        const double work = operations_of_node * set.nodes + operations_of_triangle * set.triangles;
+        const auto number = [&](const char* format, double value) {
+            return counted ? fmt::format(fmt::runtime(format), value) : std::string("–");
+        };
+        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", mesh, set.set,
+                            set.rays, per_second(rays, set.seconds, 1e6), number("{:.2f}", set.nodes),
+                            number("{:.2f}", set.triangles), number("{:.0f}", bytes), number("{:.0f}", work),
+                            counted ? per_second(rays * bytes, set.seconds, 1e9) : "–",
+                            counted ? per_second(rays * work, set.seconds, 1e9) : "–", set.differences);
+    }
+    return text;
+}
+
+std::string frame_row(const FrameResult& frame) {
+    if (!frame.fault.empty())
+        return fmt::format("| {} | {} | – | – | – | – | {} |\n", frame.scene, frame.triangles, frame.fault);
+    return fmt::format("| {} | {} | {:.2f} | {:.2f} | {} | {} | {:.4f} |\n", frame.scene, frame.triangles,
+                       1e3 * frame.device_seconds, 1e3 * frame.whole_seconds, frame.rays,
+                       per_second(static_cast<double>(frame.rays), frame.device_seconds, 1e6),
+                       100 * (1 - frame.far));
+}
+
+std::vector<Model> models_of(const Options& options, const std::string& folder) {
+    std::vector<Model> models{generate_model("knot", folder)};
+    for (const std::string& file : options.files) models.push_back(load_model(file));
+    return models;
+}
+
+void print_rays(const Options& options, const GpuContext& context, GpuRenderer& renderer,
+                const std::vector<Model>& models) {
+    std::cout << fmt::format(
+        "\nRays, {0} × {0} pixels (docs/performance.md has the sets; frame: a picture of the renderer with a "
+        "shadow "
+        "ray and a mirror ray for each hit); nodes, triangles, bytes and operations are those of one ray:\n\n"
+        "| mesh | set | rays | Mrays/s | nodes | triangles | bytes | operations | GB/s | Gop/s | unlike the "
+        "CPU |\n"
+        "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        options.rays_size);
+    JobOptions jobs;
+    jobs.size = options.rays_size;
+    for (const Model& model : models) {
+        std::cerr << model.name << ": " << model.mesh->triangles.size() << " triangles\n";
+        std::cout << ray_rows(model.name, measure_gpu_rays(context, renderer, model, jobs, options.rounds))
+                  << std::flush;
+    }
+}
+
+FrameSize frame_size(const Options& options) {
+    FrameSize size;
+    char more = 0;
+    if (std::sscanf(options.size.c_str(), "%dx%d%c", &size.width, &size.height, &more) != 2 ||
+        size.width < 1 || size.height < 1 || size.width > 16384 || size.height > 16384)
+        throw Error(ErrorKind::usage, "--size " + options.size + " is no size",
+                    "expected WxH such as 1920x1080");
+    return size;
+}
+
+void print_frames(const Options& options, GpuRenderer& renderer, const std::vector<Model>& models) {
+    const FrameSize size = frame_size(options);
+    std::cout << fmt::format(
+        "\nPictures, {} × {} pixels, one ray a pixel; whole: with sending the work and reading the "
+        "picture back:\n\n"
+        "| scene | triangles | ms | whole ms | rays | Mrays/s | % within 1/255 of the CPU |\n"
+        "|---|---:|---:|---:|---:|---:|---:|\n",
+        size.width, size.height);
+    for (const FrameResult& frame : measure_folder(renderer, options.scenes, size, options.rounds))
+        std::cout << frame_row(frame) << std::flush;
+    for (const Model& model : models)
+        std::cout << frame_row(
+                         measure_frame_of(renderer, model.name, scene_of(model, 64), size, options.rounds))
+                  << std::flush;
+    std::cout << frame_row(measure_frame_of(
+        renderer, "field of knots", field_of(models.front(), options.triangles), size, options.rounds));
+}
+
+int run(const Options& options) {
+    frame_size(options); // a wrong one is better told before minutes of work
+    const GpuContext context(options.device);
+    GpuRenderer renderer(options.device);
+    std::cout << context.device().name << "; " << context.device().driver << "\n" << std::flush;
+    const std::string folder = std::filesystem::temp_directory_path().string();
+    const std::vector<Model> models = models_of(options, folder);
+    print_rays(options, context, renderer, models);
+    print_frames(options, renderer, models);
+    return 0;
+}
+
+} // namespace
+} // namespace glint::bench
+
+int main(int count, char** words) {
+    using namespace glint;
+    bench::Options options;
+    CLI::App app(bench::description, "glint-bench-gpu");
+    app.add_option("MESH", options.files, "PLY files")->check(CLI::ExistingFile);
+    app.add_option("--scenes", options.scenes, "the folder of scenes")
+        ->check(CLI::ExistingDirectory)
+        ->capture_default_str();
+    app.add_option("--device", options.device,
+                   "its number in glint info --devices; default: the first usable");
+    app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 1000))->capture_default_str();
+    app.add_option("--rays-size", options.rays_size, "pixels a side of the sets of rays, a multiple of 8")
+        ->check(CLI::Range(8, 8192))
+        ->capture_default_str();
+    app.add_option("--size", options.size, "of the pictures")->capture_default_str();
+    app.add_option("--triangles", options.triangles, "of the field")->capture_default_str();
+    CLI11_PARSE(app, count, words);
+    try {
+        return bench::run(options);
+    } catch (const Error& error) {
+        std::cerr << "glint-bench-gpu: " << error.what() << '\n';
+        return error.kind() == ErrorKind::device ? 7 : 3;
+    } catch (const std::exception& error) {
+        std::cerr << "glint-bench-gpu: " << error.what() << '\n';
+        return 3;
+    }
+}

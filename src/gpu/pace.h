@@ -1,0 +1,59 @@
+#pragma once
+// How much a dispatch does, by how long the last ones took: long enough to be worth sending, short enough for
+// desktops to stay alive and watchdogs asleep.
+
+#include "glint/gpu.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace glint {
+
+class Pace {
+  public:
+    static constexpr std::uint32_t group_size = 64; ///< invocations of a work group: whitted.glsl
+    static constexpr std::uint32_t most_slots = std::uint32_t{1} << 19;
+
+    explicit Pace(const GpuLimits& limits) : fixed_slots_(limits.pixels > 0), fixed_nodes_(limits.rays > 0) {
+        if (fixed_slots_)
+            slots_ = (std::min(limits.pixels, most_slots) + group_size - 1) / group_size * group_size;
+        if (fixed_nodes_) nodes_ = limits.rays;
+    }
+
+    std::uint32_t slots() const { return slots_; } ///< of a dispatch
+    std::uint32_t nodes() const { return nodes_; } ///< of ray trees, for each slot
+
+    /// A dispatch of so many seconds; `whole`: over all slots that it might have had.
+    void learn(double seconds, bool whole) {
+        if (seconds < least_seconds && whole) set_slots(std::min(slots_ * 2, most_slots));
+        if (seconds <= most_seconds) return;
+        if (slots_ > fewest_slots)
+            set_slots(std::max(slots_ / 2, fewest_slots));
+        else
+            set_nodes(std::max(nodes_ / 2, 1u));
+    }
+
+    /// Few slots are left: a few long trees need no new look at all slots after each step.
+    void few_left() { set_nodes(std::min(nodes_ * 2, 256u)); }
+    void next_tile() { set_nodes(first_nodes); }
+
+  private:
+    static constexpr std::uint32_t fewest_slots = 64 * group_size;
+    static constexpr std::uint32_t first_nodes = 4;
+    static constexpr double least_seconds = 0.01; ///< of a dispatch; below, the next is larger
+    static constexpr double most_seconds = 0.06;
+
+    void set_slots(std::uint32_t slots) {
+        if (!fixed_slots_) slots_ = slots;
+    }
+    void set_nodes(std::uint32_t nodes) {
+        if (!fixed_nodes_) nodes_ = nodes;
+    }
+
+    bool fixed_slots_;
+    bool fixed_nodes_;
+    std::uint32_t slots_ = fewest_slots;
+    std::uint32_t nodes_ = first_nodes;
+};
+
+} // namespace glint

@@ -1,0 +1,63 @@
+#include "gpu/rays.h"
+
+#include "gpu/pace.h"
+#include "scene/frozen.h"
+
+#include <algorithm>
+#include <epoxy/gl.h>
+
+namespace glint {
+namespace {
+
+/// Rays of a dispatch: enough to fill the device, and few enough for desktops to stay alive.
+constexpr std::size_t rays_on_a_card = std::size_t{1} << 20;
+constexpr std::size_t rays_in_software = std::size_t{1} << 14;
+
+} // namespace
+
+GpuRays::GpuRays(const GpuContext& context, const FrozenScene& scene, bool count_steps) : context_(context) {
+    const GpuScope scope(context);
+    const GpuSceneData data = flatten(scene);
+    ProgramChoice choice = program_for(data);
+    choice.rays = true;
+    choice.count = count_steps;
+    parts_.reset(new Parts{data.settings,
+                           {context, data, nullptr},
+                           {context, shader_source(choice)},
+                           {context, "the settings", nullptr, sizeof(GpuSettings)},
+                           {}});
+}
+
+GpuRays::~GpuRays() {
+    const GpuScope scope(context_);
+    parts_.reset();
+}
+
+std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
+    const GpuScope scope(context_);
+    const GpuBuffer work(context_, "the rays", rays.data(), rays.size_bytes());
+    parts_->program.use();
+    parts_->scene.bind();
+    work.bind_storage(6);
+    parts_->block.bind_uniform(0);
+    const std::size_t most = context_.device().software ? rays_in_software : rays_on_a_card;
+    for (std::size_t first = 0; first < rays.size(); first += most) {
+        const std::size_t past = std::min(first + most, rays.size());
+        GpuSettings settings = parts_->settings;
+        settings.turn = uvec4(first, past, any ? 1 : 0, 0);
+        parts_->block.write(0, &settings, sizeof settings);
+        parts_->timer.start();
+        glDispatchCompute(static_cast<GLuint>((past - first + Pace::group_size - 1) / Pace::group_size), 1,
+                          1);
+        parts_->timer.stop();
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        seconds_ += parts_->timer.seconds();
+        context_.check("tracing rays");
+    }
+    std::vector<GpuHit> hits(rays.size());
+    work.read(0, hits.data(), rays.size_bytes());
+    context_.check("reading hits");
+    return hits;
+}
+
+} // namespace glint

@@ -1,0 +1,61 @@
+#pragma once
+// Rays alone, without light: what tests and measures the walk through the tree.
+
+#include "gpu/context.h"
+#include "gpu/program.h"
+#include "gpu/scene_buffers.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace glint {
+
+/// As shaders/rays.glsl reads it.
+struct GpuRay {
+    vec3 origin{0.0f};
+    vec3 direction{0.0f};
+    float limit = 0; ///< hits have 0 < t ≤ limit
+};
+
+/// As it writes it, in the ray's place.
+struct GpuHit {
+    static constexpr std::uint32_t nothing = 0xffffffffu;
+
+    float t = 0;
+    float u = 0; ///< u and v as in trace/world.h
+    float v = 0;
+    std::uint32_t object = nothing; ///< what was hit
+    std::uint32_t prim = 0;
+    std::uint32_t nodes = 0;  ///< steps, where they were asked for: nodes whose children's boxes were tested
+    std::uint32_t shapes = 0; ///< and shapes that were tested
+};
+static_assert(sizeof(GpuRay) == sizeof(GpuHit) && sizeof(GpuHit) == 7 * 4);
+
+class GpuRays {
+  public:
+    /// Throws Error(device) as GpuRenderer does. The context must outlive it.
+    GpuRays(const GpuContext& context, const FrozenScene& scene, bool count_steps);
+    ~GpuRays();
+
+    /// The closest hit of each ray; with `any` whichever was found first.
+    std::vector<GpuHit> trace(std::span<const GpuRay> rays, bool any);
+
+    /// What the device worked for all rays so far.
+    double seconds() const { return seconds_; }
+
+  private:
+    struct Parts {
+        GpuSettings settings;
+        SceneBuffers scene;
+        GpuProgram program;
+        GpuBuffer block;
+        GpuTimer timer;
+    };
+
+    const GpuContext& context_;
+    std::unique_ptr<Parts> parts_;
+    double seconds_ = 0;
+};
+
+} // namespace glint

@@ -1,0 +1,67 @@
+// A picture is the same whatever its dispatches hold: nothing is lost or doubled between two of them.
+
+#include "gallery.h"
+#include "gpu_kit.h"
+#include "scene_kit.h"
+
+#include "glint/formats.h"
+
+#include <gtest/gtest.h>
+
+namespace glint {
+namespace {
+
+GpuLimits dispatches_of(std::uint32_t pixels, std::uint32_t rays) {
+    GpuLimits limits;
+    limits.pixels = pixels;
+    limits.rays = rays;
+    return limits;
+}
+
+const GpuLimits sizes[] = {dispatches_of(64, 1), dispatches_of(4096, 4), dispatches_of(1u << 19, 1000)};
+
+/// The pictures of dispatches of all sizes against that of sizes that are learned.
+void expect_same_bits(const SceneDescription& description, const std::string& name) {
+    const Scene scene = freeze(description);
+    gpu()->prepare(scene);
+    RenderOptions options;
+    options.coverage = true;
+    const Picture expected = gpu()->render(options);
+    for (const GpuLimits& limits : sizes) {
+        GpuRenderer renderer(-1, limits);
+        renderer.prepare(scene);
+        const std::string how = name + ", " + std::to_string(limits.rays) + " rays of " +
+                                std::to_string(limits.pixels) + " pixels a dispatch";
+        const Picture picture = renderer.render(options);
+        EXPECT_EQ(picture_hash(picture.image), picture_hash(expected.image)) << how;
+        EXPECT_EQ(picture.coverage, expected.coverage) << how;
+        EXPECT_EQ(picture.stats.rays(), expected.stats.rays()) << how;
+    }
+}
+
+SceneDescription exhibit(const std::string& name, int samples) {
+    for (kit::Exhibit& exhibit : kit::gallery())
+        if (exhibit.name == name) {
+            exhibit.scene.render.spp = samples;
+            return exhibit.scene;
+        }
+    throw Error(ErrorKind::internal, "no exhibit " + name);
+}
+
+TEST(GpuDispatches, SizesChangeNoBitOfTrees) {
+    GLINT_NEEDS_GPU();
+    expect_same_bits(exhibit("nested", 2), "nested");
+    expect_same_bits(exhibit("mirrors", 3), "mirrors");
+}
+
+TEST(GpuDispatches, SizesChangeNoBitOfTheDrink) {
+    GLINT_NEEDS_GPU();
+    LoadedScene drink = load_scene(std::string(GLINT_SOURCE_DIR) + "/scenes/drink.toml");
+    drink.description.render.width = 24;
+    drink.description.render.height = 18;
+    drink.description.render.spp = 4;
+    expect_same_bits(drink.description, "drink");
+}
+
+} // namespace
+} // namespace glint

@@ -1,0 +1,128 @@
+// What a device cannot hold is refused by name and with the sizes, and nothing is left behind.
+
+#include "gallery.h"
+#include "gpu_kit.h"
+#include "scene_kit.h"
+
+#include "gpu/context.h"
+#include "gpu/program.h"
+
+#include <gtest/gtest.h>
+
+namespace glint {
+namespace {
+
+/// A renderer whose buffers hold so many bytes.
+std::unique_ptr<GpuRenderer> renderer_with(std::uint64_t bytes) {
+    GpuLimits limits;
+    limits.buffer = bytes;
+    return std::make_unique<GpuRenderer>(-1, limits);
+}
+
+/// A scene in which a part takes much more than all before it, in the order in which they are laid out.
+struct Large {
+    std::string part;
+    std::uint64_t bytes; ///< that it does not fit into
+    SceneDescription scene;
+};
+
+SceneDescription spheres(int count, bool own_materials) {
+    SceneDescription scene = kit::empty_scene();
+    kit::add(scene, SphereShape{Vec3(0, 9, 0), 0.1}, kit::matte());
+    const std::string material = scene.materials.front().name;
+    for (int i = 1; i < count; ++i) {
+        const SphereShape sphere{Vec3(0.3 * (i % 40) - 6, 9, 0.3 * (i / 40) - 6), 0.1};
+        if (own_materials)
+            kit::add(scene, sphere, kit::matte());
+        else
+            kit::add(scene, sphere, material);
+    }
+    return scene;
+}
+
+SceneDescription one_mesh() {
+    SceneDescription scene = kit::empty_scene();
+    kit::add(scene, kit::mesh_of(kit::sphere_mesh(1, 40)), kit::matte());
+    return scene;
+}
+
+TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
+    GLINT_NEEDS_GPU();
+    const Large scenes[] = {
+        {"the tree's nodes", 1000, one_mesh()},
+        {"the scene's triangles", 80000, one_mesh()},
+        {"the scene's materials and lights", 50000, spheres(1000, true)},
+        {"the scene's shapes and places", 60000, spheres(1500, false)},
+    };
+    for (const Large& large : scenes) {
+        const auto renderer = renderer_with(large.bytes);
+        const Scene scene = freeze(large.scene);
+        const std::string said = refusal([&] { renderer->prepare(scene); });
+        EXPECT_NE(said.find(large.part + " take "), std::string::npos) << large.part << ": " << said;
+        EXPECT_NE(said.find(" holds " + std::to_string(large.bytes)), std::string::npos) << said;
+        EXPECT_NE(said.find("render on the CPU"), std::string::npos) << said;
+        EXPECT_THROW(renderer->render(), Error) << "nothing is prepared";
+    }
+}
+
+TEST(GpuLimits, ARefusedSceneLeavesRoomForTheNext) {
+    GLINT_NEEDS_GPU();
+    const auto renderer = renderer_with(60000);
+    const Scene scene = freeze(kit::gallery().front().scene);
+    renderer->prepare(scene);
+    const std::string hash = picture_hash(renderer->render().image);
+    EXPECT_NE(refusal([&] { renderer->prepare(freeze(one_mesh())); }), "nothing was refused");
+    renderer->prepare(scene);
+    EXPECT_EQ(picture_hash(renderer->render().image), hash);
+}
+
+TEST(GpuLimits, PicturesAreCutIntoTilesThatFit) {
+    GLINT_NEEDS_GPU();
+    SceneDescription description = kit::gallery().front().scene;
+    description.render.width = 50;
+    description.render.height = 43;
+    const Scene scene = freeze(description);
+    gpu()->prepare(scene);
+    RenderOptions options;
+    options.terms = true;
+    const std::string whole = picture_hash(gpu()->render(options).image);
+    // Some rows of squares, some squares of a row, and one square at a time.
+    for (const std::uint64_t bytes : {600000, 200000, 60000}) {
+        const auto renderer = renderer_with(bytes);
+        renderer->prepare(scene);
+        EXPECT_EQ(picture_hash(renderer->render(options).image), whole) << bytes;
+    }
+}
+
+TEST(GpuLimits, SpentMemoryIsToldWithWhatItWasFor) {
+    GLINT_NEEDS_GPU();
+    constexpr std::size_t bytes = std::size_t{1} << 46; // more than any machine has
+    const GpuContext context(-1, bytes);
+    const GpuScope scope(context);
+    const std::string said = refusal([&] { const GpuBuffer buffer(context, "the pixels", nullptr, bytes); });
+    EXPECT_NE(said.find("ran out of memory while taking 70368744177664 bytes for the pixels"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("render on the CPU"), std::string::npos) << said;
+}
+
+TEST(GpuLimits, ScenesOverTheSameTreeKeepIt) {
+    GLINT_NEEDS_GPU();
+    SceneDescription description = kit::gallery().front().scene;
+    const Scene first = freeze(description);
+    description.materials.front().color = Vec3(0.1, 0.9, 0.4);
+    description.whitted.max_depth += 1;
+    const Scene second = refreeze(first, description);
+    gpu()->prepare(freeze(description));
+    const std::string anew = picture_hash(gpu()->render().image);
+    gpu()->prepare(first);
+    const std::string before = picture_hash(gpu()->render().image);
+    gpu()->prepare(second);
+    EXPECT_EQ(picture_hash(gpu()->render().image), anew);
+    EXPECT_NE(anew, before);
+    gpu()->prepare(first);
+    EXPECT_EQ(picture_hash(gpu()->render().image), before);
+}
+
+} // namespace
+} // namespace glint
