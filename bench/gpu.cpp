@@ -37,7 +37,7 @@ constexpr double operations_of_node = 410;
 constexpr double operations_of_triangle = 45;
 
 std::string per_second(double amount, double seconds, double unit) {
-    return seconds > 0 ? fmt::format("{:.1f}", amount / seconds / unit) : "–";
+    return seconds > 0 ? fmt::format("{:.2f}", amount / seconds / unit) : "–";
 }
 
 std::string ray_rows(const std::string& mesh, const std::vector<GpuSetResult>& sets) {

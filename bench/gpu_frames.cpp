@@ -71,7 +71,8 @@ SceneDescription field_of(const Model& model, double triangles) {
         Object object;
         object.name = "copy " + std::to_string(i);
         object.shape = InstanceShape{"mesh"};
-        object.transform[3] = Vec4(apart * (i % side), apart * (i / side), 0, 1);
+        object.transform[3][0] = apart * (i % side);
+        object.transform[3][1] = apart * (i / side);
         scene.objects.push_back(object);
     }
     scene.camera.reset(); // framed

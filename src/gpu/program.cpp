@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <chrono>
 #include <epoxy/gl.h>
 
 namespace glint {
@@ -16,6 +17,10 @@ constexpr std::size_t least_bytes = 256;
 
 std::string define(const char* name, int value) {
     return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
+}
+
+double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 std::size_t digits_from(const std::string& text, std::size_t at) {
@@ -165,11 +170,25 @@ void GpuBuffer::read(std::size_t offset, void* data, std::size_t bytes) const {
                        static_cast<GLsizeiptr>(bytes), data);
 }
 
-GpuTimer::GpuTimer() { glGenQueries(1, &id_); }
+GpuTimer::GpuTimer(const GpuContext& context) : own_clock_(!context.device().software) {
+    glGenQueries(1, &id_);
+}
+
 GpuTimer::~GpuTimer() { glDeleteQueries(1, &id_); }
-void GpuTimer::start() const { glBeginQuery(GL_TIME_ELAPSED, id_); }
-void GpuTimer::stop() const { glEndQuery(GL_TIME_ELAPSED); }
+
+void GpuTimer::start() {
+    wall_ = -wall_seconds();
+    if (own_clock_) glBeginQuery(GL_TIME_ELAPSED, id_);
+}
+
+void GpuTimer::stop() {
+    if (own_clock_) return glEndQuery(GL_TIME_ELAPSED);
+    glFinish();
+    wall_ += wall_seconds();
+}
+
 double GpuTimer::seconds() const {
+    if (!own_clock_) return wall_;
     GLuint64 nanoseconds = 0;
     glGetQueryObjectui64v(id_, GL_QUERY_RESULT, &nanoseconds);
     return 1e-9 * static_cast<double>(nanoseconds);

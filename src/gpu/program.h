@@ -74,20 +74,23 @@ class GpuBuffer {
     std::size_t bytes_ = 0;
 };
 
-/// How long the device works.
+/// How long the device works: by its own clock, or where it is the CPU, whose drivers have none that counts
+/// compute shaders, by the wall's.
 class GpuTimer {
   public:
-    GpuTimer();
+    explicit GpuTimer(const GpuContext& context);
     ~GpuTimer();
     GpuTimer(const GpuTimer&) = delete;
     GpuTimer& operator=(const GpuTimer&) = delete;
 
-    void start() const;
-    void stop() const;
+    void start();
+    void stop();
     double seconds() const; ///< between the two; waits for the device
 
   private:
+    const bool own_clock_;
     std::uint32_t id_ = 0;
+    double wall_ = 0;
 };
 
 } // namespace glint

@@ -25,7 +25,7 @@ GpuRays::GpuRays(const GpuContext& context, const FrozenScene& scene, bool count
                            {context, data, nullptr},
                            {context, shader_source(choice)},
                            {context, "the settings", nullptr, sizeof(GpuSettings)},
-                           {}});
+                           GpuTimer(context)});
 }
 
 GpuRays::~GpuRays() {

@@ -96,7 +96,7 @@ class Rendering {
         work_.emplace(context_, "the rays under way", nullptr, 4 * (counters + fields() * most));
         film_.emplace(context_, "the pixels", nullptr, 4 * film_fields() * most);
         block_.emplace(context_, "the settings", nullptr, sizeof(GpuSettings));
-        timer_.emplace();
+        timer_.emplace(context_);
         std::uint64_t slots_in_all = 0;
         for (const Rect& tile : tiles_)
             slots_in_all += std::uint64_t(tile.width) * std::uint64_t(tile.height);
