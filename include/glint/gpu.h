@@ -2,6 +2,7 @@
 // Rendering on a graphics card, by OpenGL compute shaders: docs/gpu.md. The picture is that of render() up to
 // the rounding of the card: the same samples, the same equations, the same rays.
 
+#include "glint/progressive.h"
 #include "glint/render.h"
 
 #include <cstdint>
@@ -55,6 +56,78 @@ class GpuRenderer {
     /// dispatch, some hundredths of a second. Throws Error(device) where the device is lost, or a ray is in
     /// more than eight transparent solids at once.
     Picture render(const RenderOptions& options = {});
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Stands for the context of OpenGL that is current on the calling thread. Its owner keeps it current wherever
+/// what was made in it is used and ended.
+struct GpuCurrentContext {};
+
+/// A linear picture that stays on the device: a texture of OpenGL, RGBA in 32-bit floats, its first row the
+/// top one. It can be used in every context that shares with the one it was made in.
+class GpuPicture {
+  public:
+    ~GpuPicture();
+    GpuPicture(const GpuPicture&) = delete;
+    GpuPicture& operator=(const GpuPicture&) = delete;
+
+    std::uint32_t texture() const { return texture_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// To be called after commands that draw it, where they were given: once it is let go, nothing overwrites
+    /// it before they are done.
+    void was_drawn() const;
+    /// Brings it into memory; needs a context to be current.
+    Image read() const;
+
+  private:
+    friend class GpuPicturePool;
+    GpuPicture(int width, int height);
+    void wait_until_drawn();
+
+    std::uint32_t texture_ = 0;
+    int width_;
+    int height_;
+    mutable void* drawn_ = nullptr; ///< a fence of OpenGL
+};
+
+/// Progressive on a graphics card: the same passes, and after the last one the bits of GpuRenderer's picture.
+/// It draws the light alone (Aspect::final). To be used by one thread at a time.
+class GpuProgressive {
+  public:
+    /// On a device of its own, by number or the best: see GpuRenderer.
+    explicit GpuProgressive(int device = -1);
+    /// In a context that is there: a window's, or one that shares with it and is current on another thread.
+    /// Throws Error(device) where it is older than OpenGL 4.3 or refuses the shader.
+    explicit GpuProgressive(GpuCurrentContext context);
+    ~GpuProgressive();
+    GpuProgressive(const GpuProgressive&) = delete;
+    GpuProgressive& operator=(const GpuProgressive&) = delete;
+
+    const GpuDevice& device() const;
+
+    /// Begins a picture; the kernel of the options does not count. What is on the device of the scene before
+    /// stays there: trees that both share, and everything where only camera and size differ. Throws
+    /// Error(device) as GpuRenderer does, and std::invalid_argument for an impossible step.
+    void start(const Scene& scene, const ProgressiveOptions& options = {});
+
+    /// Goes on for about so many seconds, by dispatches of some hundredths of a second, and at least to the
+    /// end of the first pass. False when nothing is left to do. After a cancelled call the next goes on where
+    /// it stood. Throws Error(device) where the device is lost, or cannot follow a ray.
+    bool advance(double seconds);
+
+    const Refinement& reached() const;
+    /// The picture so far, as it is now: what is done later is seen in the next one alone. None before the
+    /// first pass.
+    std::shared_ptr<const GpuPicture> picture() const;
+    /// The same, brought into memory.
+    Image image() const;
+    /// How often the device was given anything of a scene beside its camera.
+    int layings() const;
 
   private:
     struct State;

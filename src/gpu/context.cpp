@@ -86,12 +86,8 @@ std::uint64_t limit(GLenum name) {
 
 constexpr std::uint64_t buffers_needed = 8;
 
-GpuDevice describe(const Opened& opened, EGLDeviceEXT device) {
-    GpuDevice d;
-    d.software = has_word(eglQueryDeviceStringEXT(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
-    d.name = d.software ? "software" : "graphics card";
-    d.fault = opened.fault;
-    if (!d.fault.empty()) return d;
+/// What the current context tells of its device.
+void describe_current(GpuDevice& d) {
     d.name = text(glGetString(GL_RENDERER));
     d.driver = text(glGetString(GL_VENDOR)) + ", OpenGL " + text(glGetString(GL_VERSION));
     d.largest_buffer = limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
@@ -100,6 +96,14 @@ GpuDevice describe(const Opened& opened, EGLDeviceEXT device) {
     if (d.buffers < buffers_needed)
         d.fault = "its shaders see " + std::to_string(d.buffers) + " buffers, and glint's need " +
                   std::to_string(buffers_needed);
+}
+
+GpuDevice describe(const Opened& opened, EGLDeviceEXT device) {
+    GpuDevice d;
+    d.software = has_word(eglQueryDeviceStringEXT(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+    d.name = d.software ? "software" : "graphics card";
+    d.fault = opened.fault;
+    if (d.fault.empty()) describe_current(d);
     return d;
 }
 
@@ -147,8 +151,13 @@ std::vector<GpuDevice> gpu_devices(std::string* why) {
     return devices;
 }
 
+bool is_software_renderer(const std::string& name) {
+    const std::array<std::string, 3> known{"llvmpipe", "softpipe", "Software Rasterizer"};
+    return std::any_of(known.begin(), known.end(), [&](const auto& k) { return name.rfind(k, 0) == 0; });
+}
+
 struct GpuContext::State {
-    Opened opened;
+    Opened opened; ///< no display: the context is somebody else's
     GpuDevice device;
     std::vector<std::string> complaints;
 };
@@ -183,11 +192,24 @@ GpuContext::GpuContext(int number, std::uint64_t largest_buffer) : state_(std::m
     refuse("no GPU can be used: " + why);
 }
 
+GpuContext::GpuContext(GpuCurrentContext) : state_(std::make_unique<State>()) {
+    GpuDevice& device = state_->device;
+    if (epoxy_gl_version() < 10 * least_major + least_minor)
+        device.fault = "it has OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
+                       std::to_string(epoxy_gl_version() % 10) + ", and compute shaders need 4.3";
+    if (device.fault.empty()) describe_current(device);
+    device.software = is_software_renderer(device.name);
+    if (!device.fault.empty())
+        throw Error(ErrorKind::device, "the window's OpenGL cannot be used: " + device.fault,
+                    "the CPU needs none of it");
+}
+
 GpuContext::~GpuContext() { close(state_->opened); }
 
 const GpuDevice& GpuContext::device() const { return state_->device; }
 
 void GpuContext::enter() const {
+    if (state_->opened.display == EGL_NO_DISPLAY) return;
     // The interface to be made current is remembered by thread.
     eglBindAPI(EGL_OPENGL_API);
     if (eglMakeCurrent(state_->opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->opened.context) ==
@@ -196,6 +218,7 @@ void GpuContext::enter() const {
 }
 
 void GpuContext::leave() const {
+    if (state_->opened.display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(state_->opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 

@@ -17,6 +17,9 @@ class GpuContext {
     /// Throws Error(device) where the device of that number (−1: the first usable) cannot be used.
     /// `largest_buffer` bytes stand in the place of the device's own limit, unless 0.
     explicit GpuContext(int device, std::uint64_t largest_buffer = 0);
+    /// The context that is current on this thread, whose owner keeps it so: enter() and leave() do nothing.
+    /// Throws Error(device) where it cannot do what the shaders need.
+    explicit GpuContext(GpuCurrentContext current);
     ~GpuContext();
     GpuContext(const GpuContext&) = delete;
     GpuContext& operator=(const GpuContext&) = delete;

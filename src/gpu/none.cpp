@@ -25,4 +25,25 @@ const GpuDevice& GpuRenderer::device() const { return state_->device; }
 void GpuRenderer::prepare(const Scene&) {}
 Picture GpuRenderer::render(const RenderOptions&) { return {}; }
 
+
+struct GpuProgressive::State {
+    GpuDevice device;
+    Refinement reached;
+};
+
+GpuProgressive::GpuProgressive(int device) { GpuRenderer refuse(device); }
+GpuProgressive::GpuProgressive(GpuCurrentContext) { GpuRenderer refuse; }
+GpuProgressive::~GpuProgressive() = default;
+const GpuDevice& GpuProgressive::device() const { return state_->device; }
+void GpuProgressive::start(const Scene&, const ProgressiveOptions&) {}
+bool GpuProgressive::advance(double) { return false; }
+const Refinement& GpuProgressive::reached() const { return state_->reached; }
+std::shared_ptr<const GpuPicture> GpuProgressive::picture() const { return nullptr; }
+Image GpuProgressive::image() const { return {}; }
+int GpuProgressive::layings() const { return 0; }
+
+GpuPicture::~GpuPicture() = default;
+void GpuPicture::was_drawn() const {}
+Image GpuPicture::read() const { return {}; }
+
 } // namespace glint

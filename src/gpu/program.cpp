@@ -9,6 +9,7 @@
 #include <cctype>
 #include <chrono>
 #include <epoxy/gl.h>
+#include <functional>
 
 namespace glint {
 namespace {
@@ -53,6 +54,21 @@ std::string log_of(GLuint id, Query query, Get get) {
     return readable_log(said);
 }
 
+/// The files that `wanted` takes, each line with its own number.
+std::string joined(const std::string& defines, const std::function<bool(const std::string&)>& wanted) {
+    std::string source = "#version 430 core\n" + define("GLINT_GLSL", 1) + defines;
+    for (int i = 0; shader_files[i].path != nullptr; ++i)
+        if (wanted(shader_files[i].path))
+            source += "#line 1 " + std::to_string(i + 1) + "\n" + shader_files[i].text + "\n";
+    return source;
+}
+
+/// Each of these is a program of its own, with all others.
+bool has_main(const std::string& path) {
+    return path == "gpu/shaders/whitted.glsl" || path == "gpu/shaders/rays.glsl" ||
+           path == "gpu/shaders/show.glsl";
+}
+
 [[noreturn]] void refuse(const GpuContext& context, const std::string& log) {
     throw Error(ErrorKind::device, "the driver of " + context.device().name + " refuses the shader:\n" + log,
                 "this is a defect of glint or of the driver: please report it; --backend cpu needs neither");
@@ -70,18 +86,21 @@ ProgramChoice program_for(const GpuSceneData& scene) {
 }
 
 std::string shader_source(const ProgramChoice& choice) {
-    std::string source = "#version 430 core\n";
-    source +=
-        define("GLINT_GLSL", 1) + define("GLINT_GLASS", choice.glass ? 1 : 0) +
-        define("GLINT_INSTANCES", choice.instances ? 1 : 0) + define("GLINT_TERMS", choice.terms ? 7 : 1) +
-        define("GLINT_FIRST_HIT", choice.first_hit ? 1 : 0) +
-        define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) + define("GLINT_STACK", choice.stack);
-    // Two files have a main().
-    const std::string other = choice.rays ? "gpu/shaders/whitted.glsl" : "gpu/shaders/rays.glsl";
-    for (int i = 0; shader_files[i].path != nullptr; ++i)
-        if (shader_files[i].path != other)
-            source += "#line 1 " + std::to_string(i + 1) + "\n" + shader_files[i].text + "\n";
-    return source;
+    const std::string mine = choice.rays ? "gpu/shaders/rays.glsl" : "gpu/shaders/whitted.glsl";
+    return joined(
+        define("GLINT_GLASS", choice.glass ? 1 : 0) + define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
+            define("GLINT_TERMS", choice.terms ? 7 : 1) +
+            define("GLINT_FIRST_HIT", choice.first_hit ? 1 : 0) +
+            define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
+            define("GLINT_STACK", choice.stack),
+        [&](const std::string& path) { return path == mine || !has_main(path); });
+}
+
+std::string show_source() {
+    return joined("", [](const std::string& path) {
+        return path == "gpu/shaders/data.glsl" || path == "gpu/shaders/places.glsl" ||
+               path == "gpu/shaders/show.glsl";
+    });
 }
 
 std::string readable_log(const std::string& text) {
@@ -156,6 +175,12 @@ void GpuBuffer::bind_uniform(std::uint32_t binding) const {
 void GpuBuffer::clear() const {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
     glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuBuffer::clear(std::size_t bytes) const {
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
+    glClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, static_cast<GLsizeiptr>(bytes),
+                         GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
 void GpuBuffer::write(std::size_t offset, const void* data, std::size_t bytes) const {

@@ -31,6 +31,8 @@ ProgramChoice program_for(const GpuSceneData& scene);
 
 /// All of the shader's text, as it is given to the compiler.
 std::string shader_source(const ProgramChoice& choice);
+/// The text of the shader that makes pictures of films.
+std::string show_source();
 
 /// A driver's log with numbers of files replaced by their names: "shading/whitted.shared.h:12: …".
 std::string readable_log(const std::string& text);
@@ -66,6 +68,7 @@ class GpuBuffer {
     void bind_storage(std::uint32_t binding) const;
     void bind_uniform(std::uint32_t binding) const;
     void clear() const; ///< to zeros
+    void clear(std::size_t bytes) const; ///< its first bytes, a multiple of 4
     void write(std::size_t offset, const void* data, std::size_t bytes) const;
     void read(std::size_t offset, void* data, std::size_t bytes) const;
 

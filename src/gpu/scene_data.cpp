@@ -32,8 +32,9 @@ class Flattener {
         add_media();
         add_objects();
         add_tables();
-        set_camera();
+        add_filter();
         set_scene();
+        set_view(data_, scene_);
         return std::move(data_);
     }
 
@@ -124,23 +125,6 @@ class Flattener {
             data_.words.push_back(object);
             media_[object] = words() - data_.settings.at_tables.z;
         }
-        set_media_of_eye();
-    }
-
-    /// Highest rank first; camera_media has the lowest first.
-    void set_media_of_eye() {
-        if (scene_.camera_media.size() > most_media)
-            throw Error(ErrorKind::device,
-                        "the camera is in " + std::to_string(scene_.camera_media.size()) +
-                            " transparent solids, and a ray on the GPU can be in " +
-                            std::to_string(most_media),
-                        "render on the CPU");
-        std::size_t place = scene_.camera_media.size();
-        for (const std::uint32_t object : scene_.camera_media) {
-            --place;
-            data_.settings.media_of_eye[static_cast<int>(place / 2)] |= media_[object]
-                                                                        << (place % 2 == 0 ? 16 : 0);
-        }
     }
 
     void add_objects() {
@@ -199,15 +183,11 @@ class Flattener {
         data_.settings.limits.y = static_cast<std::uint32_t>(scene_.lights.size());
     }
 
-    void set_camera() {
+    void add_filter() {
         GpuSettings& s = data_.settings;
         const SamplePlaces places(scene_.description);
-        const PinholeCamera& camera = places.camera();
         const PixelFilterSampler& filter = places.filter();
-        s.camera_eye = vec4(camera.eye, camera.width);
-        s.camera_forward = vec4(camera.forward, camera.height);
-        s.camera_right = vec4(camera.right, filter.radius());
-        s.camera_up = vec4(camera.up, scene_.index_outside);
+        s.camera_right.w = filter.radius();
         s.at_tables.y = static_cast<std::uint32_t>(data_.tables.size());
         for (const float tail : filter.tails()) data_.tables.emplace_back(tail, 0.0f, 0.0f, 0.0f);
         const RenderSettings& r = scene_.description.render;
@@ -235,7 +215,34 @@ class Flattener {
     std::map<const void*, std::uint32_t> placed_; ///< arrays that are among the words
 };
 
+/// Highest rank first; camera_media has the lowest first.
+uvec4 media_of_eye(const GpuSceneData& data, const std::vector<std::uint32_t>& objects) {
+    if (objects.size() > most_media)
+        throw Error(ErrorKind::device,
+                    "the camera is in " + std::to_string(objects.size()) +
+                        " transparent solids, and a ray on the GPU can be in " + std::to_string(most_media),
+                    "render on the CPU");
+    uvec4 media(0u);
+    std::size_t place = objects.size();
+    for (const std::uint32_t object : objects) {
+        --place;
+        media[static_cast<int>(place / 2)] |= data.objects[2 * std::size_t{object}].w
+                                              << (place % 2 == 0 ? 16 : 0);
+    }
+    return media;
+}
+
 } // namespace
+
+void set_view(GpuSceneData& data, const FrozenScene& scene) {
+    GpuSettings& s = data.settings;
+    s.media_of_eye = media_of_eye(data, scene.camera_media);
+    const PinholeCamera camera = camera_of(scene.description);
+    s.camera_eye = vec4(camera.eye, camera.width);
+    s.camera_forward = vec4(camera.forward, camera.height);
+    s.camera_right = vec4(camera.right, s.camera_right.w);
+    s.camera_up = vec4(camera.up, scene.index_outside);
+}
 
 GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }
 

@@ -24,4 +24,7 @@ struct GpuSceneData {
 /// numbers cannot name, with the sizes.
 GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree = nullptr);
 
+/// Another camera or size of the scene that was flattened. Throws as flatten() does.
+void set_view(GpuSceneData& data, const FrozenScene& scene);
+
 } // namespace glint

@@ -24,7 +24,8 @@ struct GpuSettings {
     uvec4 tile{0u};
     uvec4 area{0u};
     uvec4 turn{0u};
+    uvec4 pass{1u, 0u, 0u, 0u};
 };
-static_assert(sizeof(GpuSettings) == 15 * 16);
+static_assert(sizeof(GpuSettings) == 16 * 16);
 
 } // namespace glint

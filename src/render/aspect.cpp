@@ -44,6 +44,7 @@ Scene scene_for(const Scene& scene, Aspect aspect) {
     if (is_light(aspect)) return scene;
     auto shallow = std::make_shared<FrozenScene>(scene.frozen());
     shallow->description.whitted.max_depth = 0;
+    shallow->all_but_view = std::make_shared<int>();
     return Scene(std::move(shallow));
 }
 

@@ -88,6 +88,7 @@ bool shows_glass(const SceneDescription& description) {
 
 void freeze_values(FrozenScene& scene) {
     const SceneDescription& description = scene.description;
+    scene.all_but_view = std::make_shared<int>();
     scene.any_transparent = shows_glass(description);
     scene.materials.clear();
     for (const Material& m : description.materials) scene.materials.push_back(freeze_material(m));

@@ -76,6 +76,8 @@ struct HalfSpace {
 
 struct FrozenScene {
     SceneDescription description; ///< as given, with its camera filled in
+    /// Scenes that with_view() made of each other have the same; all else is equal in them.
+    std::shared_ptr<const int> all_but_view;
     World world;
     std::vector<FrozenMaterial> materials;
     std::vector<FrozenObject> objects;

@@ -26,6 +26,7 @@ layout(std140, binding = 0) uniform Settings {
     uvec4 tile;       // x, y of its first pixel; its width, a multiple of 8; samples a pixel
     uvec4 area;       // x, y past the last pixel; what is shown of first hits, samples to take up to
     uvec4 turn;       // first slot, past the last, slots in all, nodes of ray trees to follow
+    uvec4 pass;       // pixels from one slot's to the next's, samples before; show.glsl: mode, known step or samples
 } settings;
 
 const uint none = 0xffffffffu;

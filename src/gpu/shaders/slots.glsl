@@ -1,13 +1,6 @@
 // A slot is one pixel of the tile and what is under way for it. Between two dispatches it waits in `work`:
 // a sample's rays need not be followed to the end in one.
 
-const uint counters = 16u; // of work: unfinished slots, faults, rays by kind
-const uint counter_unfinished = 0u;
-const uint counter_faults = 1u;
-const uint counter_rays = 2u; // primary, reflected, refracted, shadow
-const uint fault_media = 1u;
-const uint fault_loops = 2u;
-
 // Fields of a slot: sample, state, terms, then the rays that wait.
 const uint state_waiting = 0xffffu; // how many rays wait
 const uint state_begun = 0x10000u;
@@ -16,8 +9,6 @@ const uint state_covered = 0x40000u;  // it hit something
 const uint state_running = 0x80000u;  // a dispatch has begun with the slot, and has not saved it
 const uint fields_before_rays = 2u + 3u * uint(GLINT_TERMS);
 const uint fields_of_ray = 14u;
-
-uint slot_field(uint slot, uint field) { return counters + field * settings.turn.z + slot; }
 
 void save_vector(uint at, vec3 v) {
     work[at] = floatBitsToUint(v.x);
@@ -58,13 +49,6 @@ Path saved_path(uint slot, uint ray) {
     for (int i = 0; i < 4; ++i) path.media[i] = work[at + uint(10 + i) * stride];
 #endif
     return path;
-}
-
-/// Slots go through the tile in squares of 8 × 8 pixels.
-uvec2 slot_pixel(uint slot) {
-    uint square = slot / 64u;
-    uint columns = settings.tile.z / 8u;
-    return settings.tile.xy + 8u * uvec2(square % columns, square / columns) + uvec2(slot % 8u, slot % 64u / 8u);
 }
 
 /// imaging/filter.cpp: along_axis(), its table searched by halving. The offset, and the sign of the filter.

@@ -30,7 +30,7 @@ void add_to_film(uint slot, float weight, bool covered) {
 }
 
 void save_slot(uint slot, uint number, uint state) {
-    work[slot_field(slot, 0u)] = number;
+    work[slot_field(slot, 0u)] = number - settings.pass.y;
     work[slot_field(slot, 1u)] = state;
     for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(slot_field(slot, 2u + 3u * i), terms[i]);
     if (number >= settings.area.w) atomicAdd(work[counter_unfinished], 0xffffffffu); // one less
@@ -40,7 +40,7 @@ void main() {
     uint slot = settings.turn.x + gl_GlobalInvocationID.x;
     if (slot >= settings.turn.y) return;
     uvec2 pixel = slot_pixel(slot);
-    uint number = work[slot_field(slot, 0u)];
+    uint number = work[slot_field(slot, 0u)] + settings.pass.y;
     if (any(greaterThanEqual(pixel, settings.area.xy)) || number >= settings.area.w) return;
 
     uint state = work[slot_field(slot, 1u)];

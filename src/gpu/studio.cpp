@@ -1,0 +1,53 @@
+#include "gpu/studio.h"
+
+#include "scene/frozen.h"
+
+#include <utility>
+
+namespace glint {
+
+GpuStudio::~GpuStudio() {
+    // Programs and buffers go while their context is current.
+    const GpuScope scope(context_);
+    buffers_.reset();
+    programs_.clear();
+    show_program_.reset();
+}
+
+void GpuStudio::prepare(const Scene& scene) {
+    const FrozenScene& wanted = scene.frozen();
+    const std::optional<Scene> held = std::exchange(scene_, std::nullopt);
+    if (held && held->frozen().all_but_view == wanted.all_but_view) {
+        set_view(data_, wanted);
+        scene_ = scene;
+        return;
+    }
+    const bool same_tree = held && &held->frozen().world.data() == &wanted.world.data();
+    std::unique_ptr<SceneBuffers> before = std::move(buffers_);
+    if (!same_tree) before.reset();
+    ++layings_;
+    GpuSceneData data = flatten(wanted, same_tree ? &data_.tree : nullptr);
+    buffers_ = std::make_unique<SceneBuffers>(context_, data, before.get());
+    context_.check("laying out the scene");
+    data.tree.nodes = {};
+    data.tree.leaves = {};
+    data.words = {};
+    data_ = std::move(data);
+    scene_ = scene;
+}
+
+const GpuProgram& GpuStudio::program(bool terms, bool first_hit) {
+    ProgramChoice choice = program_for(data_);
+    choice.terms = terms;
+    choice.first_hit = first_hit;
+    auto& made = programs_[choice];
+    if (made == nullptr) made = std::make_unique<GpuProgram>(context_, shader_source(choice));
+    return *made;
+}
+
+const GpuProgram& GpuStudio::show_program() {
+    if (show_program_ == nullptr) show_program_ = std::make_unique<GpuProgram>(context_, show_source());
+    return *show_program_;
+}
+
+} // namespace glint

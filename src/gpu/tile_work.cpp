@@ -1,0 +1,119 @@
+#include "gpu/tile_work.h"
+
+#include <algorithm>
+#include <chrono>
+#include <epoxy/gl.h>
+
+namespace glint {
+namespace {
+
+constexpr std::size_t counters = 16; ///< words before the slots' fields (shaders/places.glsl)
+constexpr std::uint32_t fault_media = 1;
+constexpr std::uint32_t fault_loops = 2;
+
+double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+int whole_squares(int pixels) { return (pixels + 7) / 8 * 8; }
+
+std::size_t state_fields(std::size_t terms) { return 2 + 3 * terms; }
+
+std::size_t slot_fields(const GpuSettings& scene, std::size_t terms) {
+    const std::size_t rays = scene.limits.x + 2;
+    return state_fields(terms) + rays * 14;
+}
+
+/// What the counters of a tile say.
+struct Counters {
+    std::uint32_t unfinished = 0;
+    std::uint32_t faults = 0;
+    std::uint32_t rays[4] = {};
+};
+
+} // namespace
+
+std::size_t film_fields(std::size_t terms) { return 6 * terms + 2; }
+
+std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, std::size_t terms, int width,
+                           int height) {
+    const std::size_t largest =
+        std::min<std::uint64_t>(context.device().largest_buffer, std::size_t{1} << 28);
+    const std::size_t bytes = 4 * std::max(slot_fields(scene, terms), film_fields(terms));
+    const auto slots =
+        static_cast<int>(std::clamp<std::size_t>((largest - 4 * counters) / bytes, 64, Pace::most_slots));
+    const int across = std::min(whole_squares(width), slots / 64 * 8);
+    const int down = std::min(whole_squares(height), std::max(slots / std::max(across, 8) / 8 * 8, 8));
+    std::vector<Rect> tiles;
+    for (int y = 0; y < height; y += down)
+        for (int x = 0; x < width; x += across)
+            tiles.push_back({x, y, std::min(across, whole_squares(width - x)),
+                             std::min(down, whole_squares(height - y))});
+    return tiles;
+}
+
+void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
+    settings_ = settings;
+    slots_ = slots;
+    const std::size_t bytes = 4 * (counters + slot_fields(settings, terms_) * slots);
+    if (work_ == nullptr || work_->bytes() < bytes) {
+        work_.reset();
+        work_ = std::make_unique<GpuBuffer>(studio_.context(), "the rays under way", nullptr, bytes);
+    } else {
+        work_->clear(4 * (counters + state_fields(terms_) * slots));
+    }
+    if (block_ == nullptr) {
+        block_ = std::make_unique<GpuBuffer>(studio_.context(), "the settings", nullptr, sizeof(GpuSettings));
+        timer_ = std::make_unique<GpuTimer>(studio_.context());
+    }
+    first_ = 0;
+    unfinished_ = slots;
+    studio_.pace().next_tile();
+}
+
+bool TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
+    program.use();
+    studio_.buffers().bind();
+    work_->bind_storage(6);
+    film.bind_storage(7);
+    block_->bind_uniform(0);
+    Pace& pace = studio_.pace();
+    const std::uint32_t past = std::min(first_ + pace.slots(), slots_);
+    const bool whole = past - first_ == pace.slots();
+    settings_.turn = uvec4(first_, past, slots_, pace.nodes());
+    const double start = wall_seconds();
+    block_->write(0, &settings_, sizeof settings_);
+    timer_->start();
+    glDispatchCompute((past - first_ + Pace::group_size - 1) / Pace::group_size, 1, 1);
+    timer_->stop();
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glFinish();
+    studio_.context().check("rendering");
+    pace.learn(wall_seconds() - start, whole);
+    seconds_ += timer_->seconds();
+    first_ = past < slots_ ? past : 0;
+    if (first_ == 0) count();
+    return first_ == 0;
+}
+
+void TileWork::count() {
+    Counters c;
+    work_->read(0, &c, sizeof c);
+    const Counters zero;
+    work_->write(0, &zero, sizeof zero);
+    if (c.faults != 0) unfinished_ = 0;
+    if ((c.faults & fault_media) != 0)
+        throw Error(ErrorKind::device,
+                    "a ray is in more than eight transparent solids at once, which the GPU cannot follow",
+                    "render on the CPU");
+    if ((c.faults & fault_loops) != 0)
+        throw Error(ErrorKind::device,
+                    "the driver of " + studio_.context().device().name +
+                        " ended the walk of a ray before its end",
+                    "the scene asks for too many steps at once: render on the CPU");
+    for (std::size_t i = 0; i < rays_.size(); ++i) rays_[i] += c.rays[i];
+    unfinished_ = c.unfinished;
+    if (unfinished_ < slots_ / 4) studio_.pace().few_left();
+}
+
+} // namespace glint

@@ -1,0 +1,59 @@
+#pragma once
+// A tile under way on the device: its slots are sent in dispatches of some hundredths of a second, again and
+// again until their samples are done. Desktops stay alive, watchdogs asleep, and cancelling is quick.
+
+#include "gpu/studio.h"
+
+#include "glint/render.h"
+
+#include <array>
+#include <vector>
+
+namespace glint {
+
+/// Words of a film for each slot: sums and counts.
+std::size_t film_fields(std::size_t terms);
+
+/// Tiles of a picture of so many pixels, sides multiples of 8: as large as the waiting rays of all their
+/// slots fit into a buffer. The last of a row or column may reach beyond the picture.
+std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, std::size_t terms, int width,
+                           int height);
+
+class TileWork {
+  public:
+    /// Rays by kind: primary, reflected, refracted, shadow.
+    using Rays = std::array<std::uint64_t, 4>;
+
+    TileWork(GpuStudio& studio, std::size_t terms) : studio_(studio), terms_(terms) {}
+
+    /// Begins a tile of so many slots. `settings` say which pixels and samples.
+    void begin(const GpuSettings& settings, std::uint32_t slots);
+    /// One dispatch. True where all slots had one: then unfinished() and rays() are new. Throws Error(device)
+    /// for a ray that the shader cannot follow.
+    bool step(const GpuProgram& program, const GpuBuffer& film);
+
+    bool is_under_way() const { return unfinished_ > 0; }
+    std::uint32_t slots() const { return slots_; }
+    std::uint32_t unfinished() const { return unfinished_; }
+    const Rays& rays() const { return rays_; }        ///< since the work was made
+    double device_seconds() const { return seconds_; } ///< that the device worked since then
+    /// The slots' fields, for show.glsl.
+    const GpuBuffer& buffer() const { return *work_; }
+    void give_up() { unfinished_ = 0; }
+
+  private:
+    void count();
+
+    GpuStudio& studio_;
+    const std::size_t terms_;
+    std::unique_ptr<GpuBuffer> work_, block_;
+    std::unique_ptr<GpuTimer> timer_;
+    GpuSettings settings_;
+    std::uint32_t slots_ = 0;
+    std::uint32_t first_ = 0; ///< of the next dispatch
+    std::uint32_t unfinished_ = 0;
+    Rays rays_{};
+    double seconds_ = 0;
+};
+
+} // namespace glint
