@@ -60,9 +60,12 @@ constexpr std::array view_options{
     up,
     allow_outside,
     threads,
+    Option{0, "backend", "cpu|gpu|auto",
+           "what makes the pictures; default: auto, a graphics card where there is one"},
     Option{0, "theme", "dark|light", "colours of the window"},
     Option{0, "scale", "S", "of texts and buttons; default: what the screen asks for"},
     Option{0, "ui-stats", "", "print how long the window took to draw, at its end"},
+    Option{0, "ui-debug", "", "print what OpenGL complains of"},
     Option{0, "ui-map", "FILE", "keep writing where the widgets are, for scripts"},
     Option{'h', "help", "", "this help"},
 };

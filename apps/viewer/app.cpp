@@ -31,11 +31,15 @@ double now() {
 
 App::App(const Arguments& arguments)
     : arguments_(arguments),
-      window_(arguments.window_width, arguments.window_height, title_of(arguments.file)),
+      window_(arguments.window_width, arguments.window_height, title_of(arguments.file), arguments.debug),
       ui_{{}, UiMap(arguments.map_file)}, bench_(arguments, [] { Window::wake(); }) {
     const float ratio = window_.size().pixels_a_unit();
     const double scale = arguments.scale.value_or(window_.content_scale() / ratio);
     ui_.theme = apply_theme(arguments.theme, static_cast<float>(scale), ratio);
+    const GpuDevice device = gpu_device(GpuCurrentContext{});
+    const bool card = device.fault.empty() && !device.software;
+    set_backend(arguments.backend == BackendChoice::gpu ||
+                (arguments.backend == BackendChoice::automatic && card));
     if (!arguments.file.empty()) bench_.open(arguments.file);
 }
 
@@ -107,6 +111,7 @@ void App::draw_frame() {
     draw_panel();
     draw_status();
     draw_timeline();
+    tell_faults();
     play(seconds);
     draw_over_picture();
     move_camera(seconds);
@@ -117,6 +122,7 @@ void App::draw_frame() {
     window_.clear(ground.red, ground.green, ground.blue);
     draw_pictures();
     window_.end_frame();
+    canvas_.was_drawn();
     if (screenshot_wanted_) save_window();
     if (save_when_finished_ && is_finished()) save_picture();
     ui_.map.end();
@@ -141,7 +147,7 @@ bool App::is_finished() const {
     const auto frame = bench_.frame(0);
     // A change takes a moment to reach the pictures.
     return frame && frame->reached.finished && !bench_.status().busy && now() - last_change_ > 0.25 &&
-           frame->image.width == bench_.session().width() && frame->image.height == bench_.session().height();
+           frame->width == bench_.session().width() && frame->height == bench_.session().height();
 }
 
 void App::draw_pictures() {
@@ -149,7 +155,10 @@ void App::draw_pictures() {
         const auto frame = bench_.frame(place);
         std::uint64_t& held = canvas_numbers_[static_cast<std::size_t>(place)];
         if (!frame || held == frame->number) continue;
-        canvas_.upload(place, frame->image);
+        if (frame->on_device)
+            canvas_.show(place, frame->on_device);
+        else
+            canvas_.upload(place, frame->image);
         held = frame->number;
         if (place == 0) time_picture();
     }
@@ -318,6 +327,8 @@ void App::tell_map() {
     map.state("compare", modes[static_cast<std::size_t>(state_.compare)]);
     map.state("wipe", static_cast<double>(state_.wipe));
     map.state("show", aspect_name(state_.show));
+    map.state("backend", state_.gpu ? "gpu" : "cpu");
+    if (window_.listens_to_opengl()) tell_opengl();
     map.state("playing", state_.playing);
     if (bench_.animation() != nullptr) map.state("frame", bench_.frame_shown());
     map.state("kept", bench_.has_kept());
@@ -339,9 +350,21 @@ void App::tell_picture() {
     const auto frame = bench_.frame(0);
     if (!frame) return;
     map.state("samples", static_cast<double>(frame->reached.samples));
-    if (hashed_number_ != frame->number) hash_ = picture_hash(frame->image);
+    map.state("drawn_by", frame->device.empty() ? "CPU" : frame->device);
+    if (!frame->why_cpu.empty()) map.state("why_cpu", frame->why_cpu);
+    // Only what is finished is worth bringing back from a graphics card.
+    if (frame->on_device && !frame->reached.finished) return;
+    if (hashed_number_ != frame->number) hash_ = picture_hash(image_of(*frame));
     hashed_number_ = frame->number;
     map.state("picture_hash", hash_);
+}
+
+void App::tell_opengl() {
+    UiMap& map = ui_.map;
+    const OpenGlObjects objects = opengl_objects();
+    map.state("opengl.textures", static_cast<double>(objects.textures));
+    map.state("opengl.buffers", static_cast<double>(objects.buffers));
+    map.state("opengl.complaints", static_cast<double>(opengl_complaints()));
 }
 
 } // namespace glint::viewer

@@ -5,6 +5,7 @@
 #include "canvas.h"
 #include "layout.h"
 #include "navigation.h"
+#include "opengl.h"
 #include "pixel_panel.h"
 #include "session/times.h"
 #include "shortcuts.h"
@@ -61,6 +62,8 @@ class App {
     void draw_progress();
     void tell_map();
     void tell_picture();
+    void tell_opengl();
+    void tell_faults();
     void time_picture();
 
     void move_camera(double seconds);
@@ -72,6 +75,8 @@ class App {
     void perform(Action action);
     void perform_on_camera(Action action);
     void show(Aspect aspect);
+    void set_backend(bool gpu);
+    PainterMaker gpu_maker();
     void explain_at(const PicturePlace& place);
     void save_picture();
     void save_window();
@@ -88,6 +93,7 @@ class App {
 
     Arguments arguments_;
     Window window_;
+    std::optional<SideContext> side_; ///< where the graphics card makes pictures; before those who use it
     Canvas canvas_;
     Ui ui_;
     Workbench bench_;
@@ -99,6 +105,8 @@ class App {
     std::optional<ExplainedPixel> pixel_;
     std::string notice_;
     double notice_until_ = 0;
+    bool on_gpu_ = false; ///< what the session was told
+    std::string why_cpu_; ///< what was said last about why the CPU draws
     std::string saved_; ///< the file written last
     int rays_drawn_ = 0;
     double last_frame_ = 0;

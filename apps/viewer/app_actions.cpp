@@ -89,6 +89,10 @@ void App::perform(Action action) {
         state_.show = Aspect::final;
         show(state_.show);
         break;
+    case Action::backend:
+        set_backend(!state_.gpu);
+        notice(state_.gpu ? "Drawn by the GPU" : "Drawn by the CPU");
+        break;
     case Action::undo:
         bench_.undo();
         last_change_ = now();
@@ -203,6 +207,33 @@ void App::show(Aspect aspect) {
     last_change_ = now();
 }
 
+void App::set_backend(bool gpu) {
+    state_.gpu = gpu;
+    if (on_gpu_ == gpu) return;
+    on_gpu_ = gpu;
+    bench_.session().set_backend(gpu ? gpu_maker() : PainterMaker());
+    last_change_ = now();
+}
+
+/// What cannot be had is told where other faults of the graphics card are: by the renderer.
+PainterMaker App::gpu_maker() {
+    try {
+        if (!side_) side_.emplace(window_);
+    } catch (const Error& error) {
+        return [error]() -> std::unique_ptr<Painter> { throw error; };
+    }
+    return [side = &*side_] { return gpu_painter(side->enter()); };
+}
+
+/// Says once why the CPU draws though the graphics card was asked to.
+void App::tell_faults() {
+    const auto frame = bench_.frame(0);
+    if (!frame || frame->why_cpu == why_cpu_) return;
+    why_cpu_ = frame->why_cpu;
+    // That the card does not know a quantity is no fault.
+    if (!why_cpu_.empty() && frame->show == Aspect::final) notice("The CPU draws: " + why_cpu_);
+}
+
 void App::explain_at(const PicturePlace& place) {
     guarded([&] {
         const int width = bench_.session().width();
@@ -226,7 +257,7 @@ void App::save_picture() {
     save_when_finished_ = false;
     guarded([&] {
         const std::string file = free_name(stem_of(bench_.file()), ".png");
-        write_picture(file, bench_.frame(0)->image,
+        write_picture(file, image_of(*bench_.frame(0)),
                       {.view = state_.view, .alpha = {}, .layers = {}, .metadata = {}});
         saved_ = file;
         notice("Saved " + file);

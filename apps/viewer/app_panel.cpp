@@ -25,7 +25,7 @@ std::string rate(double a_second) {
 /// "800 × 600 · 3 of 16 samples · 12.3 Mrays/s".
 std::string status_text(const Frame& frame, int spp) {
     const Refinement& reached = frame.reached;
-    std::string text = fmt::format("{} \u00d7 {}", frame.image.width, frame.image.height);
+    std::string text = fmt::format("{} \u00d7 {}", frame.width, frame.height);
     if (reached.finished)
         text += spp == 1 ? "  \u00b7  finished" : fmt::format("  \u00b7  {} samples, finished", spp);
     else if (reached.samples > 0)
@@ -33,6 +33,7 @@ std::string status_text(const Frame& frame, int spp) {
     else if (reached.step > 1)
         text += fmt::format("  \u00b7  every {}th pixel", reached.step);
     if (frame.rays_per_second > 0) text += "  \u00b7  " + rate(frame.rays_per_second);
+    if (!frame.why_cpu.empty()) text += "  \u00b7  " + frame.why_cpu;
     return text;
 }
 
@@ -47,14 +48,26 @@ void draw_remarks(const Ui& ui, const SessionScene& scene) {
                            : warning.message);
 }
 
-/// "auto kernel, AVX2, 2 threads".
-std::string machine_text(int threads) {
+/// As much of a text as there is room for.
+std::string cut_to(std::string text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const auto is_inside = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };
+    while (!text.empty() && ImGui::CalcTextSize((text + "\u2026").c_str()).x > width) {
+        while (text.size() > 1 && is_inside(text.back())) text.pop_back();
+        text.pop_back();
+    }
+    return text + "\u2026";
+}
+
+/// "CPU: auto kernel, AVX2, 2 threads", or the graphics card.
+std::string machine_text(const Frame* frame, int threads) {
+    if (frame != nullptr && !frame->device.empty()) return "GPU: " + frame->device;
     const char* target = is_available(SimdTarget::avx512) ? "AVX-512"
                          : is_available(SimdTarget::avx2) ? "AVX2"
                          : is_available(SimdTarget::sse4) ? "SSE4"
                                                           : "plain";
     const unsigned count = threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
-    return fmt::format("auto kernel, {}, {} thread{}", target, count, count == 1 ? "" : "s");
+    return fmt::format("CPU: auto kernel, {}, {} thread{}", target, count, count == 1 ? "" : "s");
 }
 
 } // namespace
@@ -101,9 +114,10 @@ void App::draw_tab(Tab tab, const char* label, std::vector<Edit>& edits, std::ve
     } else if (tab == Tab::picture) {
         SettingsWishes wishes{edits, actions, {}};
         settings_panel(ui_, *scene, bench_.session().camera().camera(), bench_.has_kept(),
-                       !bench_.is_changed(), state_, wishes);
+                       !bench_.is_changed(), why_cpu_, state_, wishes);
         if (wishes.camera) set_camera(*wishes.camera);
         show(state_.show);
+        set_backend(state_.gpu);
     } else if (pixel_) {
         pixel_panel(ui_, pixel_->explanation, pixel_->choice, explain_command());
     } else {
@@ -149,20 +163,23 @@ void App::draw_status() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(14 * ui_.theme.scale, padding));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::Begin("status", nullptr, fixed_part);
-    if (const auto frame = bench_.frame(0); frame && bench_.description() != nullptr) {
+    const auto frame = bench_.frame(0);
+    const char* hint = "?  keys";
+    const std::string machine = machine_text(frame.get(), arguments_.threads);
+    const float gap = 24 * ui_.theme.scale;
+    const float hint_at = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(hint).x;
+    const float machine_at = hint_at - gap - ImGui::CalcTextSize(machine.c_str()).x;
+    if (frame && bench_.description() != nullptr) {
         const float height = ImGui::GetFontSize();
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.3f * height);
         ImGui::ProgressBar(static_cast<float>(frame->reached.fraction), {6 * height, 0.4f * height}, "");
         ImGui::SameLine();
         ImGui::SetCursorPosY(padding);
-        ImGui::TextUnformatted(status_text(*frame, bench_.description()->render.spp).c_str());
+        const std::string text = status_text(*frame, bench_.description()->render.spp);
+        ImGui::TextUnformatted(cut_to(text, machine_at - gap - ImGui::GetCursorPosX()).c_str());
         ui_.map.item("status");
     }
-    const char* hint = "?  keys";
-    const std::string machine = machine_text(arguments_.threads);
-    const float gap = 24 * ui_.theme.scale;
-    const float hint_at = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(hint).x;
-    ImGui::SameLine(hint_at - gap - ImGui::CalcTextSize(machine.c_str()).x);
+    ImGui::SameLine(machine_at);
     ImGui::SetCursorPosY(padding);
     ImGui::TextDisabled("%s", machine.c_str());
     ImGui::SameLine(hint_at);

@@ -70,6 +70,13 @@ void take_theme(Arguments& a, const std::string& text) {
     a.theme = text == "light" ? ThemeChoice::light : ThemeChoice::dark;
 }
 
+void take_backend(Arguments& a, const std::string& text) {
+    if (text != "cpu" && text != "gpu" && text != "auto") refuse("--backend", text, "cpu, gpu or auto");
+    a.backend = text == "cpu"   ? BackendChoice::cpu
+                : text == "gpu" ? BackendChoice::gpu
+                                : BackendChoice::automatic;
+}
+
 const std::vector<Option>& options() {
     static const std::vector<Option> table = {
         {{"--size"},
@@ -98,6 +105,10 @@ const std::vector<Option>& options() {
          "N",
          "default: one for each core",
          [](Arguments& a, const std::string& text) { a.threads = whole("--threads", text, 0, 1024); }},
+        {{"--backend"},
+         "cpu|gpu|auto",
+         "what makes the pictures; default: auto, a graphics card where there is one",
+         take_backend},
         {{"--theme"}, "dark|light", "colours of the window", take_theme},
         {{"--scale"},
          "S",
@@ -107,6 +118,10 @@ const std::vector<Option>& options() {
          "",
          "print how long the window took to draw, at its end",
          [](Arguments& a, const std::string&) { a.statistics = true; }},
+        {{"--ui-debug"},
+         "",
+         "print what OpenGL complains of",
+         [](Arguments& a, const std::string&) { a.debug = true; }},
         {{"--ui-map"},
          "FILE",
          "keep writing where the widgets are, for scripts",

@@ -10,6 +10,8 @@
 namespace glint::viewer {
 
 enum class ThemeChoice { dark, light };
+/// Who makes the pictures; `automatic`: a graphics card where there is one.
+enum class BackendChoice { automatic, cpu, gpu };
 
 /// What the window is asked to do at its start.
 struct Arguments {
@@ -20,10 +22,12 @@ struct Arguments {
     std::optional<int> picture_width; ///< pixels to render; none: as large as the window shows
     std::optional<int> picture_height;
     int threads = 0; ///< 0: one for each core
+    BackendChoice backend = BackendChoice::automatic;
     ThemeChoice theme = ThemeChoice::dark;
     std::optional<double> scale; ///< of texts and widgets; none: what the screen asks for
     std::string map_file;        ///< where widgets and state are written; empty: nowhere
     bool statistics = false;     ///< print how long frames took
+    bool debug = false;          ///< print what OpenGL complains of
     bool help = false;
     bool version = false;
 };

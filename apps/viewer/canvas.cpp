@@ -66,24 +66,25 @@ Canvas::Canvas() : program_(linked()) {
     place_of_corners_ = glGetUniformLocation(program_, "corners");
     place_of_curve_ = glGetUniformLocation(program_, "curve");
     glGenVertexArrays(1, &points_);
-    for (Texture& texture : pictures_) {
-        glGenTextures(1, &texture.name);
-        glBindTexture(GL_TEXTURE_2D, texture.name);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    }
+    for (Texture& texture : pictures_) glGenTextures(1, &texture.name);
+    // Not each texture's own setting: some come from elsewhere.
+    glGenSamplers(1, &sampler_);
+    glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(sampler_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glSamplerParameteri(sampler_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 }
 
 Canvas::~Canvas() {
     for (const Texture& texture : pictures_) glDeleteTextures(1, &texture.name);
+    glDeleteSamplers(1, &sampler_);
     glDeleteVertexArrays(1, &points_);
     glDeleteProgram(program_);
 }
 
 void Canvas::upload(int place, const Image& image) {
     Texture& texture = pictures_[static_cast<std::size_t>(place)];
+    texture.on_device.reset();
     glBindTexture(GL_TEXTURE_2D, texture.name);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (texture.width == image.width && texture.height == image.height) {
@@ -95,6 +96,15 @@ void Canvas::upload(int place, const Image& image) {
         texture.width = image.width;
         texture.height = image.height;
     }
+}
+
+void Canvas::show(int place, std::shared_ptr<const GpuPicture> picture) {
+    pictures_[static_cast<std::size_t>(place)].on_device = std::move(picture);
+}
+
+void Canvas::was_drawn() const {
+    for (const Texture& texture : pictures_)
+        if (texture.on_device) texture.on_device->was_drawn();
 }
 
 void Canvas::draw(int place, const Area& area, const Area& part, View view, const WindowSize& window) const {
@@ -112,9 +122,12 @@ void Canvas::draw(int place, const Area& area, const Area& part, View view, cons
                 upward(area.y + area.height));
     glUniform1i(place_of_curve_, view == View::srgb);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, pictures_[static_cast<std::size_t>(place)].name);
+    const Texture& texture = pictures_[static_cast<std::size_t>(place)];
+    glBindTexture(GL_TEXTURE_2D, texture.on_device ? texture.on_device->texture() : texture.name);
+    glBindSampler(0, sampler_);
     glBindVertexArray(points_);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glBindSampler(0, 0);
     glBindVertexArray(0);
     glDisable(GL_SCISSOR_TEST);
 }

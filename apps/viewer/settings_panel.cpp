@@ -40,6 +40,13 @@ void quantity(Ui& ui, ViewState& state) {
     if (view >= 0) state.view = view == 1 ? View::raw : View::srgb;
 }
 
+void backend(Ui& ui, const std::string& why_cpu, ViewState& state) {
+    label_row(ui, "drawn by", "the processor, or the graphics card (G)");
+    const int chosen = choose(ui, "backend", state.gpu ? 1 : 0, {"CPU", "GPU"});
+    if (chosen >= 0) state.gpu = chosen == 1;
+    if (state.gpu && !why_cpu.empty()) quiet_text(ui, "The CPU draws: " + why_cpu);
+}
+
 void light_model(Ui& ui, const WhittedSettings& w, std::vector<Edit>& edits) {
     Rows rows(ui, edits, "whitted");
     rows.whole("max_depth", "depth", w.max_depth, 0, std::max(w.max_depth, 16),
@@ -129,8 +136,9 @@ void saving(Ui& ui, bool saved, std::vector<Action>& actions) {
 } // namespace
 
 void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescription& camera, bool kept,
-                    bool saved, ViewState& state, SettingsWishes& wishes) {
+                    bool saved, const std::string& why_cpu, ViewState& state, SettingsWishes& wishes) {
     quantity(ui, state);
+    backend(ui, why_cpu, state);
     heading(ui, "Light model");
     light_model(ui, scene.whitted, wishes.edits);
     heading(ui, "Picture");

@@ -15,8 +15,8 @@ struct SettingsWishes {
 };
 
 /// `camera` is the one looked through. `kept`: there are settings to compare with. `saved`: nothing was
-/// changed since the scene was saved.
+/// changed since the scene was saved. `why_cpu`: why the graphics card does not draw though it is to.
 void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescription& camera, bool kept,
-                    bool saved, ViewState& state, SettingsWishes& wishes);
+                    bool saved, const std::string& why_cpu, ViewState& state, SettingsWishes& wishes);
 
 } // namespace glint::viewer

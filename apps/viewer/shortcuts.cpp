@@ -37,6 +37,7 @@ constexpr std::array table{
              "show the next or previous quantity"},
     Shortcut{Action::previous_quantity, 0, U'V', false, false, "", ""},
     Shortcut{Action::final_quantity, 0, U'f', false, false, "F", "show the final picture"},
+    Shortcut{Action::backend, 0, U'g', false, false, "G", "draw on the graphics card or on the CPU"},
     Shortcut{Action::undo, GLFW_KEY_Z, 0, true, false, "Ctrl + Z, Y", "undo, redo"},
     Shortcut{Action::redo, GLFW_KEY_Y, 0, true, false, "", ""},
     Shortcut{Action::redo, GLFW_KEY_Z, 0, true, true, "", ""},

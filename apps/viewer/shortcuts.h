@@ -34,6 +34,7 @@ enum class Action {
     next_quantity,
     previous_quantity,
     final_quantity,
+    backend,
     undo,
     redo,
     reload,

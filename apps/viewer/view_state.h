@@ -10,6 +10,7 @@ enum class CompareMode { off, wipe, side_by_side };
 enum class Tab { scene, picture, pixel };
 
 struct ViewState {
+    bool gpu = false; ///< a graphics card is to make the pictures
     bool panel = true;
     bool help = false;
     Tab tab = Tab::scene;

@@ -1,5 +1,7 @@
 #include "window.h"
 
+#include "opengl.h"
+
 #include "glint/error.h"
 #include "glint/image.h"
 
@@ -35,16 +37,21 @@ std::string& last_fault() {
 
 } // namespace
 
-Window::Window(int width, int height, const std::string& title) {
+Window::Window(int width, int height, const std::string& title, bool listen) : listens_(listen) {
     glfwSetErrorCallback([](int, const char* text) { last_fault() = text; });
     if (glfwInit() != GLFW_TRUE) refuse_display();
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, listen ? GLFW_TRUE : GLFW_FALSE);
+    // The later one can make pictures too; the older is enough to draw them.
+    for (const int major : {4, 3}) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+        if (window_ != nullptr) break;
+    }
     if (window_ == nullptr) {
         glfwTerminate();
         refuse_display();
@@ -52,7 +59,8 @@ Window::Window(int width, int height, const std::string& title) {
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    listen();
+    if (listen) listen_to_opengl();
+    take_events();
 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
@@ -70,7 +78,7 @@ Window::~Window() {
 
 /// Called before Dear ImGui installs its own callbacks, which pass on to these. Its own account of keys would
 /// miss one that is pressed and let go within a frame.
-void Window::listen() {
+void Window::take_events() {
     glfwSetWindowUserPointer(window_, this);
     const auto self = [](GLFWwindow* window) {
         return static_cast<Window*>(glfwGetWindowUserPointer(window));

@@ -1,5 +1,5 @@
 #pragma once
-// The window of the system: GLFW makes it, OpenGL 3.3 draws in it, Dear ImGui lays out what stands in it. One
+// The window of the system: GLFW makes it, OpenGL 3.3 or later draws in it, Dear ImGui lays out what stands in it. One
 // a program.
 
 #include <functional>
@@ -39,11 +39,14 @@ struct KeyPress {
 class Window {
   public:
     /// Throws Error(device) where there is no display, or none that can draw.
-    Window(int width, int height, const std::string& title);
+    /// `listen`: tell standard error what OpenGL complains of.
+    Window(int width, int height, const std::string& title, bool listen);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
+    GLFWwindow* handle() const { return window_; }
+    bool listens_to_opengl() const { return listens_; }
     bool is_closed() const;
     void close();
     void hide();
@@ -75,9 +78,10 @@ class Window {
     bool is_held(int code) const;
 
   private:
-    void listen();
+    void take_events();
 
     GLFWwindow* window_ = nullptr;
+    bool listens_ = false;
     std::vector<std::string> dropped_;
     std::vector<KeyPress> keys_;
     bool touched_ = false; ///< there was input since the last wait()

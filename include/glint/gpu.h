@@ -66,6 +66,9 @@ class GpuRenderer {
 /// what was made in it is used and ended.
 struct GpuCurrentContext {};
 
+/// The device of that context, with why glint's shaders cannot run in it, if so.
+GpuDevice gpu_device(GpuCurrentContext context);
+
 /// A linear picture that stays on the device: a texture of OpenGL, RGBA in 32-bit floats, its first row the
 /// top one. It can be used in every context that shares with the one it was made in.
 class GpuPicture {

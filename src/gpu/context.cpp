@@ -90,6 +90,7 @@ constexpr std::uint64_t buffers_needed = 8;
 void describe_current(GpuDevice& d) {
     d.name = text(glGetString(GL_RENDERER));
     d.driver = text(glGetString(GL_VENDOR)) + ", OpenGL " + text(glGetString(GL_VERSION));
+    if (epoxy_gl_version() < 10 * least_major + least_minor) return;
     d.largest_buffer = limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
     d.buffers = limit(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
     d.largest_group = limit(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
@@ -151,9 +152,17 @@ std::vector<GpuDevice> gpu_devices(std::string* why) {
     return devices;
 }
 
-bool is_software_renderer(const std::string& name) {
-    const std::array<std::string, 3> known{"llvmpipe", "softpipe", "Software Rasterizer"};
-    return std::any_of(known.begin(), known.end(), [&](const auto& k) { return name.rfind(k, 0) == 0; });
+GpuDevice gpu_device(GpuCurrentContext) {
+    const std::array<std::string, 3> software{"llvmpipe", "softpipe", "Software Rasterizer"};
+    const int version = epoxy_gl_version();
+    GpuDevice d;
+    describe_current(d);
+    d.software = std::any_of(software.begin(), software.end(),
+                             [&](const std::string& name) { return d.name.rfind(name, 0) == 0; });
+    if (version < 10 * least_major + least_minor)
+        d.fault = "it has OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
+                  ", and compute shaders need 4.3";
+    return d;
 }
 
 struct GpuContext::State {
@@ -192,15 +201,10 @@ GpuContext::GpuContext(int number, std::uint64_t largest_buffer) : state_(std::m
     refuse("no GPU can be used: " + why);
 }
 
-GpuContext::GpuContext(GpuCurrentContext) : state_(std::make_unique<State>()) {
-    GpuDevice& device = state_->device;
-    if (epoxy_gl_version() < 10 * least_major + least_minor)
-        device.fault = "it has OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
-                       std::to_string(epoxy_gl_version() % 10) + ", and compute shaders need 4.3";
-    if (device.fault.empty()) describe_current(device);
-    device.software = is_software_renderer(device.name);
-    if (!device.fault.empty())
-        throw Error(ErrorKind::device, "the window's OpenGL cannot be used: " + device.fault,
+GpuContext::GpuContext(GpuCurrentContext current) : state_(std::make_unique<State>()) {
+    state_->device = gpu_device(current);
+    if (!state_->device.fault.empty())
+        throw Error(ErrorKind::device, "the GPU cannot be used in the window: " + state_->device.fault,
                     "the CPU needs none of it");
 }
 

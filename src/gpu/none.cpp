@@ -13,6 +13,12 @@ std::vector<GpuDevice> gpu_devices(std::string* why) {
     return {};
 }
 
+GpuDevice gpu_device(GpuCurrentContext) {
+    GpuDevice device;
+    gpu_devices(&device.fault);
+    return device;
+}
+
 GpuRenderer::GpuRenderer(int, const GpuLimits&) {
     std::string why;
     gpu_devices(&why);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -28,6 +29,9 @@ struct Wish {
     CameraDescription camera;
     int width = 0;
     int height = 0;
+    PainterMaker gpu;
+    std::array<bool, picture_places> is_new{}; ///< scenes that the graphics card was not asked for yet
+    bool same_view = false;                    ///< only who draws is another than before
 
     bool is_possible() const {
         return width > 0 && height > 0 &&
@@ -50,6 +54,7 @@ class FramePool {
         if (!frame) frame = std::make_unique<Frame>();
         return {frame.release(), [shelf = shelf_](Frame* done) {
                     std::unique_ptr<Frame> back(done);
+                    back->on_device.reset();
                     const std::lock_guard lock(shelf->mutex);
                     if (shelf->frames.size() < most_spare) shelf->frames.push_back(std::move(back));
                 }};
@@ -88,6 +93,41 @@ class Pace {
     double seconds_a_sample_ = 2e-6;
 };
 
+/// One who draws for one place.
+struct Desk {
+    std::unique_ptr<Painter> painter;
+    Pace pace;
+};
+
+/// What stands at one place.
+struct Easel {
+    explicit Easel(double seconds) : cpu{nullptr, Pace(seconds)}, gpu{nullptr, Pace(seconds)} {}
+
+    Desk cpu, gpu;
+    bool on_gpu = false;        ///< who draws
+    std::optional<Scene> scene; ///< as seen from the camera
+    Aspect show = Aspect::final;
+    std::string fault;          ///< why the graphics card is not asked
+    std::string why_cpu;        ///< that, or why not for this picture
+    int coarsest = most_coarse; ///< no picture with a wider step is shown
+
+    Painter& painter() { return *(on_gpu ? gpu : cpu).painter; }
+};
+
+/// Does it on the graphics card, or says why not.
+template <class Work>
+std::string fault_of(const Work& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        const std::string& message = error.diagnostics().front().message;
+        return message.substr(0, message.find('\n'));
+    } catch (const std::bad_alloc&) {
+        return "there is too little memory for the graphics card's part";
+    }
+    return {};
+}
+
 } // namespace
 
 struct SessionRenderer::State {
@@ -107,19 +147,18 @@ struct SessionRenderer::State {
     std::thread thread;
 
     // Of the renderer's thread alone.
-    std::array<std::unique_ptr<Progressive>, picture_places> pictures;
-    std::array<std::optional<Scene>, picture_places> scenes; ///< as seen from the camera
-    std::array<Aspect, picture_places> shows{};
-    std::array<Pace, picture_places> paces{Pace(options.first_picture_seconds),
-                                           Pace(options.first_picture_seconds)};
+    Wish current;
+    std::array<Easel, picture_places> easels{Easel(options.first_picture_seconds),
+                                             Easel(options.first_picture_seconds)};
     FramePool pool;
     std::uint64_t number = 0;
 
     /// Something is to be rendered anew.
-    void wake(const std::function<void()>& change) {
+    void wake(const std::function<void()>& change, bool same_view = false) {
         {
             const std::lock_guard lock(mutex);
             change();
+            wish.same_view = same_view && (wish.same_view || !is_stale);
             is_stale = true;
             if (!must_finish || closing) cancel = true;
         }
@@ -129,8 +168,13 @@ struct SessionRenderer::State {
     void run();
     bool wait(bool is_finished, Wish& next);
     void begin(const Wish& next);
-    void start(std::size_t place, const Wish& next);
+    void start(std::size_t place);
+    bool start_on_gpu(Easel& easel);
+    void start_on_cpu(Easel& easel);
+    void paint_first(Easel& easel, Desk& desk);
     bool refine();
+    bool advance(Easel& easel);
+    void fall_back(Easel& easel, const std::string& fault);
     void publish(std::size_t place);
 };
 
@@ -142,6 +186,7 @@ bool SessionRenderer::State::wait(bool is_finished, Wish& next) {
     next = {};
     if (!is_stale) return true;
     next = wish;
+    wish.is_new = {};
     is_stale = false;
     must_finish = true;
     cancel = false;
@@ -155,65 +200,127 @@ void SessionRenderer::State::run() {
         if (next.is_possible()) begin(next);
         is_finished = !refine();
     }
+    // Painters end on the thread that made them.
+    for (Easel& easel : easels) {
+        easel.cpu.painter.reset();
+        easel.gpu.painter.reset();
+    }
 }
 
 /// The first picture of each place.
 void SessionRenderer::State::begin(const Wish& next) {
+    current = next;
     for (std::size_t place = 0; place < picture_places; ++place) {
-        scenes[place].reset();
-        if (next.scenes[place]) start(place, next);
+        Easel& easel = easels[place];
+        easel.scene.reset();
+        if (next.is_new[place]) easel.fault.clear();
+        if (next.scenes[place]) start(place);
     }
     const std::lock_guard lock(mutex);
     must_finish = false;
     if (is_stale || closing) cancel = true;
 }
 
-void SessionRenderer::State::start(std::size_t place, const Wish& next) {
-    const Clock::time_point begin = Clock::now();
-    if (!pictures[place]) pictures[place] = std::make_unique<Progressive>(options.threads);
+void SessionRenderer::State::start(std::size_t place) {
+    Easel& easel = easels[place];
     try {
-        scenes[place] = with_view(*next.scenes[place], next.camera, next.width, next.height);
+        easel.scene = with_view(*current.scenes[place], current.camera, current.width, current.height);
     } catch (const Error&) {
         return; // nothing can be seen from there: the last picture stays
     }
-    shows[place] = next.show[place];
-    const int pixels = next.width * next.height;
+    easel.show = current.show[place];
+    {
+        const std::lock_guard lock(mutex);
+        easel.coarsest = current.same_view && frames[place] ? frames[place]->reached.step : most_coarse;
+    }
+    if (!start_on_gpu(easel)) start_on_cpu(easel);
+    publish(place);
+}
+
+/// False where the CPU is to draw.
+bool SessionRenderer::State::start_on_gpu(Easel& easel) {
+    easel.why_cpu = easel.fault;
+    if (!current.gpu || !easel.fault.empty()) return false;
+    if (easel.show != Aspect::final) {
+        easel.why_cpu = std::string(aspect_name(easel.show)) + " is drawn by the CPU";
+        return false;
+    }
+    easel.why_cpu = easel.fault = fault_of([&] {
+        if (!easel.gpu.painter) easel.gpu.painter = current.gpu();
+        paint_first(easel, easel.gpu);
+    });
+    if (easel.fault.empty()) return true;
+    easel.gpu.painter.reset();
+    return false;
+}
+
+void SessionRenderer::State::fall_back(Easel& easel, const std::string& fault) {
+    easel.fault = easel.why_cpu = fault;
+    easel.gpu.painter.reset();
+    start_on_cpu(easel);
+}
+
+void SessionRenderer::State::start_on_cpu(Easel& easel) {
+    if (!easel.cpu.painter) easel.cpu.painter = cpu_painter(options.threads);
+    paint_first(easel, easel.cpu);
+}
+
+void SessionRenderer::State::paint_first(Easel& easel, Desk& desk) {
+    const Clock::time_point begin = Clock::now();
+    const int pixels = current.width * current.height;
     ProgressiveOptions how;
-    how.coarsest = paces[place].step(pixels);
-    how.show = shows[place];
+    how.coarsest = desk.pace.step(pixels);
+    how.show = easel.show;
     how.kernel = options.kernel;
     how.cancel = &cancel;
-    pictures[place]->start(*scenes[place], how);
-    pictures[place]->advance(0);
-    if (pictures[place]->reached().step == 0) return; // the program ends
-    publish(place);
-    paces[place].learn(pixels, how.coarsest, seconds_since(begin));
+    desk.painter->start(*easel.scene, how);
+    desk.painter->advance(0);
+    easel.on_gpu = &desk == &easel.gpu;
+    if (desk.painter->reached().step > 0) desk.pace.learn(pixels, how.coarsest, seconds_since(begin));
 }
 
 /// Makes all pictures a little better; is there anything left to do?
 bool SessionRenderer::State::refine() {
     bool goes_on = false;
     for (std::size_t place = 0; place < picture_places && !cancel; ++place) {
-        if (!scenes[place] || pictures[place]->reached().finished) continue;
-        goes_on = pictures[place]->advance(slice_seconds) || goes_on;
+        if (!easels[place].scene || easels[place].painter().reached().finished) continue;
+        goes_on = advance(easels[place]) || goes_on;
         if (!cancel) publish(place);
     }
     return goes_on;
 }
 
+/// Where the graphics card fails on the way, the CPU begins anew.
+bool SessionRenderer::State::advance(Easel& easel) {
+    if (!easel.on_gpu) return easel.cpu.painter->advance(slice_seconds);
+    bool goes_on = false;
+    const std::string fault = fault_of([&] { goes_on = easel.gpu.painter->advance(slice_seconds); });
+    if (fault.empty()) return goes_on;
+    fall_back(easel, fault);
+    return true;
+}
+
 void SessionRenderer::State::publish(std::size_t place) {
-    const Progressive& picture = *pictures[place];
+    Easel& easel = easels[place];
+    Painter& painter = easel.painter();
+    // Nothing is known where the program ends.
+    if (painter.reached().step == 0 || painter.reached().step > easel.coarsest) return;
     const std::shared_ptr<Frame> frame = pool.take();
-    frame->reached = picture.reached();
-    frame->camera = scenes[place]->camera();
+    if (!easel.on_gpu) {
+        painter.show(*frame);
+    } else if (const std::string fault = fault_of([&] { painter.show(*frame); }); !fault.empty()) {
+        fall_back(easel, fault);
+        return publish(place);
+    }
+    frame->reached = painter.reached();
+    frame->camera = easel.scene->camera();
     frame->number = ++number;
     frame->rays_per_second =
         frame->reached.seconds > 0 ? static_cast<double>(frame->reached.rays) / frame->reached.seconds : 0;
-    frame->show = shows[place];
-    if (shows[place] == Aspect::final)
-        frame->image = picture.image(); // into the memory that the frame has
-    else
-        frame->image = visible(picture.image(), shows[place], *scenes[place]);
+    frame->show = easel.show;
+    frame->device = painter.device();
+    frame->why_cpu = easel.why_cpu;
+    if (easel.show != Aspect::final) frame->image = visible(frame->image, easel.show, *easel.scene);
     {
         const std::lock_guard lock(mutex);
         frames[place] = frame;
@@ -235,6 +342,7 @@ void SessionRenderer::set_scene(int place, std::optional<Scene> scene) {
     state_->wake([&] {
         if (!scene) state_->frames[at].reset();
         state_->wish.scenes[at] = std::move(scene);
+        state_->wish.is_new[at] = true;
     });
 }
 
@@ -248,6 +356,15 @@ void SessionRenderer::set_view(const CameraDescription& camera, int width, int h
         state_->wish.width = width;
         state_->wish.height = height;
     });
+}
+
+void SessionRenderer::set_backend(PainterMaker gpu) {
+    state_->wake(
+        [&] {
+            state_->wish.gpu = std::move(gpu);
+            state_->wish.is_new = {true, true};
+        },
+        true);
 }
 
 std::shared_ptr<const Frame> SessionRenderer::latest(int place) const {

@@ -2,6 +2,8 @@
 // Pictures of scenes on a thread of their own: first soon, then better, and begun anew whenever something
 // changes.
 
+#include "painter.h"
+
 #include "glint/progressive.h"
 
 #include <array>
@@ -9,18 +11,28 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace glint::viewer {
 
 /// A picture as it was at one moment. Nobody changes it any more.
 struct Frame {
-    Image image; ///< linear; aspects as visible() shows them
+    int width = 0;
+    int height = 0;
+    Image image; ///< linear; aspects as visible() shows them. Empty where a graphics card keeps the picture
+    std::shared_ptr<const GpuPicture> on_device; ///< such a picture
+    std::string device;                          ///< what drew it; empty: the CPU
+    std::string why_cpu; ///< why the CPU drew it though a graphics card was to
     Aspect show = Aspect::final;
     CameraDescription camera;
     Refinement reached;
     std::uint64_t number = 0; ///< each is higher than that of the frame before
     double rays_per_second = 0;
 };
+
+/// Brought back from a graphics card where it keeps the picture: then its context, or one that shares with it,
+/// must be current.
+inline Image image_of(const Frame& frame) { return frame.on_device ? frame.on_device->read() : frame.image; }
 
 /// Two places have pictures: 0 is the scene, 1 what it is compared with.
 inline constexpr int picture_places = 2;
@@ -47,6 +59,10 @@ class SessionRenderer {
     void set_show(int place, Aspect show);
     /// From where all places are seen, and how large.
     void set_view(const CameraDescription& camera, int width, int height);
+    /// Who draws: the graphics card whose painters `gpu` makes, or the CPU. What is shown stays until there is
+    /// something as good. What the card cannot draw, and all after a fault of it, the CPU draws; the card is
+    /// tried again with the next scene or the next call.
+    void set_backend(PainterMaker gpu);
 
     /// The latest picture of a place; none before there is any, or where there is no scene.
     std::shared_ptr<const Frame> latest(int place) const;

@@ -112,6 +112,8 @@ Aspect Session::show(int place) const {
     return state_->show_of[static_cast<std::size_t>(place)];
 }
 
+void Session::set_backend(PainterMaker gpu) { state_->renderer.set_backend(std::move(gpu)); }
+
 void Session::move(const std::function<void(CameraControl&)>& change) {
     const std::lock_guard lock(state_->mutex);
     change(state_->camera);

@@ -71,6 +71,9 @@ class Session {
     void set_show(Aspect show, int place = 0);
     Aspect show(int place = 0) const;
 
+    /// Who draws: see SessionRenderer.
+    void set_backend(PainterMaker gpu);
+
     // ── View ───────────────────────────────────────────────────────────────────────────────────────────────
 
     /// Changes the camera: session.move([](CameraControl& c) { c.orbit(0.1, 0); }).
