@@ -26,6 +26,7 @@ class Child {
     /// The first line written to file descriptor 3; empty if the program ends without.
     std::string first_note();
     void signal(int number) const;
+    pid_t pid() const { return pid_; }
 
   private:
     pid_t pid_ = -1;

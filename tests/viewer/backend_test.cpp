@@ -1,0 +1,225 @@
+// The graphics card in the window. Mesa's software renderer stands for it: the same shaders, the same calls.
+
+#include "../cli/process.h"
+#include "driver.h"
+
+#include "glint/formats.h"
+
+#include <cmath>
+#include <fstream>
+
+namespace glint::test {
+namespace {
+
+/// Nothing in it is black.
+const std::string scene = R"(version = 1
+[camera]
+eye = [0, -6, 2]
+look_at = [0, 0, 1]
+fov = 40
+[render]
+size = [200, 150]
+spp = 3
+background = [0.2, 0.4, 0.8]
+[material.floor]
+color = [0.5, 0.5, 0.4]
+[material.mirror]
+color = [0.3, 0.2, 0.2]
+reflectivity = 0.6
+[[plane]]
+normal = [0, 0, 1]
+material = "floor"
+[[sphere]]
+name = "ball"
+center = [0, 0, 1]
+radius = 1
+material = "mirror"
+[[light]]
+type = "ambient"
+color = [0.3, 0.3, 0.3]
+[[light]]
+type = "point"
+position = [-3, -4, 6]
+intensity = 40
+)";
+
+class WindowOnTheGpu : public Screen {
+  protected:
+    void open_scene(const std::string& text, const std::vector<std::string>& options = {}) {
+        write("scene.toml", text);
+        std::vector<std::string> words{"--window", "1000x640", "--size", "200x150", "--ui-debug"};
+        words.insert(words.end(), options.begin(), options.end());
+        open("scene.toml", words);
+    }
+
+    static std::string with(const std::string& what, const std::string& instead) {
+        std::string text = scene;
+        const std::size_t at = text.find(what);
+        if (at == std::string::npos) throw std::logic_error("the scene has no " + what);
+        return text.replace(at, what.size(), instead);
+    }
+
+    bool is_drawn_by_gpu() const {
+        const nlohmann::json by = state("drawn_by");
+        return by.is_string() && by != "CPU";
+    }
+
+    /// What `glint` renders of the scene's file, by name of the backend.
+    Image rendered(const std::string& backend) const {
+        const std::string file = path(backend + ".exr");
+        const Outcome outcome = run_glint(
+            {path("scene.toml"), "--backend", backend, "-o", file, "-q", "--size", "200x150"}, {});
+        EXPECT_EQ(outcome.exit, 0) << outcome.err;
+        return read_picture(file).image;
+    }
+
+    void expect_no_complaint() {
+        EXPECT_EQ(state("opengl.complaints"), 0);
+        EXPECT_GE(seconds_to_close(), 0);
+        EXPECT_EQ(viewer().ended(), 0) << log();
+        EXPECT_EQ(log().find("OpenGL"), std::string::npos) << log();
+    }
+
+    /// Pages in memory, in MiB.
+    double memory() {
+        std::ifstream in("/proc/" + std::to_string(viewer().pid()) + "/statm");
+        double all = 0;
+        double resident = 0;
+        in >> all >> resident;
+        return resident * 4096 / (1 << 20);
+    }
+};
+
+TEST_F(WindowOnTheGpu, DrawsWhatTheCommandLineRendersThere) {
+    open_scene(scene, {"--backend", "gpu"});
+    const std::string hash = finished_picture();
+    EXPECT_EQ(state("backend"), "gpu");
+    EXPECT_TRUE(is_drawn_by_gpu()) << state("why_cpu");
+    EXPECT_EQ(hash, picture_hash(rendered("gpu")));
+    const Comparison to_cpu = compare(rendered("gpu"), rendered("cpu"), 1.0 / 255, 1);
+    EXPECT_LE(to_cpu.share, 0.001);
+
+    // The camera moves and comes back.
+    press("Left");
+    const std::string turned = finished_picture();
+    EXPECT_NE(turned, hash);
+    EXPECT_TRUE(is_drawn_by_gpu());
+    press("Home");
+    EXPECT_EQ(finished_picture(), hash);
+
+    // What is saved, and what stands on the screen, is that picture.
+    press("ctrl+p");
+    ASSERT_TRUE(wait_until([&] { return state("saved").is_string(); })) << log();
+    const Image file = read_picture(state("saved").get<std::string>()).image;
+    const Image screen = screenshot();
+    const nlohmann::json area = map()["widgets"]["picture"];
+    int wrong = 0;
+    for (int y = 0; y < file.height; y += 7)
+        for (int x = 0; x < file.width; x += 7) {
+            const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
+            const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
+            const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
+            for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
+        }
+    EXPECT_EQ(wrong, 0);
+    expect_no_complaint();
+}
+
+TEST_F(WindowOnTheGpu, WhatItCannotShowTheCpuShows) {
+    open_scene(scene, {"--backend", "gpu"});
+    finished_picture();
+    click("tab:picture");
+    ASSERT_TRUE(wait_for_widget("backend"));
+    click("show");
+    ASSERT_TRUE(wait_for_widget("show:depth"));
+    click("show:depth");
+    ASSERT_TRUE(wait_for_state("drawn_by", "CPU"));
+    EXPECT_EQ(state("why_cpu"), "depth is drawn by the CPU");
+    press("f");
+    ASSERT_TRUE(wait_until([&] { return is_drawn_by_gpu(); }));
+    click("backend");
+    ASSERT_TRUE(wait_for_widget("backend:CPU"));
+    click("backend:CPU");
+    ASSERT_TRUE(wait_for_state("backend", "cpu"));
+    ASSERT_TRUE(wait_for_state("drawn_by", "CPU"));
+    EXPECT_EQ(finished_picture(), picture_hash(rendered("cpu")));
+    expect_no_complaint();
+}
+
+TEST_F(WindowOnTheGpu, AFaultIsToldAndTheCpuDraws) {
+    // A ray in more transparent solids than the shader can remember.
+    std::string balls = with("[[light]]", "[material.air]\ntransparency = 0.9\nindex = 1.1\n[[light]]");
+    for (int i = 0; i < 9; ++i)
+        balls += "[[sphere]]\ncenter = [0, 0, 1]\nradius = " + std::to_string(0.9 - 0.05 * i) +
+                 "\nmaterial = \"air\"\n";
+    balls.replace(balls.find("reflectivity = 0.6"), 18, "transparency = 0.9");
+    open_scene(balls, {"--backend", "gpu"});
+    EXPECT_EQ(finished_picture(), picture_hash(rendered("cpu")));
+    EXPECT_EQ(state("backend"), "gpu");
+    EXPECT_EQ(state("drawn_by"), "CPU");
+    EXPECT_NE(state("why_cpu").get<std::string>().find("more than eight transparent solids"),
+              std::string::npos);
+    write("scene.toml", scene);
+    ASSERT_TRUE(wait_until([&] { return is_drawn_by_gpu(); })) << "the next scene is tried there again";
+    EXPECT_EQ(finished_picture(), picture_hash(rendered("gpu")));
+    expect_no_complaint();
+}
+
+TEST_F(WindowOnTheGpu, SwitchingTwoHundredTimesNeitherFlashesNorLeaks) {
+    open_scene(with("spp = 3", "spp = 4096"), {"--backend", "gpu"});
+    const auto wait_for_gpu = [&] {
+        return wait_until(
+            [&] { return is_drawn_by_gpu() && state("samples").is_number() && state("samples") >= 1; });
+    };
+    const auto held = [&] {
+        const nlohmann::json all = map()["state"];
+        return std::pair(all["opengl.textures"].get<double>(), all["opengl.buffers"].get<double>());
+    };
+    // Both have drawn, and what is kept of them is there.
+    ASSERT_TRUE(wait_for_gpu()) << map().dump(1);
+    press("g");
+    ASSERT_TRUE(wait_for_state("drawn_by", "CPU"));
+    press("g");
+    ASSERT_TRUE(wait_for_gpu());
+    const Image calm = screenshot();
+    const auto objects = held();
+    const double before = memory();
+
+    const nlohmann::json area = map()["widgets"]["picture"];
+    // Below the notice that says who draws.
+    const auto side = [&](std::size_t i) { return static_cast<int>(area[i].get<double>()); };
+    double worst = 0;
+    for (int round = 0; round < 20; ++round) {
+        for (int i = 0; i < 10; ++i) press("g");
+        const Image shown = screenshot();
+        int flashes = 0;
+        for (int y = side(1); y < side(1) + side(3) * 2 / 3; ++y)
+            for (int x = side(0); x < side(0) + side(2); ++x) {
+                double far = 0;
+                for (int c = 0; c < 3; ++c)
+                    far = std::max<double>(far, std::abs(shown.at(x, y)[c] - calm.at(x, y)[c]));
+                flashes += far > 0.25 * 255;
+            }
+        worst = std::max(worst, flashes / (side(2) * (side(3) * 2.0 / 3)));
+    }
+    // What differs are edges, antialiased in one and not yet in the other.
+    EXPECT_LT(worst, 0.02);
+    ASSERT_TRUE(wait_for_gpu());
+    EXPECT_LE(held().first, objects.first);
+    EXPECT_LE(held().second, objects.second);
+    const double growth = memory() - before;
+    RecordProperty("MiB", std::to_string(growth));
+    EXPECT_LT(growth, 24);
+    expect_no_complaint();
+}
+
+TEST_F(WindowOnTheGpu, WithoutACardAutoTakesTheCpu) {
+    open_scene(scene);
+    EXPECT_EQ(finished_picture(), picture_hash(rendered("cpu")));
+    EXPECT_EQ(state("backend"), "cpu");
+    EXPECT_EQ(state("drawn_by"), "CPU");
+    expect_no_complaint();
+}
+
+} // namespace
+} // namespace glint::test
