@@ -107,7 +107,7 @@ class App {
     double notice_until_ = 0;
     bool on_gpu_ = false; ///< what the session was told
     std::string why_cpu_; ///< what was said last about why the CPU draws
-    std::string saved_; ///< the file written last
+    std::string saved_;   ///< the file written last
     int rays_drawn_ = 0;
     double last_frame_ = 0;
     double last_change_ = 0; ///< of anything that the pictures show

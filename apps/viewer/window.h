@@ -1,6 +1,6 @@
 #pragma once
-// The window of the system: GLFW makes it, OpenGL 3.3 or later draws in it, Dear ImGui lays out what stands in it. One
-// a program.
+// The window of the system: GLFW makes it, OpenGL 3.3 or later draws in it, Dear ImGui lays out what stands
+// in it. One a program.
 
 #include <functional>
 #include <string>

@@ -62,8 +62,8 @@ class GpuRenderer {
     std::unique_ptr<State> state_;
 };
 
-/// Stands for the context of OpenGL that is current on the calling thread. Its owner keeps it current wherever
-/// what was made in it is used and ended.
+/// Stands for the context of OpenGL that is current on the calling thread. Its owner keeps it current
+/// wherever what was made in it is used and ended.
 struct GpuCurrentContext {};
 
 /// The device of that context, with why glint's shaders cannot run in it, if so.

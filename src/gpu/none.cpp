@@ -31,7 +31,6 @@ const GpuDevice& GpuRenderer::device() const { return state_->device; }
 void GpuRenderer::prepare(const Scene&) {}
 Picture GpuRenderer::render(const RenderOptions&) { return {}; }
 
-
 struct GpuProgressive::State {
     GpuDevice device;
     Refinement reached;

@@ -87,13 +87,13 @@ ProgramChoice program_for(const GpuSceneData& scene) {
 
 std::string shader_source(const ProgramChoice& choice) {
     const std::string mine = choice.rays ? "gpu/shaders/rays.glsl" : "gpu/shaders/whitted.glsl";
-    return joined(
-        define("GLINT_GLASS", choice.glass ? 1 : 0) + define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
-            define("GLINT_TERMS", choice.terms ? 7 : 1) +
-            define("GLINT_FIRST_HIT", choice.first_hit ? 1 : 0) +
-            define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
-            define("GLINT_STACK", choice.stack),
-        [&](const std::string& path) { return path == mine || !has_main(path); });
+    return joined(define("GLINT_GLASS", choice.glass ? 1 : 0) +
+                      define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
+                      define("GLINT_TERMS", choice.terms ? 7 : 1) +
+                      define("GLINT_FIRST_HIT", choice.first_hit ? 1 : 0) +
+                      define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
+                      define("GLINT_STACK", choice.stack),
+                  [&](const std::string& path) { return path == mine || !has_main(path); });
 }
 
 std::string show_source() {

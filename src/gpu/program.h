@@ -67,7 +67,7 @@ class GpuBuffer {
     std::size_t bytes() const { return bytes_; }
     void bind_storage(std::uint32_t binding) const;
     void bind_uniform(std::uint32_t binding) const;
-    void clear() const; ///< to zeros
+    void clear() const;                  ///< to zeros
     void clear(std::size_t bytes) const; ///< its first bytes, a multiple of 4
     void write(std::size_t offset, const void* data, std::size_t bytes) const;
     void read(std::size_t offset, void* data, std::size_t bytes) const;

@@ -125,8 +125,7 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
     studio.prepare(scene);
     options = wanted;
     settings = scene.render_settings();
-    picture_tiles =
-        tiles_of(studio.context(), studio.settings(), terms, settings.width, settings.height);
+    picture_tiles = tiles_of(studio.context(), studio.settings(), terms, settings.width, settings.height);
     means.assign(picture_tiles.size(), 0);
     if (known == nullptr || known->width() != settings.width || known->height() != settings.height) {
         known.reset();
@@ -152,8 +151,7 @@ void GpuProgressive::State::begin_pass() {
     if (is_finished()) return;
     const int across = (settings.width - now().x + now().step - 1) / now().step;
     const int down = (settings.height - now().y + now().step - 1) / now().step;
-    if (across > 0 && down > 0)
-        tiles = tiles_of(studio.context(), studio.settings(), terms, across, down);
+    if (across > 0 && down > 0) tiles = tiles_of(studio.context(), studio.settings(), terms, across, down);
 }
 
 void GpuProgressive::State::end_pass() {

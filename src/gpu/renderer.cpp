@@ -159,8 +159,7 @@ struct GpuRenderer::State {
     GpuStudio studio;
 };
 
-GpuRenderer::GpuRenderer(int device, const GpuLimits& limits)
-    : state_(new State{{device, limits}}) {}
+GpuRenderer::GpuRenderer(int device, const GpuLimits& limits) : state_(new State{{device, limits}}) {}
 GpuRenderer::~GpuRenderer() = default;
 GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
 GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;

@@ -35,7 +35,7 @@ class TileWork {
     bool is_under_way() const { return unfinished_ > 0; }
     std::uint32_t slots() const { return slots_; }
     std::uint32_t unfinished() const { return unfinished_; }
-    const Rays& rays() const { return rays_; }        ///< since the work was made
+    const Rays& rays() const { return rays_; }         ///< since the work was made
     double device_seconds() const { return seconds_; } ///< that the device worked since then
     /// The slots' fields, for show.glsl.
     const GpuBuffer& buffer() const { return *work_; }

@@ -35,7 +35,8 @@ std::string whole(const Scene& scene) {
 }
 
 std::string finished() {
-    while (progressive().advance(0)) {}
+    while (progressive().advance(0)) {
+    }
     return picture_hash(progressive().image());
 }
 
@@ -169,7 +170,8 @@ TEST(GpuProgressive, APictureStaysAsItWas) {
     picture.advance(0);
     std::shared_ptr<const GpuPicture> coarse = picture.picture();
     const std::string hash = picture_hash(coarse->read());
-    while (picture.advance(1)) {}
+    while (picture.advance(1)) {
+    }
     std::shared_ptr<const GpuPicture> fine = picture.picture();
     EXPECT_NE(fine->texture(), coarse->texture());
     EXPECT_EQ(picture_hash(coarse->read()), hash);
@@ -201,7 +203,8 @@ TEST(GpuProgressive, WhatItCannotDrawIsRefused) {
     onion.whitted.max_depth = 12;
     progressive().start(freeze(onion), from(1));
     EXPECT_NE(refusal([] {
-                  while (progressive().advance(1)) {}
+                  while (progressive().advance(1)) {
+                  }
               }).find("more than eight"),
               std::string::npos);
     EXPECT_FALSE(progressive().advance(1)) << "there is nothing to go on with";

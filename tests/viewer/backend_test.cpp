@@ -67,8 +67,8 @@ class WindowOnTheGpu : public Screen {
     /// What `glint` renders of the scene's file, by name of the backend.
     Image rendered(const std::string& backend) const {
         const std::string file = path(backend + ".exr");
-        const Outcome outcome = run_glint(
-            {path("scene.toml"), "--backend", backend, "-o", file, "-q", "--size", "200x150"}, {});
+        const Outcome outcome =
+            run_glint({path("scene.toml"), "--backend", backend, "-o", file, "-q", "--size", "200x150"}, {});
         EXPECT_EQ(outcome.exit, 0) << outcome.err;
         return read_picture(file).image;
     }

@@ -22,7 +22,7 @@ struct Frame {
     Image image; ///< linear; aspects as visible() shows them. Empty where a graphics card keeps the picture
     std::shared_ptr<const GpuPicture> on_device; ///< such a picture
     std::string device;                          ///< what drew it; empty: the CPU
-    std::string why_cpu; ///< why the CPU drew it though a graphics card was to
+    std::string why_cpu;                         ///< why the CPU drew it though a graphics card was to
     Aspect show = Aspect::final;
     CameraDescription camera;
     Refinement reached;
@@ -30,8 +30,8 @@ struct Frame {
     double rays_per_second = 0;
 };
 
-/// Brought back from a graphics card where it keeps the picture: then its context, or one that shares with it,
-/// must be current.
+/// Brought back from a graphics card where it keeps the picture: then its context, or one that shares with
+/// it, must be current.
 inline Image image_of(const Frame& frame) { return frame.on_device ? frame.on_device->read() : frame.image; }
 
 /// Two places have pictures: 0 is the scene, 1 what it is compared with.
@@ -59,9 +59,9 @@ class SessionRenderer {
     void set_show(int place, Aspect show);
     /// From where all places are seen, and how large.
     void set_view(const CameraDescription& camera, int width, int height);
-    /// Who draws: the graphics card whose painters `gpu` makes, or the CPU. What is shown stays until there is
-    /// something as good. What the card cannot draw, and all after a fault of it, the CPU draws; the card is
-    /// tried again with the next scene or the next call.
+    /// Who draws: the graphics card whose painters `gpu` makes, or the CPU. What is shown stays until there
+    /// is something as good. What the card cannot draw, and all after a fault of it, the CPU draws; the card
+    /// is tried again with the next scene or the next call.
     void set_backend(PainterMaker gpu);
 
     /// The latest picture of a place; none before there is any, or where there is no scene.
