@@ -27,11 +27,14 @@ struct GpuDevice {
 std::vector<GpuDevice> gpu_devices(std::string* why = nullptr);
 
 /// Bounds that a renderer keeps to. 0: what the device allows, or what the renderer learns from its speed.
-/// They change the time, never the picture.
+/// They change the time, never
+/// the picture.
 struct GpuLimits {
     std::uint64_t buffer = 0; ///< bytes of the largest buffer
     std::uint32_t pixels = 0; ///< that one dispatch looks at; rounded up to a multiple of 64
-    std::uint32_t rays = 0;   ///< of each pixel's tree that one dispatch follows
+    std::uint32_t rays = 0;   ///< of each pixel's tree that one dispatch follows at most
+    std::uint32_t steps = 0;  ///< of a pixel's rays through the scene, after which they wait for the next
+                              ///< dispatch; a driver may refuse to go on where there are too many
 };
 
 /// Renders on one device. To be used by one thread at a time.

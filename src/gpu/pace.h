@@ -18,10 +18,15 @@ class Pace {
         if (fixed_slots_)
             slots_ = (std::min(limits.pixels, most_slots) + group_size - 1) / group_size * group_size;
         if (fixed_nodes_) nodes_ = limits.rays;
+        if (limits.steps > 0) steps_ = limits.steps;
     }
 
     std::uint32_t slots() const { return slots_; } ///< of a dispatch
     std::uint32_t nodes() const { return nodes_; } ///< of ray trees, for each slot
+    /// Once a slot's walks through the tree have taken so many steps, its next node waits for the next
+    /// dispatch. Mesa's llvmpipe ends all loops of eight invocations for good after 65,535 turns in all, and
+    /// says nothing; what it cut short is found by the next dispatch (state_running in slots.glsl).
+    std::uint32_t steps() const { return steps_; }
 
     /// A dispatch of so many seconds; `whole`: over all slots that it might have had.
     void learn(double seconds, bool whole) {
@@ -54,6 +59,7 @@ class Pace {
     bool fixed_nodes_;
     std::uint32_t slots_ = fewest_slots;
     std::uint32_t nodes_ = first_nodes;
+    std::uint32_t steps_ = 2048;
 };
 
 } // namespace glint

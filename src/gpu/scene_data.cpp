@@ -205,7 +205,6 @@ class Flattener {
         s.limits.x = static_cast<std::uint32_t>(w.max_depth);
         s.modes = uvec4(w.shadows == Shadows::opaque, w.clamp, w.energy == Energy::balanced,
                         w.highlight_model == HighlightModel::phong);
-        s.at_tables.w = data_.glass ? 1 : 0;
     }
 
     const FrozenScene& scene_;

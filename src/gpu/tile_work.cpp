@@ -54,6 +54,7 @@ std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, 
 
 void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     settings_ = settings;
+    settings_.at_tables.w = studio_.pace().steps();
     slots_ = slots;
     const std::size_t bytes = 4 * (counters + slot_fields(settings, terms_) * slots);
     if (work_ == nullptr || work_->bytes() < bytes) {

@@ -67,6 +67,19 @@ TEST_F(Backend, GpuWithoutADeviceEndsWithSevenAndAReason) {
     EXPECT_FALSE(exists("a.png"));
 }
 
+TEST_F(Backend, OldOpenGlIsToldWithACure) {
+    Setting old;
+    old.environment = {"MESA_GL_VERSION_OVERRIDE=3.3"};
+    if (glint("info --devices", old).out.find("usable          yes") != std::string::npos)
+        GTEST_SKIP() << "a device that does not heed Mesa's variables";
+    const Outcome outcome = glint("good.toml --backend gpu -o a.png", old);
+    EXPECT_EQ(outcome.exit, 7);
+    if (has_device()) {
+        EXPECT_NE(outcome.err.find("it has no OpenGL 4.3"), std::string::npos) << outcome.err;
+    }
+    EXPECT_NE(outcome.err.find("--backend cpu needs none"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Backend, AutoTakesTheCpuAndSaysWhyInOneLine) {
     const Outcome outcome = glint("good.toml --backend auto -o a.png", without_devices());
     EXPECT_EQ(outcome.exit, 0) << outcome.err;

@@ -22,7 +22,7 @@ layout(std140, binding = 0) uniform Settings {
     uvec4 limits;     // bounces, lights, planes, meshes
     uvec4 modes;      // shadows opaque, clamp, balanced, phong
     uvec4 at_shapes;  // quadrics, affines, instances (doubles); root of the tree
-    uvec4 at_tables;  // lights, filter (of tables); media (of words); is anything transparent?
+    uvec4 at_tables;  // lights, filter (of tables); media (of words); turns of walks to stop after
     uvec4 tile;       // x, y of its first pixel; its width, a multiple of 8; samples a pixel
     uvec4 area;       // x, y past the last pixel; what is shown of first hits, samples to take up to
     uvec4 turn;       // first slot, past the last, slots in all, nodes of ray trees to follow

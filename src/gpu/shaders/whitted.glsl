@@ -9,11 +9,6 @@ const uint phase_path = 1u;   // on the way to a surface
 const uint phase_lights = 2u; // at a surface, a light is wanted
 const uint phase_shadow = 3u; // on the way to a light
 
-// Mesa's llvmpipe ends all loops of eight invocations for good after 65,535 turns in all, and says nothing. So no
-// more of a slot is followed in a dispatch once its walks have turned so often; and a slot that never came to
-// the end of its dispatch is found by its state_running in the next.
-const uint most_turns = 2048u;
-
 // What a sample's light is made of so far.
 vec3 terms[GLINT_TERMS];
 
@@ -44,6 +39,7 @@ void main() {
     if (any(greaterThanEqual(pixel, settings.area.xy)) || number >= settings.area.w) return;
 
     uint state = work[slot_field(slot, 1u)];
+    // The driver ended the loop below before its end: see gpu/pace.h.
     if ((state & state_running) != 0u) {
         atomicOr(work[counter_faults], fault_loops);
         return;
@@ -89,7 +85,7 @@ void main() {
                 begun = false;
                 ++number;
             }
-            if ((idle && number >= settings.area.w) || budget == 0u || turns >= most_turns) {
+            if ((idle && number >= settings.area.w) || budget == 0u || turns >= settings.at_tables.w) {
                 // Here and not behind the loop: a driver may have ended that.
                 if (has_path) save_path(slot, waiting++, path);
                 save_slot(slot, number,
