@@ -87,7 +87,7 @@ TEST(GpuLimits, PicturesAreCutIntoTilesThatFit) {
     options.terms = true;
     const std::string whole = picture_hash(gpu()->render(options).image);
     // Some rows of squares, some squares of a row, and one square at a time.
-    for (const std::uint64_t bytes : {600000, 200000, 60000}) {
+    for (const std::uint64_t bytes : {600000u, 200000u, 60000u}) {
         const auto renderer = renderer_with(bytes);
         renderer->prepare(scene);
         EXPECT_EQ(picture_hash(renderer->render(options).image), whole) << bytes;
