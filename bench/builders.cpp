@@ -1,14 +1,11 @@
 #include "builders.h"
 
 #include "peer.h"
+#include "process.h"
 #include "rounds.h"
 
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -35,16 +32,6 @@ bool reset_peak() {
     std::ofstream out("/proc/self/clear_refs");
     out << "5" << std::flush;
     return out.good();
-}
-
-/// All that a child writes to its end of a pipe.
-std::string read_all(int descriptor) {
-    std::string text;
-    std::array<char, 256> part;
-    for (ssize_t n = read(descriptor, part.data(), part.size()); n > 0;
-         n = read(descriptor, part.data(), part.size()))
-        text.append(part.data(), static_cast<std::size_t>(n));
-    return text;
 }
 
 } // namespace
@@ -82,24 +69,9 @@ bool build_and_report(const std::string& wanted, const std::string& file) {
 }
 
 BuildFigures build_in_new_process(const std::string& builder, const std::string& file) {
-    std::array<int, 2> ends;
-    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a build");
-    const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no process for a build");
-    if (child == 0) {
-        dup2(ends[1], STDOUT_FILENO);
-        close(ends[0]);
-        execl("/proc/self/exe", "glint-bench", "--build-only", builder.c_str(), file.c_str(), nullptr);
-        _exit(127);
-    }
-    close(ends[1]);
-    std::istringstream text(read_all(ends[0]));
-    close(ends[0]);
-    int status = 0;
-    waitpid(child, &status, 0);
+    std::istringstream text(run_self({"--build-only", builder, file}));
     BuildFigures figures;
-    if (status != 0 ||
-        !(text >> figures.cpu >> figures.own_bytes >> figures.held_bytes >> figures.peak_bytes))
+    if (!(text >> figures.cpu >> figures.own_bytes >> figures.held_bytes >> figures.peak_bytes))
         throw std::runtime_error("the build of " + file + " by " + builder + " failed");
     return figures;
 }

@@ -2,12 +2,11 @@
 
 #include "agreement.h"
 #include "report.h"
+#include "temporary_folder.h"
 
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string_view>
-#include <unistd.h>
 
 namespace glint::bench {
 namespace {
@@ -57,25 +56,6 @@ ModelResult measure(const Model& model, const Options& options) {
     }
     return result;
 }
-
-/// A folder of our own, gone when we are.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "glint-bench-XXXXXX").string()) {
-        if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
 
 int run(const Options& options) {
     Report report{options, {}};

@@ -1,5 +1,6 @@
 #include "formats/read_bytes.h"
 
+#include "formats/large_pages.h"
 #include "glint/error.h"
 
 #include <fcntl.h>
@@ -41,7 +42,18 @@ class Descriptor {
 
 } // namespace
 
-std::vector<std::byte> read_bytes(const std::string& path, const LoadWatch& watch) {
+FileBytes::FileBytes(std::size_t size)
+    : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {
+    prefer_large_pages(bytes_.get(), size);
+}
+
+void FileBytes::grow(std::size_t size, std::size_t kept) {
+    FileBytes larger(size);
+    std::copy_n(data(), kept, larger.data());
+    *this = std::move(larger);
+}
+
+FileBytes read_bytes(const std::string& path, const LoadWatch& watch) {
     const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (opened < 0) fail(path, errno);
     const Descriptor file(opened);
@@ -52,10 +64,10 @@ std::vector<std::byte> read_bytes(const std::string& path, const LoadWatch& watc
     // Pipes tell no size, and files may grow: the size only says where to begin. One byte more finds the end.
     constexpr std::size_t least = 1U << 16U;
     constexpr std::size_t at_once = 1U << 24U;
-    std::vector<std::byte> bytes(S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) + 1 : least);
+    FileBytes bytes(S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) + 1 : least);
     std::size_t used = 0;
     for (;;) {
-        if (used == bytes.size()) bytes.resize(2 * bytes.size());
+        if (used == bytes.size()) bytes.grow(2 * used, used);
         watch.at(0, 1);
         const ssize_t count = ::read(file.fd(), bytes.data() + used, std::min(bytes.size() - used, at_once));
         if (count < 0 && errno == EINTR) continue;
@@ -63,7 +75,7 @@ std::vector<std::byte> read_bytes(const std::string& path, const LoadWatch& watc
         if (count == 0) break;
         used += static_cast<std::size_t>(count);
     }
-    bytes.resize(used);
+    bytes.cut(used);
     return bytes;
 }
 
