@@ -107,7 +107,7 @@ const std::vector<Option>& options() {
          [](Arguments& a, const std::string& text) { a.threads = whole("--threads", text, 0, 1024); }},
         {{"--backend"},
          "cpu|gpu|auto",
-         "what makes the pictures; default: auto, a graphics card where there is one",
+         "what renders; default: auto, a card where there is one",
          take_backend},
         {{"--theme"}, "dark|light", "colours of the window", take_theme},
         {{"--scale"},
