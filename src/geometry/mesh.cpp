@@ -65,6 +65,20 @@ bool no_area_from(const vec3& a, const vec3& b, const vec3& c) {
     return glm::cross(edge(a, b), edge(a, c)) == dvec3(0.0);
 }
 
+/// Whether floats alone show that the triangle has an area: two products of edges that differ by more than
+/// rounding can make of equal ones. Where they do not, doubles must decide.
+bool surely_has_area(const vec3& a, const vec3& b, const vec3& c) {
+    constexpr float rounding = 0x1p-20f;
+    constexpr float least = 0x1p-100f; // far above what underflows
+    const vec3 e = b - a;
+    const vec3 f = c - a;
+    const auto differ = [](float p, float q) {
+        const float apart = std::fabs(p - q);
+        return apart > least && apart > rounding * (std::fabs(p) + std::fabs(q));
+    };
+    return differ(e.x * f.y, e.y * f.x) || differ(e.y * f.z, e.z * f.y) || differ(e.z * f.x, e.x * f.z);
+}
+
 } // namespace
 
 std::vector<std::uint32_t> weld_by_position(std::span<const vec3> positions) {
@@ -116,6 +130,7 @@ double signed_volume(std::span<const vec3> positions, std::span<const uvec3> tri
 
 bool is_degenerate(const vec3& a, const vec3& b, const vec3& c) {
     // Seen from a far corner two others may seem one; seen from themselves they do not.
+    if (surely_has_area(a, b, c)) return false;
     return no_area_from(a, b, c) && no_area_from(b, c, a) && no_area_from(c, a, b);
 }
 

@@ -147,6 +147,26 @@ TEST(Tracing, AnEmptyMeshIsHitByNothing) {
     }
 }
 
+TEST(Tracing, ASingleTriangleAndALineOfThemAreSound) {
+    const std::vector<float> xyz{-1, -1, 1, 1, -1, 1, 0, 1, 1};
+    const std::vector<Ray> rays(70); // along +z
+    for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::high}) {
+        const Mesh one(xyz, std::vector<std::uint32_t>{0, 1, 2}, {.quality = quality});
+        std::vector<std::uint32_t> flat; // without an area, each
+        for (int i = 0; i < 5000; ++i) flat.insert(flat.end(), {0, 1, 1});
+        const Mesh none_hit(xyz, flat, {.quality = quality});
+        for (const RayHint hint : {RayHint::coherent, RayHint::incoherent}) {
+            std::vector<Hit> hits(rays.size());
+            one.closest(rays, hits, hint);
+            for (const Hit& hit : hits) EXPECT_EQ(hit.triangle, 0u);
+            none_hit.closest(rays, hits, hint);
+            for (const Hit& hit : hits) EXPECT_FALSE(hit);
+        }
+        EXPECT_EQ(one.closest(Ray{}).t, 1.0f);
+        EXPECT_FALSE(none_hit.occluded(Ray{}));
+    }
+}
+
 TEST(Tracing, NoRaysAreNoWork) {
     const Soup soup = make_soup(1, 10);
     const Mesh mesh(soup.xyz, soup.corners);
