@@ -273,10 +273,13 @@ void SessionRenderer::State::paint_first(Easel& easel, Desk& desk) {
     how.show = easel.show;
     how.kernel = options.kernel;
     how.cancel = &cancel;
+    // The first one of all waits for what later ones find: compiled shaders, memory.
+    const bool is_warm = desk.painter->reached().step > 0;
     desk.painter->start(*easel.scene, how);
     desk.painter->advance(0);
     easel.on_gpu = &desk == &easel.gpu;
-    if (desk.painter->reached().step > 0) desk.pace.learn(pixels, how.coarsest, seconds_since(begin));
+    if (is_warm && desk.painter->reached().step > 0)
+        desk.pace.learn(pixels, how.coarsest, seconds_since(begin));
 }
 
 /// Makes all pictures a little better; is there anything left to do?
