@@ -103,7 +103,8 @@ SceneDescription ball(int samples) {
 
 class Backend : public testing::Test {
   protected:
-    Backend() : renderer({.threads = 2, .kernel = {}, .first_picture_seconds = 0.02, .changed = {}}) {}
+    // So short a time makes every first picture a coarse one.
+    Backend() : renderer({.threads = 2, .kernel = {}, .first_picture_seconds = 1e-6, .changed = {}}) {}
     ~Backend() override { EXPECT_EQ(card.on_other_threads, 0); }
 
     void show(const SceneDescription& description) {
@@ -211,7 +212,7 @@ TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
 
 TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
     renderer.set_backend(card.maker());
-    show(ball(64));
+    show(ball(512)); // not finished before the card is lost
     ASSERT_TRUE(comes_true([&] { return renderer.latest(0) && renderer.latest(0)->device == "card"; }));
     card.is_lost = true;
     EXPECT_EQ(finished("")->why_cpu, "the card is lost") << "its first line";
