@@ -13,7 +13,7 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name, 
     const ply::Source source(bytes, name);
     const ply::Header header = ply::parse_header(source);
     const ply::Layout layout = ply::understand(source, header);
-    return ply::assemble(source, header, layout, ply::read_body(source, header, layout, watch));
+    return ply::assemble(source, header, layout, ply::read_body(source, header, layout, watch), watch);
 }
 
 } // namespace glint

@@ -21,16 +21,21 @@ std::string number_text(double value) {
 
 class Assembler {
   public:
-    Assembler(const Source& source, const Header& header, const Layout& layout, Body body)
-        : source_(source), header_(header), layout_(layout), body_(std::move(body)) {}
+    Assembler(const Source& source, const Header& header, const Layout& layout, Body body,
+              const LoadWatch& watch)
+        : source_(source), header_(header), layout_(layout), body_(std::move(body)), watch_(watch) {}
 
     LoadedMesh assemble() {
+        go_on();
         refuse_bad_vertices_in_use();
+        go_on();
         split_polygons();
+        go_on();
         const std::uint64_t dropped = body_.small_faces + drop_degenerate(mesh().positions, mesh().triangles);
         if (dropped > 0)
             warn("dropped " + counted(dropped, "degenerate face", "degenerate faces"),
                  "they have fewer than three different corners, or no area");
+        go_on();
         drop_bad_vertices();
         warn_of_missing_faces();
         warn_of_the_rest();
@@ -39,6 +44,9 @@ class Assembler {
 
   private:
     Mesh& mesh() { return body_.mesh; }
+
+    /// All is read, but a large mesh takes its time still: between the passes the caller may have had enough.
+    void go_on() const { watch_.at(1, 1); }
 
     void warn(std::string message, std::string hint) {
         const Location where{source_.name(), 0, 0, {}};
@@ -145,13 +153,15 @@ class Assembler {
     const Header& header_;
     const Layout& layout_;
     Body body_;
+    const LoadWatch& watch_;
     std::vector<Diagnostic> warnings_;
 };
 
 } // namespace
 
-LoadedMesh assemble(const Source& source, const Header& header, const Layout& layout, Body body) {
-    return Assembler(source, header, layout, std::move(body)).assemble();
+LoadedMesh assemble(const Source& source, const Header& header, const Layout& layout, Body body,
+                    const LoadWatch& watch) {
+    return Assembler(source, header, layout, std::move(body), watch).assemble();
 }
 
 } // namespace glint::ply

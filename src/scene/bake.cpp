@@ -45,14 +45,17 @@ Polyhedron polyhedron_of(const PolyhedronShape& s) {
 
 class Baker {
   public:
-    Baker(const SceneDescription& description, bool need_closedness)
-        : scene_(description), meshes_(description, need_closedness, baked_) {
+    Baker(const SceneDescription& description, bool need_closedness, const std::function<void()>& between)
+        : scene_(description), between_(between), meshes_(description, need_closedness, between, baked_) {
         baked_.objects.resize(description.objects.size());
     }
 
     Baked run() {
         rank_objects();
-        for (std::size_t i = 0; i < scene_.objects.size(); ++i) bake_object(static_cast<std::uint32_t>(i));
+        for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+            between_();
+            bake_object(static_cast<std::uint32_t>(i));
+        }
         return std::move(baked_);
     }
 
@@ -170,14 +173,15 @@ class Baker {
     }
 
     const SceneDescription& scene_;
+    const std::function<void()>& between_;
     Baked baked_;
     MeshBaker meshes_;
 };
 
 } // namespace
 
-Baked bake(const SceneDescription& description, bool need_closedness) {
-    return Baker(description, need_closedness).run();
+Baked bake(const SceneDescription& description, bool need_closedness, const std::function<void()>& between) {
+    return Baker(description, need_closedness, between).run();
 }
 
 } // namespace glint

@@ -3,6 +3,8 @@
 
 #include "scene/frozen.h"
 
+#include <functional>
+
 namespace glint {
 
 /// What baking fills in: the core's input, and the attributes of meshes.
@@ -15,7 +17,8 @@ struct Baked {
 
 /// Bakes all visible objects; a mesh that several of them show is stored once, in its own space. Ranks and
 /// materials are set; `solid` is found out for meshes only where `need_closedness`, since that takes a pass
-/// over all edges. Throws Error(input) for coordinates beyond 10^12.
-Baked bake(const SceneDescription& description, bool need_closedness);
+/// over all edges. `between` is called before each object and each pass over a mesh: what it throws ends the
+/// baking. Throws Error(input) for coordinates beyond 10^12.
+Baked bake(const SceneDescription& description, bool need_closedness, const std::function<void()>& between);
 
 } // namespace glint

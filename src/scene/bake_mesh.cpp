@@ -96,8 +96,9 @@ void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t 
     baked.input.meshes.push_back(std::move(triangles));
 }
 
-MeshBaker::MeshBaker(const SceneDescription& scene, bool need_closedness, Baked& baked)
-    : need_closedness_(need_closedness), baked_(baked) {
+MeshBaker::MeshBaker(const SceneDescription& scene, bool need_closedness,
+                     const std::function<void()>& between, Baked& baked)
+    : need_closedness_(need_closedness), between_(between), baked_(baked) {
     for (const Object& object : scene.objects) {
         if (!object.visible) continue;
         if (std::holds_alternative<MeshShape>(object.shape)) ++uses_[&object];
@@ -134,13 +135,16 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     WorldInput::Triangles triangles;
     triangles.positions = transformed_positions(s.data->positions, m);
     triangles.triangles = s.data->triangles;
+    between_();
     Normals normals;
     if (s.normals == NormalsMode::smooth)
         normals = own(smooth_normals(triangles.positions, triangles.triangles));
     else if (s.normals == NormalsMode::automatic)
         normals = own(transformed_normals(s.data->normals, normal_matrix_of(m)));
     baked_.objects[id].attributes = add_attributes(s, std::move(normals));
+    between_();
     const bool closed = need_closedness_ && is_closed(triangles.positions, triangles.triangles);
+    between_();
     add_triangles(baked_, std::move(triangles), id, closed);
 }
 
@@ -160,7 +164,9 @@ const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
     shared.mesh = static_cast<std::uint32_t>(baked_.input.shared_meshes.size());
     baked_.input.shared_meshes.push_back({{s.data, &mesh.positions}, {s.data, &mesh.triangles}});
     shared.bounds = bounds_of_used(mesh.positions, mesh.triangles);
+    between_();
     shared.closed = need_closedness_ && is_closed(mesh.positions, mesh.triangles);
+    between_();
     if (shared.closed) shared.volume = signed_volume(mesh.positions, mesh.triangles);
     shared.attributes = add_attributes(s, shared_normals(s, with_scale(source.transform, s.scale)));
     return shared_.emplace(&source, shared).first->second;

@@ -21,7 +21,8 @@ void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t 
 class MeshBaker {
   public:
     /// All must outlive this.
-    MeshBaker(const SceneDescription& scene, bool need_closedness, Baked& baked);
+    MeshBaker(const SceneDescription& scene, bool need_closedness, const std::function<void()>& between,
+              Baked& baked);
 
     /// Adds the mesh of the object `source` as object `id`: by its own scale, then by `transform`.
     void bake(const Object& source, const dmat4& transform, std::uint32_t id);
@@ -43,6 +44,7 @@ class MeshBaker {
     std::int32_t add_attributes(const MeshShape& s, std::shared_ptr<const std::vector<vec3>> normals);
 
     bool need_closedness_;
+    const std::function<void()>& between_;
     Baked& baked_;
     std::map<const Object*, int> uses_; ///< how many visible objects show a mesh object's mesh
     std::map<const Object*, Shared> shared_;

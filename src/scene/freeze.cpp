@@ -168,7 +168,7 @@ std::shared_ptr<FrozenScene> frozen(const SceneDescription& description, const F
 
     tell(options, "placing the objects", 0);
     scene->solids_known = scene->any_transparent || options.find_solids;
-    Baked baked = bake(description, scene->solids_known);
+    Baked baked = bake(description, scene->solids_known, [&] { check_cancel(options); });
     scene->objects = std::move(baked.objects);
     scene->attributes = std::move(baked.attributes);
     scene->normal_matrices = std::move(baked.normal_matrices);

@@ -380,5 +380,38 @@ INSTANTIATE_TEST_SUITE_P(
                     std::tuple("oacmpctf3.ply", 95017, 168285), std::tuple("dragon.ply", 435545, 871306)),
     [](const auto& param) { return "File" + std::to_string(param.index); });
 
+// ── Cancelling ─────────────────────────────────────────────────────────────────────────────────────────────
+
+TEST(PlyRead, MayBeCancelledBetweenThePassesAfterItsBody) {
+    const std::string file = ascii("4", "2", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+    LoadOptions options;
+    int read = 0;
+    options.progress = [&](const LoadProgress& progress) { read += progress.fraction == 1 ? 1 : 0; };
+    const auto bytes = std::as_bytes(std::span(file));
+    parse_ply(bytes, "four.ply", options);
+    // Bad vertices, polygons, faces without area, vertices without use.
+    ASSERT_GE(read, 4);
+    for (int last = 1; last <= read; ++last) {
+        CancelFlag cancel{false};
+        int now = 0;
+        options.cancel = &cancel;
+        options.progress = [&](const LoadProgress& progress) {
+            if (progress.fraction == 1 && ++now == last) cancel = true;
+        };
+        if (last == read) {
+            // Nothing is left to be cancelled.
+            EXPECT_NO_THROW(parse_ply(bytes, "four.ply", options));
+            continue;
+        }
+        try {
+            parse_ply(bytes, "four.ply", options);
+            ADD_FAILURE() << last;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+        }
+        EXPECT_EQ(now, last);
+    }
+}
+
 } // namespace
 } // namespace glint

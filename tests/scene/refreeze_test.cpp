@@ -3,6 +3,8 @@
 #include "gallery.h"
 #include "scene_kit.h"
 
+#include "scene/bake.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -171,6 +173,27 @@ TEST(FreezeCancel, AFlagSetByTheProgressEndsItAtEveryStep) {
             if (++told == stop) cancel = true;
         };
         EXPECT_EQ(kind_of_failure(scene, options), ErrorKind::cancelled) << stop;
+    }
+}
+
+TEST(FreezeCancel, BakingMayEndBeforeEveryObjectAndEveryPassOverAMesh) {
+    SceneDescription scene = box_in_the_light();
+    Object ball = scene.objects[0];
+    std::get<MeshShape>(ball.shape).data = std::make_shared<Mesh>(sphere_mesh(1, 6));
+    scene.objects = {ball, ball, ball};
+    int asked = 0;
+    bake(scene, true, [&] { ++asked; });
+    // Once an object; moved, its normals, its edges, its volume.
+    EXPECT_GE(asked, 3 * 4);
+    struct Enough {};
+    for (int last = 1; last <= asked; ++last) {
+        int now = 0;
+        EXPECT_THROW(bake(scene, true,
+                          [&] {
+                              if (++now == last) throw Enough();
+                          }),
+                     Enough);
+        EXPECT_EQ(now, last);
     }
 }
 
