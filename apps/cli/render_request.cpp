@@ -51,12 +51,9 @@ void require_frame_names(const RenderRequest& request) {
 }
 
 Kernel kernel(const Arguments& arguments) {
-    const std::string name = arguments.text("kernel").value_or("auto");
-    if (name == "scalar") return Kernel::scalar;
-    if (name == "single") return Kernel::lone;
-    if (name == "packet") return Kernel::packets;
-    if (name == "stream") return Kernel::streams;
-    return Kernel::automatic;
+    const std::string name = arguments.text("kernel").value_or(kernel_names.front());
+    const auto found = std::find(kernel_names.begin(), kernel_names.end(), name);
+    return static_cast<Kernel>(found - kernel_names.begin());
 }
 
 SimdTarget simd_target(const Arguments& arguments) {

@@ -12,8 +12,12 @@
 namespace glint::viewer {
 namespace {
 
-/// A screen shows no more.
-constexpr double frame_seconds = 1.0 / 60;
+/// Most screens show a frame each 1/60 of a second, and swapping waits for them; none of those that do not
+/// wait is to be drawn more often than about that, however fast the mouse reports.
+constexpr double frame_seconds = 1.0 / 70;
+/// While the camera moves, a frame waits so long for the picture that shows it: drawing the one before once
+/// more would take time from making it.
+constexpr double patience_seconds = 1.0 / 30;
 /// Dear ImGui answers input a frame or two later.
 constexpr int frames_to_settle = 3;
 constexpr double longest_sleep = 0.5;
@@ -55,14 +59,17 @@ void App::run() {
         const bool calm =
             start - std::max(last_input, last_move_) > 0.5 && start - last_frame_ < calm_seconds;
         if (is_moving() || (news && !calm)) to_draw = std::max(to_draw, 1);
-        if (to_draw > 0) {
+        const bool awaits_picture = !news && start - last_move_ < calm_seconds;
+        const double due = last_frame_ + (awaits_picture ? patience_seconds : frame_seconds);
+        if (to_draw > 0 && start >= due) {
             draw_frame();
             frame_times_.add(now() - start);
+            if (start - last_move_ < 0.1) moving_times_.add(now() - start);
             --to_draw;
             news = false;
         }
-        const double rest = frame_seconds - (now() - start);
         const bool more = to_draw > 0 || is_moving();
+        const double rest = std::max(due, last_frame_ + frame_seconds) - now();
         if (window_.wait(more ? std::max(rest, 0.0) : news ? calm_seconds : longest_sleep)) {
             to_draw = frames_to_settle;
             last_input = now();
@@ -83,7 +90,7 @@ bool App::is_moving() const {
 bool App::take_input() {
     bool any = false;
     for (const std::string& file : window_.take_dropped()) {
-        pixel_.reset();
+        let_go();
         bench_.open(file);
         window_.set_title(title_of(file));
         any = true;
@@ -118,8 +125,8 @@ void App::draw_frame() {
     tell_map();
     ImGui::Render();
 
-    const Tint& ground = ui_.theme.surround;
-    window_.clear(ground.red, ground.green, ground.blue);
+    window_.clear(ui_.theme.surround);
+    if (state_.panel) window_.fill(layout_.panel, ui_.theme.panel);
     draw_pictures();
     window_.end_frame();
     canvas_.was_drawn();
@@ -137,6 +144,9 @@ void App::time_picture() {
 
 std::string App::statistics() const {
     std::string text = "window: " + frame_times_.summary() + "\n" + frame_times_.histogram();
+    if (moving_times_.count() > 0)
+        text +=
+            "window while the camera moved: " + moving_times_.summary() + "\n" + moving_times_.histogram();
     if (picture_times_.count() > 0)
         text += "pictures while the camera moved: " + picture_times_.summary() + "\n" +
                 picture_times_.histogram();
@@ -158,7 +168,7 @@ void App::draw_pictures() {
         if (frame->on_device)
             canvas_.show(place, frame->on_device);
         else
-            canvas_.upload(place, frame->image);
+            canvas_.upload(place, frame->image.width, frame->image.height, frame->screen);
         held = frame->number;
         if (place == 0) time_picture();
     }
@@ -329,6 +339,7 @@ void App::tell_map() {
     map.state("show", aspect_name(state_.show));
     map.state("backend", state_.gpu ? "gpu" : "cpu");
     if (window_.listens_to_opengl()) tell_opengl();
+    map.state("kernel", kernel_names[static_cast<std::size_t>(state_.kernel)]);
     map.state("playing", state_.playing);
     if (bench_.animation() != nullptr) map.state("frame", bench_.frame_shown());
     map.state("kept", bench_.has_kept());
@@ -338,6 +349,7 @@ void App::tell_map() {
     if (pixel_) {
         map.state("pixel.x", static_cast<double>(pixel_->explanation.x));
         map.state("pixel.y", static_cast<double>(pixel_->explanation.y));
+        map.state("pixel.material", picked_.material);
     }
     if (shown) tell_picture();
 }

@@ -7,6 +7,7 @@
 #include "navigation.h"
 #include "opengl.h"
 #include "pixel_panel.h"
+#include "scene_panel.h"
 #include "session/times.h"
 #include "shortcuts.h"
 #include "view_state.h"
@@ -77,7 +78,15 @@ class App {
     void show(Aspect aspect);
     void set_backend(bool gpu);
     PainterMaker gpu_maker();
+    void use(Kernel kernel);
+    /// Forgets the pixel that is explained.
+    void let_go() {
+        pixel_.reset();
+        picked_ = {};
+    }
     void explain_at(const PicturePlace& place);
+    /// The Scene panel marks what the chosen ray meets.
+    void mark_picked();
     void save_picture();
     void save_window();
     /// Says something for a few seconds.
@@ -103,6 +112,7 @@ class App {
     Area picture_;   ///< where the picture is shown; B where two stand side by side
     Area reference_; ///< where A is shown
     std::optional<ExplainedPixel> pixel_;
+    Picked picked_; ///< what the chosen ray of that pixel meets
     std::string notice_;
     double notice_until_ = 0;
     bool on_gpu_ = false; ///< what the session was told
@@ -115,6 +125,7 @@ class App {
     double last_picture_ = 0;
     double busy_since_ = 0;
     FrameTimes frame_times_;
+    FrameTimes moving_times_; ///< of frames while the camera moved
     FrameTimes picture_times_;
     std::array<std::uint64_t, picture_places> canvas_numbers_{};
     std::string hash_; ///< of the picture, for the map

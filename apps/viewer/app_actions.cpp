@@ -124,7 +124,7 @@ void App::perform(Action action) {
         notice("The camera is copied");
         break;
     case Action::let_go:
-        if (!state_.help) pixel_.reset();
+        if (!state_.help) let_go();
         state_.help = false;
         break;
     case Action::quit:
@@ -234,6 +234,12 @@ void App::tell_faults() {
     if (!why_cpu_.empty() && frame->show == Aspect::final) notice("The CPU draws: " + why_cpu_);
 }
 
+void App::use(Kernel kernel) {
+    if (bench_.session().kernel() == kernel) return;
+    bench_.session().set_kernel(kernel);
+    last_change_ = now();
+}
+
 void App::explain_at(const PicturePlace& place) {
     guarded([&] {
         const int width = bench_.session().width();
@@ -244,7 +250,18 @@ void App::explain_at(const PicturePlace& place) {
         state_.panel = true;
         state_.tab = Tab::pixel;
         state_.turn_to_tab = true;
+        mark_picked();
     });
+}
+
+void App::mark_picked() {
+    const ExplainedSample& sample =
+        pixel_->explanation.samples[static_cast<std::size_t>(pixel_->choice.sample)];
+    const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(pixel_->choice.place.ray)];
+    Picked met;
+    if (ray.hit) met = {ray.material, ray.object, true};
+    if (met.material == picked_.material && met.object == picked_.object) return;
+    picked_ = met;
 }
 
 std::string App::explain_command() const {

@@ -1,7 +1,6 @@
 // The panel at the right and the line at the bottom.
 #include "app.h"
 #include "overlay.h"
-#include "scene_panel.h"
 #include "settings_panel.h"
 
 #include <fmt/format.h>
@@ -60,14 +59,15 @@ std::string cut_to(std::string text, float width) {
 }
 
 /// "CPU: auto kernel, AVX2, 2 threads", or the graphics card.
-std::string machine_text(const Frame* frame, int threads) {
+std::string machine_text(const Frame* frame, Kernel kernel, int threads) {
     if (frame != nullptr && !frame->device.empty()) return "GPU: " + frame->device;
     const char* target = is_available(SimdTarget::avx512) ? "AVX-512"
                          : is_available(SimdTarget::avx2) ? "AVX2"
                          : is_available(SimdTarget::sse4) ? "SSE4"
                                                           : "plain";
     const unsigned count = threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
-    return fmt::format("CPU: auto kernel, {}, {} thread{}", target, count, count == 1 ? "" : "s");
+    return fmt::format("CPU: {} kernel, {}, {} thread{}", kernel_names[static_cast<std::size_t>(kernel)],
+                       target, count, count == 1 ? "" : "s");
 }
 
 } // namespace
@@ -76,7 +76,7 @@ void App::draw_panel() {
     if (!state_.panel) return;
     ImGui::SetNextWindowPos({layout_.panel.x, layout_.panel.y});
     ImGui::SetNextWindowSize({layout_.panel.width, layout_.panel.height});
-    ImGui::Begin("panel", nullptr, fixed_part);
+    ImGui::Begin("panel", nullptr, fixed_part | ImGuiWindowFlags_NoBackground);
     std::vector<Edit> edits;
     std::vector<Action> actions;
     if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_NoTooltip)) {
@@ -109,7 +109,7 @@ void App::draw_tab(Tab tab, const char* label, std::vector<Edit>& edits, std::ve
     if (scene == nullptr) {
         quiet_text(ui_, "No scene yet.");
     } else if (tab == Tab::scene) {
-        scene_panel(ui_, *scene, bench_.extent(), edits);
+        scene_panel(ui_, *scene, bench_.extent(), picked_, edits);
         draw_remarks(ui_, bench_.shown());
     } else if (tab == Tab::picture) {
         SettingsWishes wishes{edits, actions, {}};
@@ -118,8 +118,11 @@ void App::draw_tab(Tab tab, const char* label, std::vector<Edit>& edits, std::ve
         if (wishes.camera) set_camera(*wishes.camera);
         show(state_.show);
         set_backend(state_.gpu);
+        bench_.session().set_tone(state_.view);
+        use(state_.kernel);
     } else if (pixel_) {
         pixel_panel(ui_, pixel_->explanation, pixel_->choice, explain_command());
+        mark_picked();
     } else {
         quiet_text(ui_, "Click into the picture: here stands why the pixel has its colour.");
     }
@@ -165,7 +168,7 @@ void App::draw_status() {
     ImGui::Begin("status", nullptr, fixed_part);
     const auto frame = bench_.frame(0);
     const char* hint = "?  keys";
-    const std::string machine = machine_text(frame.get(), arguments_.threads);
+    const std::string machine = machine_text(frame.get(), state_.kernel, arguments_.threads);
     const float gap = 24 * ui_.theme.scale;
     const float hint_at = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(hint).x;
     const float machine_at = hint_at - gap - ImGui::CalcTextSize(machine.c_str()).x;

@@ -19,17 +19,23 @@ void main() {
 }
 )";
 
-// The exact sRGB curve, as pictures in files have it.
-constexpr const char* fragment_source = R"(#version 330 core
+// As little as can be: software that draws OpenGL has a short way for it.
+constexpr const char* plain_source = R"(#version 330 core
 uniform sampler2D picture;
-uniform bool curve;
+in vec2 place;
+out vec4 color;
+void main() { color = texture(picture, place); }
+)";
+
+// For linear light: the exact sRGB curve, as pictures in files have it.
+constexpr const char* bent_source = R"(#version 330 core
+uniform sampler2D picture;
 in vec2 place;
 out vec4 color;
 void main() {
     vec3 light = clamp(texture(picture, place).rgb, 0.0, 1.0);
     vec3 bent = 1.055 * pow(max(light, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
-    vec3 toned = curve ? mix(light * 12.92, bent, greaterThan(light, vec3(0.0031308))) : light;
-    color = vec4(toned, 1.0);
+    color = vec4(mix(light * 12.92, bent, greaterThan(light, vec3(0.0031308))), 1.0);
 }
 )";
 
@@ -40,7 +46,7 @@ unsigned compiled(GLenum kind, const char* source) {
     return shader;
 }
 
-unsigned linked() {
+unsigned linked(const char* fragment_source) {
     const unsigned vertex = compiled(GL_VERTEX_SHADER, vertex_source);
     const unsigned fragment = compiled(GL_FRAGMENT_SHADER, fragment_source);
     const unsigned program = glCreateProgram();
@@ -62,39 +68,38 @@ unsigned linked() {
 
 } // namespace
 
-Canvas::Canvas() : program_(linked()) {
-    place_of_corners_ = glGetUniformLocation(program_, "corners");
-    place_of_curve_ = glGetUniformLocation(program_, "curve");
+Canvas::Program::Program(const char* fragment_source)
+    : name(linked(fragment_source)), corners(glGetUniformLocation(name, "corners")) {}
+
+Canvas::Canvas() : plain_(plain_source), bent_(bent_source) {
     glGenVertexArrays(1, &points_);
     for (Texture& texture : pictures_) glGenTextures(1, &texture.name);
     // Not each texture's own setting: some come from elsewhere.
     glGenSamplers(1, &sampler_);
     glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(sampler_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
 }
 
 Canvas::~Canvas() {
     for (const Texture& texture : pictures_) glDeleteTextures(1, &texture.name);
     glDeleteSamplers(1, &sampler_);
     glDeleteVertexArrays(1, &points_);
-    glDeleteProgram(program_);
+    for (const Program* program : {&plain_, &bent_}) glDeleteProgram(program->name);
 }
 
-void Canvas::upload(int place, const Image& image) {
+void Canvas::upload(int place, int width, int height, const std::vector<std::uint32_t>& pixels) {
     Texture& texture = pictures_[static_cast<std::size_t>(place)];
     texture.on_device.reset();
     glBindTexture(GL_TEXTURE_2D, texture.name);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (texture.width == image.width && texture.height == image.height) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, image.width, image.height, GL_RGB, GL_FLOAT,
-                        image.pixels.data());
+    // Packed as graphics cards keep it: nothing is to be converted.
+    constexpr GLenum order = GL_BGRA;
+    constexpr GLenum packed = GL_UNSIGNED_INT_8_8_8_8_REV;
+    if (texture.width == width && texture.height == height) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, order, packed, pixels.data());
     } else {
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, image.width, image.height, 0, GL_RGB, GL_FLOAT,
-                     image.pixels.data());
-        texture.width = image.width;
-        texture.height = image.height;
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, order, packed, pixels.data());
+        texture.width = width;
+        texture.height = height;
     }
 }
 
@@ -115,16 +120,23 @@ void Canvas::draw(int place, const Area& area, const Area& part, View view, cons
     glScissor(pixels(part.x), bottom, pixels(part.x + part.width) - pixels(part.x),
               pixels(part.y + part.height) - pixels(part.y));
     glDisable(GL_BLEND);
-    glUseProgram(program_);
+    const Texture& texture = pictures_[static_cast<std::size_t>(place)];
+    // The card's own picture is linear light; one uploaded has its colours already.
+    const Program& program = texture.on_device && view == View::srgb ? bent_ : plain_;
+    glUseProgram(program.name);
     const auto across = [&](float x) { return 2 * x / static_cast<float>(window.width) - 1; };
     const auto upward = [&](float y) { return 1 - 2 * y / static_cast<float>(window.height); };
-    glUniform4f(place_of_corners_, across(area.x), upward(area.y), across(area.x + area.width),
+    glUniform4f(program.corners, across(area.x), upward(area.y), across(area.x + area.width),
                 upward(area.y + area.height));
-    glUniform1i(place_of_curve_, view == View::srgb);
     glActiveTexture(GL_TEXTURE0);
-    const Texture& texture = pictures_[static_cast<std::size_t>(place)];
     glBindTexture(GL_TEXTURE_2D, texture.on_device ? texture.on_device->texture() : texture.name);
     glBindSampler(0, sampler_);
+    // Where a pixel of the picture covers one of the screen or more, its edges stay sharp.
+    const int width = texture.on_device ? texture.on_device->width() : texture.width;
+    const int height = texture.on_device ? texture.on_device->height() : texture.height;
+    const bool shrunk = width > pixels(area.width) || height > pixels(area.height);
+    glSamplerParameteri(sampler_, GL_TEXTURE_MIN_FILTER, shrunk ? GL_LINEAR : GL_NEAREST);
+    glSamplerParameteri(sampler_, GL_TEXTURE_MAG_FILTER, shrunk ? GL_LINEAR : GL_NEAREST);
     glBindVertexArray(points_);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     glBindSampler(0, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures as OpenGL textures, drawn into the window with the tone curve that files get.
+// Pictures as OpenGL textures, drawn into the window.
 
 #include "ui_map.h"
 #include "window.h"
@@ -8,7 +8,9 @@
 #include "glint/gpu.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace glint::viewer {
 
@@ -20,16 +22,17 @@ class Canvas {
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// Puts a linear picture into one of two places, 0 or 1.
-    void upload(int place, const Image& image);
-    /// Shows one there that is on the graphics card already.
+    /// Puts a picture, as screen_pixels() packs it, into one of two places, 0 or 1.
+    void upload(int place, int width, int height, const std::vector<std::uint32_t>& pixels);
+    /// Shows one there that is on the graphics card already, in linear light.
     void show(int place, std::shared_ptr<const GpuPicture> picture);
     /// To be called when what was drawn is on its way to the screen.
     void was_drawn() const;
     bool holds(int place) const { return pictures_[static_cast<std::size_t>(place)].width > 0; }
 
     /// Draws picture `place` over `area`, cut to `part` of it. Where a pixel of the picture covers one of the
-    /// screen or more, its edges stay sharp.
+    /// screen or more, its edges stay sharp. `view` is for pictures of the graphics card: uploaded ones are
+    /// in the colours of the screen.
     void draw(int place, const Area& area, const Area& part, View view, const WindowSize& window) const;
 
   private:
@@ -39,12 +42,15 @@ class Canvas {
         int height = 0;
         std::shared_ptr<const GpuPicture> on_device; ///< is shown instead, where it is there
     };
+    struct Program {
+        explicit Program(const char* fragment_source);
+        unsigned name;
+        int corners; ///< the place of that uniform
+    };
     std::array<Texture, 2> pictures_;
-    unsigned program_ = 0;
+    Program plain_, bent_; ///< with the picture's values as they are, and by the curve of sRGB
     unsigned sampler_ = 0;
     unsigned points_ = 0; ///< an empty vertex array: the shader makes the corners
-    int place_of_corners_ = 0;
-    int place_of_curve_ = 0;
 };
 
 } // namespace glint::viewer

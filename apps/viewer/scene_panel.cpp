@@ -122,12 +122,33 @@ struct LightRows {
     }
 };
 
-void materials(Ui& ui, const SceneDescription& scene, std::vector<Edit>& edits) {
+/// Marks the section that comes next, of this name, where it is picked, and opens it where that is new.
+class Mark {
+  public:
+    Mark(const Ui& ui, const std::string& name, bool is_picked, bool is_new) : is_picked_(is_picked) {
+        if (!is_picked) return;
+        const Tint& accent = ui.theme.accent;
+        ImGui::PushStyleColor(ImGuiCol_Header, ImVec4(accent.red, accent.green, accent.blue, 0.35f));
+        // What follows ### is all that names a section.
+        if (is_new) ImGui::GetStateStorage()->SetBool(ImGui::GetID(("###" + name).c_str()), true);
+    }
+    ~Mark() {
+        if (is_picked_) ImGui::PopStyleColor();
+    }
+    Mark(const Mark&) = delete;
+    Mark& operator=(const Mark&) = delete;
+
+  private:
+    bool is_picked_;
+};
+
+void materials(Ui& ui, const SceneDescription& scene, const Picked& picked, std::vector<Edit>& edits) {
     heading(ui, "Materials");
     for (const Material& material : scene.materials) {
-        if (!section(ui, "material." + material.name, material.name, scene.materials.size() <= 2,
-                     &material.color))
-            continue;
+        const std::string table = "material." + material.name;
+        const Mark mark(ui, table, picked.is(material), picked.is_new);
+        if (picked.is_new && picked.is(material)) ImGui::SetScrollHereY(0);
+        if (!section(ui, table, material.name, scene.materials.size() <= 2, &material.color)) continue;
         material_rows(ui, material, edits);
         ImGui::Spacing();
     }
@@ -139,13 +160,21 @@ const Vec3* color_of(const SceneDescription& scene, const std::string& material)
     return nullptr;
 }
 
+/// As explanations call it: sphere "ball", or sphere #3, which counts all objects.
+std::string label_of(const Object& object, std::size_t number) {
+    const std::string name =
+        object.name.empty() ? "#" + std::to_string(number + 1) : "\"" + object.name + "\"";
+    return std::string(shape_words[object.shape.index()]) + " " + name + (object.visible ? "" : "  (hidden)");
+}
+
 /// How -D names an object: by its name, else by its number among its kind.
 std::string table_of(const Object& object, std::size_t number_in_kind) {
     const std::string kind = shape_words[object.shape.index()];
     return kind + "." + (object.name.empty() ? std::to_string(number_in_kind) : object.name);
 }
 
-void objects(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit>& edits) {
+void objects(Ui& ui, const SceneDescription& scene, double size, const Picked& picked,
+             std::vector<Edit>& edits) {
     heading(ui, "Objects");
     const std::vector<std::string> names = material_names(scene);
     std::array<std::size_t, shape_words.size()> counts{};
@@ -156,8 +185,8 @@ void objects(Ui& ui, const SceneDescription& scene, double size, std::vector<Edi
         const Object& object = scene.objects[i];
         const std::string table = table_of(object, counts[object.shape.index()]++);
         if (i >= most) continue;
-        const std::string label = table + (object.visible ? "" : "  (hidden)");
-        if (!section(ui, table, label, false, color_of(scene, object.material))) continue;
+        const Mark mark(ui, table, picked.object == i, picked.is_new);
+        if (!section(ui, table, label_of(object, i), false, color_of(scene, object.material))) continue;
         Rows rows(ui, edits, table);
         rows.choice("material", "material", object.material, names, "");
         rows.check("visible", "visible", object.visible, "hidden ones are gone for all rays");
@@ -174,7 +203,8 @@ void lights(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit
         const Light& light = scene.lights[i];
         const std::string table = "light." + std::to_string(i);
         const Vec3 color = std::visit([](const auto& kind) { return kind.color; }, light.kind);
-        const std::string label = std::to_string(i) + "  " + light_words[light.kind.index()];
+        const std::string label =
+            std::string(light_words[light.kind.index()]) + " light " + std::to_string(i + 1);
         if (!section(ui, table, label, scene.lights.size() == 1, &color)) continue;
         Rows rows(ui, edits, table);
         std::visit(LightRows{rows, size / 500}, light.kind);
@@ -184,10 +214,12 @@ void lights(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit
 
 } // namespace
 
-void scene_panel(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit>& edits) {
-    materials(ui, scene, edits);
+void scene_panel(Ui& ui, const SceneDescription& scene, double size, Picked& picked,
+                 std::vector<Edit>& edits) {
+    materials(ui, scene, picked, edits);
     lights(ui, scene, size, edits);
-    objects(ui, scene, size, edits);
+    objects(ui, scene, size, picked, edits);
+    picked.is_new = false;
 }
 
 } // namespace glint::viewer

@@ -47,6 +47,14 @@ void backend(Ui& ui, const std::string& why_cpu, ViewState& state) {
     if (state.gpu && !why_cpu.empty()) quiet_text(ui, "The CPU draws: " + why_cpu);
 }
 
+/// What shows in the time alone.
+void work(Ui& ui, ViewState& state) {
+    label_row(ui, "kernel", "how rays go through meshes; each gives the same picture");
+    const int chosen =
+        choose(ui, "kernel", static_cast<int>(state.kernel), {kernel_names.begin(), kernel_names.end()});
+    if (chosen >= 0) state.kernel = static_cast<Kernel>(chosen);
+}
+
 void light_model(Ui& ui, const WhittedSettings& w, std::vector<Edit>& edits) {
     Rows rows(ui, edits, "whitted");
     rows.whole("max_depth", "depth", w.max_depth, 0, std::max(w.max_depth, 16),
@@ -143,6 +151,7 @@ void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescripti
     light_model(ui, scene.whitted, wishes.edits);
     heading(ui, "Picture");
     samples(ui, scene.render, wishes.edits);
+    work(ui, state);
     comparison(ui, kept, state, wishes.actions);
     camera_rows(ui, camera, state, wishes);
     saving(ui, saved, wishes.actions);

@@ -87,7 +87,7 @@ void set_colors(const Theme& theme, const Level& level) {
     colors[ImGuiCol_Text] = level(0.9f);
     colors[ImGuiCol_TextDisabled] = level(0.52f);
     colors[ImGuiCol_WindowBg] = level(0);
-    colors[ImGuiCol_ChildBg] = level(0);
+    colors[ImGuiCol_ChildBg] = {0, 0, 0, 0};
     colors[ImGuiCol_PopupBg] = level(0.03f);
     colors[ImGuiCol_Border] = level(0.16f);
     colors[ImGuiCol_BorderShadow] = {0, 0, 0, 0};
@@ -147,6 +147,8 @@ Theme apply_theme(ThemeChoice choice, float scale, float pixels_a_unit) {
         theme.error = {0.75f, 0.13f, 0.10f};
         set_colors(theme, [](float x) { return grey(0.955f - x * 0.88f); });
     }
+    const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    theme.panel = {ground.x, ground.y, ground.z};
     return theme;
 }
 

@@ -23,6 +23,7 @@ struct Theme {
     ImFont* bold = nullptr;
     ImFont* fixed = nullptr; ///< every letter as wide as every other
     Tint surround;           ///< around the picture
+    Tint panel;              ///< below what stands beside it
     Tint accent;
     Tint quiet; ///< of texts that matter less
     Tint warning;

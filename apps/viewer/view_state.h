@@ -2,6 +2,7 @@
 // What the window itself remembers: nothing of the scene, only how it is looked at.
 
 #include "glint/formats.h"
+#include "glint/kernels.h"
 #include "glint/render.h"
 
 namespace glint::viewer {
@@ -23,6 +24,7 @@ struct ViewState {
     double turns_a_minute = 4;
     bool playing = false;   ///< the animation
     View view = View::srgb; ///< with the sRGB curve, as files have it, or plain numbers
+    Kernel kernel = Kernel::automatic;
 };
 
 } // namespace glint::viewer

@@ -12,6 +12,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
@@ -153,11 +154,24 @@ void Window::begin_frame() {
     ImGui::NewFrame();
 }
 
-void Window::clear(float red, float green, float blue) const {
+void Window::clear(const Tint& tint) const {
     const WindowSize now = size();
     glViewport(0, 0, now.pixel_width, now.pixel_height);
-    glClearColor(red, green, blue, 1);
+    glClearColor(tint.red, tint.green, tint.blue, 1);
     glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Window::fill(const Area& area, const Tint& tint) const {
+    const WindowSize now = size();
+    const auto pixels = [ratio = now.pixels_a_unit()](float units) {
+        return static_cast<GLint>(std::lround(units * ratio));
+    };
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(pixels(area.x), now.pixel_height - pixels(area.y + area.height), pixels(area.width),
+              pixels(area.height));
+    glClearColor(tint.red, tint.green, tint.blue, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 void Window::end_frame() {

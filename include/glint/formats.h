@@ -109,6 +109,10 @@ struct PictureOptions {
         metadata; ///< what decides the picture; PNG text, EXR attributes
 };
 
+/// What a screen shows of a picture: the codes that an 8-bit PNG would hold, a pixel packed as 0xffRRGGBB,
+/// rows from the top. `pixels` takes the picture's size.
+void screen_pixels(const Image& image, View view, std::vector<std::uint32_t>& pixels);
+
 /// Writes .png, .exr or .pfm by the extension; "-" is stdout (as PNG).
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options = {});
 

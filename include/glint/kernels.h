@@ -1,6 +1,7 @@
 #pragma once
 // Which of the equal ways through a mesh rays shall take. No choice shows in any answer, only in the time.
 
+#include <array>
 #include <cstdint>
 
 namespace glint {
@@ -12,6 +13,9 @@ enum class Kernel : std::uint8_t {
     packets,   ///< groups of neighbours within a shaft
     streams    ///< groups of one octant, filtered ray by ray
 };
+
+/// What users call them, by Kernel.
+inline constexpr std::array kernel_names{"auto", "scalar", "single", "packet", "stream"};
 
 enum class SimdTarget : std::uint8_t {
     best,  ///< the widest that the machine has

@@ -59,6 +59,11 @@ class SrgbTable {
     std::vector<std::uint16_t> first_; ///< by bucket; the code of its least value
 };
 
+const SrgbTable& table_of_bytes() {
+    static const SrgbTable table(255, std::size_t{1} << 12U);
+    return table;
+}
+
 double truncated(float linear, double highest) {
     if (!(linear > 0)) return 0;
     const double code = highest * linear;
@@ -86,8 +91,12 @@ float linear_from_srgb8(std::uint8_t code) { return static_cast<float>(linear_fr
 float linear_from_srgb16(std::uint16_t code) { return static_cast<float>(linear_from_srgb(code / 65535.0)); }
 
 std::uint8_t srgb8_from_linear(float linear) {
-    static const SrgbTable table(255, std::size_t{1} << 12U);
-    return static_cast<std::uint8_t>(table.code(linear));
+    return static_cast<std::uint8_t>(table_of_bytes().code(linear));
+}
+
+void srgb8_codes(std::span<const float> linear, std::uint8_t* codes) {
+    const SrgbTable& table = table_of_bytes();
+    for (const float value : linear) *codes++ = static_cast<std::uint8_t>(table.code(value));
 }
 
 std::uint16_t srgb16_from_linear(float linear) {

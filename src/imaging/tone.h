@@ -3,6 +3,7 @@
 // alone: the sRGB curve (IEC 61966-2-1) is computed with + - * / only, never with the C library's pow.
 
 #include <cstdint>
+#include <span>
 
 namespace glint {
 
@@ -15,6 +16,8 @@ float linear_from_srgb16(std::uint16_t code);
 
 /// The sRGB code nearest to the exact curve at `linear`. Below 0 and NaN give 0, above 1 the highest code.
 std::uint8_t srgb8_from_linear(float linear);
+/// The codes of many values.
+void srgb8_codes(std::span<const float> linear, std::uint8_t* codes);
 std::uint16_t srgb16_from_linear(float linear);
 
 /// Without a curve, truncated: min(255, floor(255 · linear)), 65535 for 16 bits. Below 0 and NaN give 0.

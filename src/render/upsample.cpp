@@ -1,6 +1,7 @@
 #include "render/upsample.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -26,17 +27,20 @@ void fill_row_from_blocks(const Image& known, int step, int y, Image& out) {
     }
 }
 
-void fill_row_smoothly(const Image& known, int step, int y, Image& out) {
+/// `shares` holds k / step.
+void fill_row_smoothly(const Image& known, int step, const std::vector<float>& shares, int y, Image& out) {
     const Between rows(y, step, known.height);
     // Down first, at the known columns, then along the row.
     for (int x = 0; x < out.width; x += step)
         for (int c = 0; c < 3; ++c)
             out.at(x, y)[c] = mixed(known.at(x, rows.before)[c], known.at(x, rows.after)[c], rows.share);
-    for (int x = 0; x < out.width; ++x) {
-        const Between columns(x, step, out.width);
-        if (columns.before == x) continue;
-        for (int c = 0; c < 3; ++c)
-            out.at(x, y)[c] = mixed(out.at(columns.before, y)[c], out.at(columns.after, y)[c], columns.share);
+    for (int x = 0; x < out.width; x += step) {
+        float* pixel = out.at(x, y);
+        const float* after = x + step < out.width ? pixel + 3 * step : pixel;
+        const int end = std::min(step, out.width - x);
+        for (int k = 1; k < end; ++k)
+            for (int c = 0; c < 3; ++c)
+                pixel[3 * k + c] = mixed(pixel[c], after[c], shares[static_cast<std::size_t>(k)]);
     }
 }
 
@@ -44,11 +48,15 @@ void fill_row_smoothly(const Image& known, int step, int y, Image& out) {
 
 void upsample(const Image& known, int step, bool smooth, Image& out, TaskPool& pool) {
     constexpr int rows_a_task = 32;
+    std::vector<float> shares(static_cast<std::size_t>(step));
+    for (int k = 0; k < step; ++k)
+        shares[static_cast<std::size_t>(k)] = static_cast<float>(k) / static_cast<float>(step);
     const int tasks = (out.height + rows_a_task - 1) / rows_a_task;
     pool.run(static_cast<std::size_t>(tasks), [&](std::size_t task, int) {
         const int first = static_cast<int>(task) * rows_a_task;
         for (int y = first; y < std::min(first + rows_a_task, out.height); ++y)
-            smooth ? fill_row_smoothly(known, step, y, out) : fill_row_from_blocks(known, step, y, out);
+            smooth ? fill_row_smoothly(known, step, shares, y, out)
+                   : fill_row_from_blocks(known, step, y, out);
     });
 }
 

@@ -219,6 +219,29 @@ TEST_F(Window, AClickShowsTheRayTreeOfThePixel) {
     EXPECT_TRUE(wait_until([&] { return !has("ray:0"); }));
 }
 
+TEST_F(Window, AClickMarksTheMaterialAndOpensItInTheScenePanel) {
+    open_scene();
+    finished_picture();
+    click("picture");
+    ASSERT_TRUE(wait_for_state("tab", "pixel"));
+    const std::string material = state("pixel.material");
+    ASSERT_NE(material, "");
+    click("tab:scene");
+    EXPECT_TRUE(wait_for_widget("material." + material + ".diffuse"));
+}
+
+TEST_F(Window, TheKernelIsChosenAndChangesNoPicture) {
+    open_scene();
+    const std::string before = finished_picture();
+    click("tab:picture");
+    ASSERT_TRUE(wait_for_widget("kernel"));
+    click("kernel");
+    ASSERT_TRUE(wait_for_widget("kernel:scalar"));
+    click("kernel:scalar");
+    ASSERT_TRUE(wait_for_state("kernel", "scalar"));
+    EXPECT_EQ(finished_picture(), before);
+}
+
 TEST_F(Window, ASavedFileIsShownAtOnceAndTheCameraKept) {
     open_scene();
     const std::string before = finished_picture();

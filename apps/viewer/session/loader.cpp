@@ -179,6 +179,7 @@ LoadedFile SessionLoader::State::read_file() {
     LoadedFile file{path, freeze(loaded.description, how), std::move(loaded.warnings),
                     std::move(loaded.notes), false};
     scene_files = loaded.files;
+    if (cancel) throw Error(ErrorKind::cancelled, "reading was cancelled");
     const std::vector<Diagnostic> of_scene = warnings(file.scene);
     file.warnings.insert(file.warnings.end(), of_scene.begin(), of_scene.end());
     return file;

@@ -26,6 +26,7 @@ double seconds_since(Clock::time_point begin) {
 struct Wish {
     std::array<std::optional<Scene>, picture_places> scenes;
     std::array<Aspect, picture_places> show{};
+    Kernel kernel = Kernel::automatic;
     CameraDescription camera;
     int width = 0;
     int height = 0;
@@ -69,28 +70,35 @@ class FramePool {
     std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
 };
 
-/// How coarse the first picture must be to be there in time, learnt from those before.
+/// How coarse the first picture must be to be there in time, learnt from those before: each takes so long a
+/// sample, and so long whatever its coarseness.
 class Pace {
   public:
     explicit Pace(double seconds) : seconds_(seconds) {}
 
     int step(int pixels) const {
         int step = 1;
-        while (step < most_coarse && samples(pixels, step) * seconds_a_sample_ > seconds_) step *= 2;
+        while (step < most_coarse && seconds_of(pixels, step) > seconds_) step *= 2;
         return step;
     }
 
-    void learn(int pixels, int step, double seconds) {
-        const double now = seconds / std::max(1.0, samples(pixels, step));
-        // Views differ: what was slower counts at once, what was faster by and by.
-        seconds_a_sample_ = std::max(now, 0.7 * seconds_a_sample_ + 0.3 * now);
+    void learn(int pixels, int step, double tracing, double showing) {
+        // One late picture is no reason to make many coarse: the machine may have been busy otherwise.
+        constexpr double share = 0.25;
+        const double now = tracing / std::max(1.0, samples(pixels, step));
+        seconds_a_sample_ += share * (std::min(now, 4 * seconds_a_sample_) - seconds_a_sample_);
+        seconds_a_pixel_ += share * (std::min(showing / pixels, 4 * seconds_a_pixel_) - seconds_a_pixel_);
     }
 
   private:
     static double samples(int pixels, int step) { return static_cast<double>(pixels) / (step * step); }
+    double seconds_of(int pixels, int step) const {
+        return samples(pixels, step) * seconds_a_sample_ + pixels * seconds_a_pixel_;
+    }
 
     double seconds_;
-    double seconds_a_sample_ = 2e-6;
+    double seconds_a_sample_ = 1e-6;
+    double seconds_a_pixel_ = 1e-8;
 };
 
 /// One who draws for one place.
@@ -110,6 +118,8 @@ struct Easel {
     std::string fault;          ///< why the graphics card is not asked
     std::string why_cpu;        ///< that, or why not for this picture
     int coarsest = most_coarse; ///< no picture with a wider step is shown
+    int first_step = 0;         ///< of its first picture; 0 where that tells nothing of the pace
+    double first_seconds = 0;   ///< that it took
 
     Painter& painter() { return *(on_gpu ? gpu : cpu).painter; }
 };
@@ -138,6 +148,8 @@ struct SessionRenderer::State {
     mutable std::mutex mutex; ///< guards the following
     std::condition_variable changed;
     Wish wish;
+    View tone = View::srgb;
+    bool is_retoned = false;  ///< pictures are to be shown with another tone
     bool is_stale = false;    ///< the wish is another than what is rendered
     bool must_finish = false; ///< the first picture is under way: it is shown even when it is stale
     bool closing = false;
@@ -166,23 +178,29 @@ struct SessionRenderer::State {
     }
 
     void run();
-    bool wait(bool is_finished, Wish& next);
+    bool wait(bool is_finished, Wish& next, bool& again);
     void begin(const Wish& next);
     void start(std::size_t place);
     bool start_on_gpu(Easel& easel);
     void start_on_cpu(Easel& easel);
     void paint_first(Easel& easel, Desk& desk);
-    bool refine();
+    bool refine(bool again);
     bool advance(Easel& easel);
     void fall_back(Easel& easel, const std::string& fault);
     void publish(std::size_t place);
+    View tone_now() const {
+        const std::lock_guard lock(mutex);
+        return tone;
+    }
 };
 
-/// Waits for something to do; false at the end. Sets `next` where all begins anew.
-bool SessionRenderer::State::wait(bool is_finished, Wish& next) {
+/// Waits for something to do; false at the end. Sets `next` where all begins anew, `again` where what there
+/// is is to be shown once more.
+bool SessionRenderer::State::wait(bool is_finished, Wish& next, bool& again) {
     std::unique_lock lock(mutex);
-    changed.wait(lock, [&] { return closing || is_stale || !is_finished; });
+    changed.wait(lock, [&] { return closing || is_stale || is_retoned || !is_finished; });
     if (closing) return false;
+    again = std::exchange(is_retoned, false);
     next = {};
     if (!is_stale) return true;
     next = wish;
@@ -196,9 +214,10 @@ bool SessionRenderer::State::wait(bool is_finished, Wish& next) {
 void SessionRenderer::State::run() {
     bool is_finished = true;
     Wish next;
-    while (wait(is_finished, next)) {
+    bool again = false;
+    while (wait(is_finished, next, again)) {
         if (next.is_possible()) begin(next);
-        is_finished = !refine();
+        is_finished = !refine(again);
     }
     // Painters end on the thread that made them.
     for (Easel& easel : easels) {
@@ -234,7 +253,12 @@ void SessionRenderer::State::start(std::size_t place) {
         easel.coarsest = current.same_view && frames[place] ? frames[place]->reached.step : most_coarse;
     }
     if (!start_on_gpu(easel)) start_on_cpu(easel);
+    const Clock::time_point begin = Clock::now();
     publish(place);
+    if (easel.first_step > 0)
+        (easel.on_gpu ? easel.gpu : easel.cpu)
+            .pace.learn(current.width * current.height, easel.first_step, easel.first_seconds,
+                        seconds_since(begin));
 }
 
 /// False where the CPU is to draw.
@@ -271,24 +295,26 @@ void SessionRenderer::State::paint_first(Easel& easel, Desk& desk) {
     ProgressiveOptions how;
     how.coarsest = desk.pace.step(pixels);
     how.show = easel.show;
-    how.kernel = options.kernel;
+    how.kernel.kernel = current.kernel;
     how.cancel = &cancel;
     // The first one of all waits for what later ones find: compiled shaders, memory.
     const bool is_warm = desk.painter->reached().step > 0;
     desk.painter->start(*easel.scene, how);
     desk.painter->advance(0);
     easel.on_gpu = &desk == &easel.gpu;
-    if (is_warm && desk.painter->reached().step > 0)
-        desk.pace.learn(pixels, how.coarsest, seconds_since(begin));
+    easel.first_step = is_warm && desk.painter->reached().step > 0 ? how.coarsest : 0;
+    easel.first_seconds = seconds_since(begin);
 }
 
 /// Makes all pictures a little better; is there anything left to do?
-bool SessionRenderer::State::refine() {
+bool SessionRenderer::State::refine(bool again) {
     bool goes_on = false;
     for (std::size_t place = 0; place < picture_places && !cancel; ++place) {
-        if (!easels[place].scene || easels[place].painter().reached().finished) continue;
-        goes_on = advance(easels[place]) || goes_on;
-        if (!cancel) publish(place);
+        Easel& easel = easels[place];
+        if (!easel.scene) continue;
+        const bool was_finished = easel.painter().reached().finished;
+        if (!was_finished) goes_on = advance(easel) || goes_on;
+        if (!cancel && (again || !was_finished)) publish(place);
     }
     return goes_on;
 }
@@ -324,6 +350,7 @@ void SessionRenderer::State::publish(std::size_t place) {
     frame->device = painter.device();
     frame->why_cpu = easel.why_cpu;
     if (easel.show != Aspect::final) frame->image = visible(frame->image, easel.show, *easel.scene);
+    if (!frame->on_device) screen_pixels(frame->image, tone_now(), frame->screen);
     {
         const std::lock_guard lock(mutex);
         frames[place] = frame;
@@ -351,6 +378,20 @@ void SessionRenderer::set_scene(int place, std::optional<Scene> scene) {
 
 void SessionRenderer::set_show(int place, Aspect show) {
     state_->wake([&] { state_->wish.show[static_cast<std::size_t>(place)] = show; });
+}
+
+void SessionRenderer::set_kernel(Kernel kernel) {
+    state_->wake([&] { state_->wish.kernel = kernel; });
+}
+
+void SessionRenderer::set_tone(View tone) {
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (state_->tone == tone) return;
+        state_->tone = tone;
+        state_->is_retoned = true;
+    }
+    state_->changed.notify_one();
 }
 
 void SessionRenderer::set_view(const CameraDescription& camera, int width, int height) {

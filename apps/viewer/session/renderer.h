@@ -4,6 +4,7 @@
 
 #include "painter.h"
 
+#include "glint/formats.h"
 #include "glint/progressive.h"
 
 #include <array>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glint::viewer {
 
@@ -20,7 +22,8 @@ struct Frame {
     int width = 0;
     int height = 0;
     Image image; ///< linear; aspects as visible() shows them. Empty where a graphics card keeps the picture
-    std::shared_ptr<const GpuPicture> on_device; ///< such a picture
+    std::vector<std::uint32_t> screen;           ///< screen_pixels() of that image
+    std::shared_ptr<const GpuPicture> on_device; ///< a picture that a graphics card keeps
     std::string device;                          ///< what drew it; empty: the CPU
     std::string why_cpu;                         ///< why the CPU drew it though a graphics card was to
     Aspect show = Aspect::final;
@@ -42,7 +45,6 @@ class SessionRenderer {
   public:
     struct Options {
         int threads = 0; ///< 0: one for each core
-        KernelChoice kernel;
         /// How long the first picture after a change may take: it is as coarse as that needs.
         double first_picture_seconds = 0.020;
         std::function<void()> changed; ///< there is a new frame; called by the renderer's thread
@@ -57,6 +59,10 @@ class SessionRenderer {
     /// A scene for a place, or none. Its own camera and size do not count.
     void set_scene(int place, std::optional<Scene> scene);
     void set_show(int place, Aspect show);
+    /// Which way rays take through meshes.
+    void set_kernel(Kernel kernel);
+    /// How pictures become colours of the screen. Nothing is rendered anew.
+    void set_tone(View tone);
     /// From where all places are seen, and how large.
     void set_view(const CameraDescription& camera, int width, int height);
     /// Who draws: the graphics card whose painters `gpu` makes, or the CPU. What is shown stays until there

@@ -9,7 +9,7 @@ namespace glint::viewer {
 struct Session::State {
     explicit State(SessionOptions given)
         : options(std::move(given)), width(options.width), height(options.height),
-          renderer({options.threads, options.kernel, options.first_picture_seconds, options.changed}),
+          renderer({options.threads, options.first_picture_seconds, options.changed}),
           loader(loader_options()) {}
 
     SessionLoader::Options loader_options() {
@@ -29,6 +29,7 @@ struct Session::State {
     std::optional<SessionScene> scene;
     std::array<std::optional<Scene>, picture_places> scenes;
     std::array<Aspect, picture_places> show_of{};
+    Kernel kernel = Kernel::automatic;
     bool comparing = false;
     CameraControl camera;
     int width;
@@ -106,6 +107,20 @@ void Session::set_show(Aspect show, int place) {
     now = show;
     state_->renderer.set_show(place, show);
 }
+
+void Session::set_kernel(Kernel kernel) {
+    const std::lock_guard lock(state_->mutex);
+    if (state_->kernel == kernel) return;
+    state_->kernel = kernel;
+    state_->renderer.set_kernel(kernel);
+}
+
+Kernel Session::kernel() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->kernel;
+}
+
+void Session::set_tone(View tone) { state_->renderer.set_tone(tone); }
 
 Aspect Session::show(int place) const {
     const std::lock_guard lock(state_->mutex);

@@ -19,8 +19,7 @@ namespace glint::viewer {
 
 struct SessionOptions {
     LoadOptions load;
-    int threads = 0; ///< 0: one for each core
-    KernelChoice kernel;
+    int threads = 0;   ///< 0: one for each core
     bool watch = true; ///< read files again when they or their meshes change
     int width = 800;
     int height = 600;
@@ -70,6 +69,11 @@ class Session {
     bool is_comparing() const;
     void set_show(Aspect show, int place = 0);
     Aspect show(int place = 0) const;
+    /// Which way rays take through meshes: shows in the time alone.
+    void set_kernel(Kernel kernel);
+    Kernel kernel() const;
+    /// With the sRGB curve, as files have it, or plain numbers.
+    void set_tone(View tone);
 
     /// Who draws: see SessionRenderer.
     void set_backend(PainterMaker gpu);
