@@ -105,7 +105,7 @@ SceneDescription ball(int samples) {
 class Backend : public testing::Test {
   protected:
     // So short a time makes every first picture a coarse one.
-    Backend() : renderer({.threads = 2, .kernel = {}, .first_picture_seconds = 1e-6, .changed = {}}) {}
+    Backend() : renderer({.threads = 2, .first_picture_seconds = 1e-6, .changed = {}}) {}
     ~Backend() override { EXPECT_EQ(card.on_other_threads, 0); }
 
     void show(const SceneDescription& description) {
@@ -168,7 +168,9 @@ TEST_F(Backend, SwitchingWhileItRendersShowsNothingButPictures) {
         renderer.set_backend(i % 2 == 0 ? card.maker() : PainterMaker());
         std::this_thread::sleep_for(std::chrono::milliseconds(i % 7));
         const std::string device = i % 2 == 0 ? "card" : "";
-        if (i % 25 == 24) EXPECT_TRUE(comes_true([&] { return renderer.latest(0)->device == device; }));
+        if (i % 25 == 24) {
+            EXPECT_TRUE(comes_true([&] { return renderer.latest(0)->device == device; }));
+        }
     }
     renderer.set_backend(card.maker());
     EXPECT_TRUE(comes_true([&] { return renderer.latest(0)->device == "card"; }));
