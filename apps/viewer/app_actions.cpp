@@ -230,8 +230,7 @@ void App::tell_faults() {
     const auto frame = bench_.frame(0);
     if (!frame || frame->why_cpu == why_cpu_) return;
     why_cpu_ = frame->why_cpu;
-    // That the card does not know a quantity is no fault.
-    if (!why_cpu_.empty() && frame->show == Aspect::final) notice("The CPU draws: " + why_cpu_);
+    if (!why_cpu_.empty()) notice("The CPU draws: " + why_cpu_);
 }
 
 void App::use(Kernel kernel) {

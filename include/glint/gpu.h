@@ -102,7 +102,7 @@ class GpuPicture {
 };
 
 /// Progressive on a graphics card: the same passes, and after the last one the bits of GpuRenderer's picture.
-/// It draws the light alone (Aspect::final). To be used by one thread at a time.
+/// What `show` of the options asks for is numbers, as of Progressive. To be used by one thread at a time.
 class GpuProgressive {
   public:
     /// On a device of its own, by number or the best: see GpuRenderer.

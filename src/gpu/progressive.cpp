@@ -4,6 +4,7 @@
 #include "gpu/picture.h"
 #include "gpu/studio.h"
 #include "gpu/tile_work.h"
+#include "render/aspect.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,8 +13,6 @@
 
 namespace glint {
 namespace {
-
-constexpr std::size_t terms = 1;
 
 // shaders/show.glsl
 constexpr std::uint32_t show_centres = 0;
@@ -60,8 +59,8 @@ std::uint32_t slots_of(const Rect& tile) { return static_cast<std::uint32_t>(til
 } // namespace
 
 struct GpuProgressive::State {
-    explicit State(int device) : studio(device, {}), work(std::in_place, studio, terms) {}
-    explicit State(GpuCurrentContext current) : studio(current), work(std::in_place, studio, terms) {}
+    explicit State(int device) : studio(device, {}) {}
+    explicit State(GpuCurrentContext current) : studio(current) {}
     ~State() {
         const GpuScope scope(studio.context());
         work.reset();
@@ -73,7 +72,8 @@ struct GpuProgressive::State {
     }
 
     GpuStudio studio;
-    std::optional<TileWork> work;
+    std::size_t terms = 1; ///< that are told apart
+    std::optional<TileWork> work{std::in_place, studio, terms};
     std::unique_ptr<GpuBuffer> scratch;            ///< the film of centres
     std::vector<std::unique_ptr<GpuBuffer>> films; ///< of samples, by tile of the picture
     std::unique_ptr<GpuBuffer> block;
@@ -82,6 +82,7 @@ struct GpuProgressive::State {
 
     ProgressiveOptions options;
     RenderSettings settings;
+    bool first_hit = false; ///< numbers of first hits are shown
     std::vector<Pass> passes;
     std::size_t pass = 0;             ///< the one under way; passes.size(): finished
     std::vector<Rect> tiles;          ///< of the pass, in places of it
@@ -99,6 +100,7 @@ struct GpuProgressive::State {
     }
 
     void start(const Scene& scene, const ProgressiveOptions& wanted);
+    void tell_apart(std::size_t count);
     void give_up();
     void begin_pass();
     void end_pass();
@@ -118,13 +120,14 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
     if (wanted.coarsest < 1 || wanted.coarsest > most_coarse ||
         (wanted.coarsest & (wanted.coarsest - 1)) != 0)
         throw std::invalid_argument("the coarsest step is no power of two from 1 to 64");
-    if (wanted.show != Aspect::final)
-        throw Error(ErrorKind::device, std::string(aspect_name(wanted.show)) + " is drawn by the CPU");
     give_up();
     reached = {};
     studio.prepare(scene);
     options = wanted;
     settings = scene.render_settings();
+    first_hit = !is_light(options.show);
+    if (first_hit) settings.spp = 1;
+    tell_apart(term_of(options.show) ? term_count : 1);
     picture_tiles = tiles_of(studio.context(), studio.settings(), terms, settings.width, settings.height);
     means.assign(picture_tiles.size(), 0);
     if (known == nullptr || known->width() != settings.width || known->height() != settings.height) {
@@ -136,6 +139,15 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
     rays_before = rays();
     passes = passes_of(settings, options.coarsest);
     begin_pass();
+}
+
+/// Work and films have places for so many terms.
+void GpuProgressive::State::tell_apart(std::size_t count) {
+    if (terms == count) return;
+    terms = count;
+    work.emplace(studio, terms);
+    scratch.reset();
+    films.clear();
 }
 
 /// Leaves nothing to go on with.
@@ -185,6 +197,11 @@ GpuSettings GpuProgressive::State::settings_of(const Rect& rect, const Pass& p) 
     s.area.y = static_cast<std::uint32_t>(settings.height);
     s.area.w = static_cast<std::uint32_t>(p.count > 0 ? p.first + p.count : 1);
     s.pass = uvec4(static_cast<std::uint32_t>(p.step), static_cast<std::uint32_t>(p.first), 0u, 0u);
+    if (first_hit) {
+        // Nothing bounces.
+        s.area.z = static_cast<std::uint32_t>(options.show);
+        s.limits.x = 0;
+    }
     return s;
 }
 
@@ -211,7 +228,7 @@ void GpuProgressive::State::end_tile() {
 void GpuProgressive::State::step() {
     if (tile < tiles.size()) {
         if (!work->is_under_way()) begin_tile();
-        work->step(studio.program(false, false), film(tile));
+        work->step(studio.program(terms > 1, first_hit), film(tile));
         if (!work->is_under_way()) end_tile();
     }
     if (tile == tiles.size()) end_pass();
@@ -246,8 +263,10 @@ void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, 
                                  const Rect& rect) {
     if (block == nullptr)
         block = std::make_unique<GpuBuffer>(studio.context(), "the settings", nullptr, sizeof(GpuSettings));
+    const auto term = term_of(options.show);
     GpuSettings s = how;
-    s.turn.z = slots_of(rect);
+    s.turn = uvec4(static_cast<std::uint32_t>(terms), term ? static_cast<std::uint32_t>(*term) : 0u,
+                   slots_of(rect), first_hit ? 0u : 1u);
     block->write(0, &s, sizeof s);
     studio.show_program().use();
     block->bind_uniform(0);

@@ -32,20 +32,24 @@ class GpuPainter : public Painter {
 
     void start(const Scene& scene, const ProgressiveOptions& options) override {
         picture_.start(scene, options);
+        is_light_ = options.show == Aspect::final;
     }
     bool advance(double seconds) override { return picture_.advance(seconds); }
     const Refinement& reached() const override { return picture_.reached(); }
     void show(Frame& frame) override {
-        frame.image = {};
-        frame.on_device = picture_.picture();
-        frame.width = frame.on_device->width();
-        frame.height = frame.on_device->height();
+        const std::shared_ptr<const GpuPicture> picture = picture_.picture();
+        frame.width = picture->width();
+        frame.height = picture->height();
+        // What visible() has yet to make colours of is brought back.
+        frame.image = is_light_ ? Image() : picture->read();
+        if (is_light_) frame.on_device = picture;
     }
     std::string device() const override { return picture_.device().name; }
 
   private:
     std::shared_ptr<void> context_;
     GpuProgressive picture_;
+    bool is_light_ = true;
 };
 
 } // namespace

@@ -116,7 +116,6 @@ struct Easel {
     std::optional<Scene> scene; ///< as seen from the camera
     Aspect show = Aspect::final;
     std::string fault;          ///< why the graphics card is not asked
-    std::string why_cpu;        ///< that, or why not for this picture
     int coarsest = most_coarse; ///< no picture with a wider step is shown
     int first_step = 0;         ///< of its first picture; 0 where that tells nothing of the pace
     double first_seconds = 0;   ///< that it took
@@ -263,13 +262,8 @@ void SessionRenderer::State::start(std::size_t place) {
 
 /// False where the CPU is to draw.
 bool SessionRenderer::State::start_on_gpu(Easel& easel) {
-    easel.why_cpu = easel.fault;
     if (!current.gpu || !easel.fault.empty()) return false;
-    if (easel.show != Aspect::final) {
-        easel.why_cpu = std::string(aspect_name(easel.show)) + " is drawn by the CPU";
-        return false;
-    }
-    easel.why_cpu = easel.fault = fault_of([&] {
+    easel.fault = fault_of([&] {
         if (!easel.gpu.painter) easel.gpu.painter = current.gpu();
         paint_first(easel, easel.gpu);
     });
@@ -279,7 +273,7 @@ bool SessionRenderer::State::start_on_gpu(Easel& easel) {
 }
 
 void SessionRenderer::State::fall_back(Easel& easel, const std::string& fault) {
-    easel.fault = easel.why_cpu = fault;
+    easel.fault = fault;
     easel.gpu.painter.reset();
     start_on_cpu(easel);
 }
@@ -348,7 +342,7 @@ void SessionRenderer::State::publish(std::size_t place) {
         frame->reached.seconds > 0 ? static_cast<double>(frame->reached.rays) / frame->reached.seconds : 0;
     frame->show = easel.show;
     frame->device = painter.device();
-    frame->why_cpu = easel.why_cpu;
+    frame->why_cpu = easel.fault;
     if (easel.show != Aspect::final) frame->image = visible(frame->image, easel.show, *easel.scene);
     if (!frame->on_device) screen_pixels(frame->image, tone_now(), frame->screen);
     {

@@ -1,4 +1,5 @@
-// From films to the picture as it is shown: one slot a pixel of the tile, as in whitted.glsl.
+// From films to the picture as it is shown: one slot a pixel of the tile, as in whitted.glsl. settings.turn: the
+// terms that films tell apart, the one that is shown, slots, whether to go smoothly from pixel to pixel.
 
 layout(local_size_x = 64) in;
 layout(rgba32f, binding = 0) uniform image2D known; // centres of pixels, where they were looked at
@@ -12,29 +13,30 @@ const uint show_started = 3u; // of as many as each pixel has in `work`
 /// Correctly rounded, as on the CPU: in double the quotient of two floats is too precise to be rounded twice.
 vec3 divided(vec3 sum, uint by) { return vec3(dvec3(sum) / double(by)); }
 
-vec3 film_vector(uint slot, uint field) {
+vec3 film_vector(uint slot, bool positive) {
     uint stride = settings.turn.z;
-    uint at = slot + field * stride;
+    uint at = slot + 3u * ((positive ? 0u : settings.turn.x) + settings.turn.y) * stride;
     return vec3(film[at], film[at + stride], film[at + 2u * stride]);
 }
 
 /// imaging/film.h: pixel_value().
 vec3 pixel_value(uint slot, uint count) {
-    uint positives = uint(film[slot + 6u * settings.turn.z]);
+    uint positives = uint(film[slot + 6u * settings.turn.x * settings.turn.z]);
     uint negatives = count - positives;
-    if (positives == 0u) return divided(film_vector(slot, 3u), negatives);
+    if (positives == 0u) return divided(film_vector(slot, false), negatives);
     bool lobes = count >= 16u && 4u * positives >= 3u * count;
-    if (!lobes) return divided(film_vector(slot, 0u), positives);
-    return divided(film_vector(slot, 0u) - film_vector(slot, 3u), positives - negatives);
+    if (!lobes) return divided(film_vector(slot, true), positives);
+    return divided(film_vector(slot, true) - film_vector(slot, false), positives - negatives);
 }
 
 /// Exact at both ends, where the other may be anything.
 vec3 mixed(vec3 a, vec3 b, float share) { return share == 0.0f ? a : a + (b - a) * share; }
 
-/// render/upsample.cpp: linear between the known pixels.
+/// render/upsample.cpp: linear between the known pixels, or in blocks.
 vec3 spread(ivec2 pixel, int step) {
     ivec2 size = imageSize(known);
     ivec2 before = pixel / step * step;
+    if (settings.turn.w == 0u) return imageLoad(known, before).rgb;
     ivec2 after = before + step;
     if (after.x >= size.x) after.x = before.x;
     if (after.y >= size.y) after.y = before.y;
