@@ -1,14 +1,13 @@
 #include "formats/ply_body.h"
 
-#include "formats/large_pages.h"
 #include "formats/ply_cursor.h"
+#include "formats/ply_light.h"
 #include "imaging/tone.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace glint::ply {
 namespace {
@@ -22,17 +21,6 @@ float to_float(double value) {
 
 /// Directions and texture coordinates that are not finite mean nothing: 0.
 float finite_or_zero(double value) { return std::isfinite(value) ? to_float(value) : 0.0f; }
-
-/// Linear light of the 256 sRGB codes, computed once: the curve takes longer than the rest of a vertex.
-const std::array<float, 256>& light_of_codes() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> light{};
-        for (std::size_t code = 0; code < light.size(); ++code)
-            light[code] = linear_from_srgb8(static_cast<std::uint8_t>(code));
-        return light;
-    }();
-    return table;
-}
 
 /// Linear light of a stored colour. Bytes and 16-bit values are sRGB codes, and so are wider whole numbers, 0
 /// … 255; floats are linear light, and what is negative or no number is black.
@@ -67,13 +55,9 @@ class BodyReader {
   private:
     using Values = std::array<double, role_count>;
 
-    static constexpr bool is_binary = !std::is_same_v<Cursor, TextCursor>;
-    static constexpr std::uint64_t rows_between = 1U << 14U; ///< one look at the watch and the next
-
-    void look_at_watch() { watch_.at(size_ - std::min(size_, cursor_.room()), size_); }
-
     void begin_row(const Element& element, std::uint64_t row) {
-        if (row % rows_between == 0) look_at_watch();
+        constexpr std::uint64_t rows_between = 1U << 14U;
+        if (row % rows_between == 0) watch_.at(size_ - std::min(size_, cursor_.room()), size_);
         cursor_.begin_row(element, row);
     }
 
@@ -119,14 +103,10 @@ class BodyReader {
     void read_vertices(const Element& element) {
         const auto count = static_cast<std::size_t>(element.count);
         const VertexLayout& vertex = layout_.vertex;
-        body_.mesh.positions.reserve(count);
-        prefer_large_pages(body_.mesh.positions.data(), count * sizeof(vec3));
         body_.mesh.positions.resize(count);
         if (vertex.normals) body_.mesh.normals.resize(count);
         if (vertex.colors) body_.mesh.colors.resize(count);
         if (vertex.uvs) body_.mesh.uvs.resize(count);
-        if constexpr (is_binary)
-            if (read_points(element)) return;
 
         Values values{};
         std::array<std::size_t, role_count> offsets{};
@@ -145,40 +125,6 @@ class BodyReader {
             store_vertex(i, values);
             check_vertex(i, values, offsets);
         }
-    }
-
-    /// Vertices of scalars alone of which only three floats are wanted, without a look at each property of
-    /// each; false where they are others. That the file holds them all is checked.
-    bool read_points(const Element& element) {
-        const VertexLayout& vertex = layout_.vertex;
-        if (vertex.normals || vertex.colors || vertex.uvs) return false;
-        std::size_t stride = 0;
-        std::array<std::size_t, 3> places{};
-        for (std::size_t p = 0; p < element.properties.size(); ++p) {
-            const Property& property = element.properties[p];
-            if (property.is_list()) return false;
-            const auto role = static_cast<std::size_t>(vertex.roles[p]);
-            if (role < 3 && property.type != Type::float32) return false;
-            if (role < 3) places[role] = stride;
-            stride += size_of(property.type);
-        }
-        for (std::uint64_t first = 0; first < element.count; first += rows_between) {
-            look_at_watch();
-            const std::size_t start = cursor_.offset();
-            cursor_.points(std::min(rows_between, element.count - first), stride, places,
-                           [&](std::uint64_t i, const vec3& point) {
-                               body_.mesh.positions[first + i] = point;
-                               constexpr auto most = static_cast<float>(greatest_coordinate);
-                               if (std::fabs(point.x) <= most && std::fabs(point.y) <= most &&
-                                   std::fabs(point.z) <= most)
-                                   return;
-                               std::array<std::size_t, role_count> offsets{};
-                               for (std::size_t k = 0; k < 3; ++k)
-                                   offsets[k] = start + i * stride + places[k];
-                               check_vertex(first + i, {point.x, point.y, point.z}, offsets);
-                           });
-        }
-        return true;
     }
 
     void store_vertex(std::size_t i, const Values& values) {
@@ -215,9 +161,6 @@ class BodyReader {
         if (corners >= 0 && !strips)
             reserve_triangles(element, element.properties[static_cast<std::size_t>(corners)]);
         for (std::uint64_t row = 0; row < element.count; ++row) {
-            if constexpr (is_binary)
-                if (corners >= 0 && !strips) row = pass_triangles(element, row);
-            if (row == element.count) break;
             begin_row(element, row);
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const Property& property = element.properties[p];
@@ -233,29 +176,10 @@ class BodyReader {
         }
     }
 
-    /// Takes rows that are plain triangles at once, where rows are lists of corners and nothing else; returns
-    /// the first row that is not.
-    std::uint64_t pass_triangles(const Element& element, std::uint64_t row) {
-        const Property& list = element.properties.front();
-        if (element.properties.size() != 1 || size_of(*list.count_type) != 1 || size_of(list.type) != 4)
-            return row;
-        while (row < element.count) {
-            const std::uint64_t most = std::min(rows_between - row % rows_between, element.count - row);
-            const std::uint64_t passed = cursor_.triangles(
-                most, vertices_, [&](const uvec3& t) { body_.mesh.triangles.push_back(t); });
-            row += passed;
-            if (passed < most) break;
-            look_at_watch();
-        }
-        return row;
-    }
-
     void reserve_triangles(const Element& element, const Property& list) {
         const std::size_t least = Cursor::least_bytes(*list.count_type) + 3 * Cursor::least_bytes(list.type);
         const std::uint64_t most = std::min<std::uint64_t>(element.count, cursor_.room() / least);
-        std::vector<uvec3>& triangles = body_.mesh.triangles;
-        triangles.reserve(triangles.size() + static_cast<std::size_t>(most));
-        prefer_large_pages(triangles.data() + triangles.size(), most * sizeof(uvec3));
+        body_.mesh.triangles.reserve(body_.mesh.triangles.size() + static_cast<std::size_t>(most));
     }
 
     std::uint32_t checked(std::int64_t value, const Element& element, std::uint64_t row) const {

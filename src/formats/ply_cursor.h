@@ -5,10 +5,7 @@
 // properties are named in messages by the element and row given to begin_row().
 
 #include "formats/ply_header.h"
-#include "math/vec.h"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -73,36 +70,6 @@ class BinaryCursor {
         at_ += static_cast<std::size_t>(count) * size_of(type);
     }
 
-    /// The commonest rows of faces, a byte 3 before three whole numbers of four bytes each: calls
-    /// visit(uvec3) for up to `most` of them while all their numbers are below `limit`, and returns how many
-    /// those were. The row after them is left to be taken value by value.
-    template <class Visit>
-    std::uint64_t triangles(std::uint64_t most, std::uint64_t limit, Visit visit) {
-        constexpr std::size_t row_bytes = 1 + 3 * sizeof(std::uint32_t);
-        const char* const text = source_.text().data();
-        std::uint64_t count = 0;
-        for (; count < most && room() >= row_bytes && text[at_] == 3; ++count, at_ += row_bytes) {
-            const uvec3 corners{load<std::uint32_t>(at_ + 1), load<std::uint32_t>(at_ + 5),
-                                load<std::uint32_t>(at_ + 9)};
-            if (std::max(corners.x, std::max(corners.y, corners.z)) >= limit) break;
-            visit(corners);
-        }
-        return count;
-    }
-
-    /// The commonest rows of vertices, `stride` bytes each with three floats at `places`: calls visit(i,
-    /// vec3) for `count` of them, which must be there.
-    template <class Visit>
-    void points(std::uint64_t count, std::size_t stride, const std::array<std::size_t, 3>& places,
-                Visit visit) {
-        for (std::uint64_t i = 0; i < count; ++i, at_ += stride)
-            visit(i, vec3{std::bit_cast<float>(load<std::uint32_t>(at_ + places[0])),
-                          std::bit_cast<float>(load<std::uint32_t>(at_ + places[1])),
-                          std::bit_cast<float>(load<std::uint32_t>(at_ + places[2]))});
-    }
-    /// Where the next row begins.
-    std::size_t offset() const { return at_; }
-
     /// How many bytes follow the last row.
     std::size_t trailing() const { return room(); }
 
@@ -118,14 +85,9 @@ class BinaryCursor {
         if (room() < sizeof(Bits)) fail_cut();
         value_ = at_;
         at_ += sizeof(Bits);
-        return load<Bits>(value_);
-    }
-
-    /// The value at an offset, which must be within the file.
-    template <class Bits>
-    Bits load(std::size_t offset) const {
+        const char* bytes = source_.text().data() + value_;
         Bits bits;
-        std::memcpy(&bits, source_.text().data() + offset, sizeof bits);
+        std::memcpy(&bits, bytes, sizeof bits);
         if constexpr (order == std::endian::native) return bits;
         std::uint64_t turned = 0;
         for (std::size_t i = 0; i < sizeof(Bits); ++i) turned = turned << 8 | (bits >> 8 * i & 0xff);

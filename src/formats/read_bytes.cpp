@@ -28,19 +28,33 @@ namespace {
                 where);
 }
 
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() { ::close(fd_); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int fd() const { return fd_; }
-
-  private:
-    int fd_;
-};
-
 } // namespace
+
+InputFile::InputFile(std::string path) : path_(std::move(path)) {
+    descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(path_, errno);
+    struct stat info = {};
+    const int code = ::fstat(descriptor_, &info) != 0 ? errno : S_ISDIR(info.st_mode) ? EISDIR : 0;
+    if (code != 0) {
+        ::close(descriptor_);
+        fail(path_, code);
+    }
+    if (S_ISREG(info.st_mode)) size_ = static_cast<std::size_t>(info.st_size);
+}
+
+InputFile::~InputFile() { ::close(descriptor_); }
+
+std::size_t InputFile::read(std::span<std::byte> bytes) {
+    for (;;) {
+        const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+        if (count >= 0) return static_cast<std::size_t>(count);
+        if (errno != EINTR) fail(path_, errno);
+    }
+}
+
+void InputFile::rewind() {
+    if (::lseek(descriptor_, 0, SEEK_SET) != 0) fail(path_, errno);
+}
 
 FileBytes::FileBytes(std::size_t size)
     : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {
@@ -53,30 +67,26 @@ void FileBytes::grow(std::size_t size, std::size_t kept) {
     *this = std::move(larger);
 }
 
-FileBytes read_bytes(const std::string& path, const LoadWatch& watch) {
-    const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (opened < 0) fail(path, errno);
-    const Descriptor file(opened);
-    struct stat info = {};
-    if (::fstat(file.fd(), &info) != 0) fail(path, errno);
-    if (S_ISDIR(info.st_mode)) fail(path, EISDIR);
-
+FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
     // Pipes tell no size, and files may grow: the size only says where to begin. One byte more finds the end.
     constexpr std::size_t least = 1U << 16U;
     constexpr std::size_t at_once = 1U << 24U;
-    FileBytes bytes(S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) + 1 : least);
+    FileBytes bytes(file.size() ? *file.size() + 1 : least);
     std::size_t used = 0;
     for (;;) {
         if (used == bytes.size()) bytes.grow(2 * used, used);
         watch.at(0, 1);
-        const ssize_t count = ::read(file.fd(), bytes.data() + used, std::min(bytes.size() - used, at_once));
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail(path, errno);
+        const std::size_t count = file.read({bytes.data() + used, std::min(bytes.size() - used, at_once)});
         if (count == 0) break;
-        used += static_cast<std::size_t>(count);
+        used += count;
     }
     bytes.cut(used);
     return bytes;
+}
+
+FileBytes read_bytes(const std::string& path) {
+    InputFile file(path);
+    return read_bytes(file);
 }
 
 } // namespace glint
