@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-constexpr int digits = 3;
+constexpr int shown_digits = 3;
 constexpr double box_width = 350;
 constexpr double column = 470;
 constexpr double line_height = 19;
@@ -27,7 +27,7 @@ constexpr float too_dark_to_see = 1e-7f;
 float largest(const glm::vec3& v) { return std::max({v.x, v.y, v.z}); }
 
 std::string seen_text(const glm::vec3& v) {
-    return largest(glm::abs(v)) < too_dark_to_see ? "0" : quantity_text(v, digits);
+    return largest(glm::abs(v)) < too_dark_to_see ? "0" : quantity_text(v, shown_digits);
 }
 
 std::string at(double x) { return number_text(static_cast<float>(std::round(x * 10) / 10), 7); }
@@ -35,7 +35,7 @@ std::string at(double x) { return number_text(static_cast<float>(std::round(x * 
 /// SVG wants its minus in ASCII.
 std::string place(double x) { return x < 0 ? "-" + at(-x) : at(x); }
 
-std::string angle(float degrees) { return number_text(degrees, 3) + "°"; }
+std::string angle_label(float degrees) { return number_text(degrees, 3) + "°"; }
 
 struct TextLine {
     std::string text;
@@ -55,8 +55,8 @@ struct Box {
 
 std::string light_text(const ExplainedLight& light) {
     std::string text = light.label + ": ";
-    if (light.arriving == glm::vec3(0.0f)) return text + angle(light.degrees) + ", nothing arrives";
-    text += angle(light.degrees);
+    if (light.arriving == glm::vec3(0.0f)) return text + angle_label(light.degrees) + ", nothing arrives";
+    text += angle_label(light.degrees);
     if (!light.asked) return text + ", of no effect";
     if (light.blockers.empty()) return text + ", arrives whole";
     const Blocker& first = light.blockers.front();
@@ -68,9 +68,10 @@ std::string light_text(const ExplainedLight& light) {
 std::string refraction_text(const ExplainedRay& ray) {
     const std::string indices = number_text(ray.index_before, 4) + " → " + number_text(ray.index_after, 4);
     if (ray.total_reflection)
-        return "index " + indices + ": total reflection, " + angle(ray.degrees_before) + " > " +
-               angle(ray.critical_degrees);
-    return "index " + indices + ": " + angle(ray.degrees_before) + " → " + angle(ray.degrees_after);
+        return "index " + indices + ": total reflection, " + angle_label(ray.degrees_before) + " > " +
+               angle_label(ray.critical_degrees);
+    return "index " + indices + ": " + angle_label(ray.degrees_before) + " → " +
+           angle_label(ray.degrees_after);
 }
 
 class SvgTree {
@@ -108,7 +109,7 @@ class SvgTree {
         if (ray.hit) {
             const std::string side = ray.entering ? "" : ", from inside";
             box.lines.push_back({ray.label + " (" + ray.material + ")" + side + ", distance " +
-                                     number_text(ray.distance, digits),
+                                     number_text(ray.distance, shown_digits),
                                  "what"});
         }
         if (!ray.inside.empty()) box.lines.push_back({"inside " + ray.inside.front(), "faint"});
@@ -146,8 +147,8 @@ class SvgTree {
             if (largest(glm::abs(term)) < too_dark_to_see) continue;
             const auto which = static_cast<Term>(i);
             const glm::vec3 shown = which == Term::clamp ? -term : term;
-            box.lines.push_back(
-                {std::string(term_name(which)) + " " + quantity_text(term, digits), "term", true, shown});
+            box.lines.push_back({std::string(term_name(which)) + " " + quantity_text(term, shown_digits),
+                                 "term", true, shown});
         }
     }
 
@@ -232,7 +233,7 @@ class SvgTree {
         text(margin + 22, y,
              "sample " + std::to_string(index + 1) + " at (" + number_text(s.dx, 3) + ", " +
                  number_text(s.dy, 3) + "), weight " + number_text(s.weight, 1) +
-                 (s.counts ? "" : ", left out") + " = " + quantity_text(s.radiance, digits),
+                 (s.counts ? "" : ", left out") + " = " + quantity_text(s.radiance, shown_digits),
              "what");
     }
 
@@ -246,8 +247,9 @@ class SvgTree {
         text(margin + 72, margin + 20, "pixel " + std::to_string(e.x) + "," + std::to_string(e.y) + scene,
              "title");
         text(margin + 72, margin + 43,
-             "= " + quantity_text(e.color, digits) + ", linear red, green, blue, computed on the CPU; " +
-                 e.rule + (e.gpu ? "; " + other_pixel_text(e, digits) : ""),
+             "= " + quantity_text(e.color, shown_digits) +
+                 ", linear red, green, blue, computed on the CPU; " + e.rule +
+                 (e.gpu ? "; " + other_pixel_text(e, shown_digits) : ""),
              "what");
         legend(margin + 72, margin + 62);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + place(width) + "\" height=\"" +

@@ -1,6 +1,8 @@
 #pragma once
 // Every key of scene files in one table. It drives parsing, range checks, suggestions and the reference page.
 
+#include "scene/validate.h"
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -97,11 +99,5 @@ std::vector<std::string> key_names(const TableSpec& table, std::string_view type
 
 /// "a b c" as words.
 std::vector<std::string> split_words(std::string_view text);
-
-/// Coordinates and lengths end here.
-inline constexpr double coordinate_limit = 1e12;
-/// Pictures end here.
-inline constexpr int picture_side_limit = 65536;
-inline constexpr double picture_pixel_limit = 1073741824; // 2^30
 
 } // namespace glint

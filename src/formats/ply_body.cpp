@@ -70,7 +70,7 @@ class BodyReader {
         if (element.count > most)
             cursor_.fail(cursor_.promise_offset(element),
                          "the header promises " + std::to_string(element.count) + " rows of " +
-                             quoted(element.name) + ", but the file has room for at most " +
+                             in_marks(element.name) + ", but the file has room for at most " +
                              std::to_string(most),
                          "the file is cut, or its header is wrong");
     }
@@ -88,7 +88,7 @@ class BodyReader {
                                   std::uint64_t row) const {
         const std::size_t most = cursor_.room() / Cursor::least_bytes(list.type);
         cursor_.fail(cursor_.value_offset(),
-                     "list " + quoted(list.name) + " of " + row_name(element, row) + " claims " +
+                     "list " + in_marks(list.name) + " of " + row_name(element, row) + " claims " +
                          std::to_string(length) + " values",
                      length < 0 ? "a length cannot be negative"
                                 : "there is room for at most " + std::to_string(most) +

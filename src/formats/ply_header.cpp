@@ -117,7 +117,7 @@ class HeaderParser {
             source_.fail_in_text(end, "this header line is too short", std::string("expected: ") + form);
         }
         if (words_.size() > count)
-            fail(words_[count], "unexpected " + quoted(words_[count]) + " in the header",
+            fail(words_[count], "unexpected " + in_marks(words_[count]) + " in the header",
                  std::string("expected: ") + form);
     }
 
@@ -125,7 +125,7 @@ class HeaderParser {
         if (words_[0] == "format") return read_format();
         if (words_[0] == "element") return read_element();
         if (words_[0] == "property") return read_property();
-        fail(words_[0], "unknown header line " + quoted(words_[0]),
+        fail(words_[0], "unknown header line " + in_marks(words_[0]),
              suggestion(words_[0], {"format", "comment", "obj_info", "element", "property", "end_header"},
                         "expected format, element, property, comment, obj_info or end_header"));
     }
@@ -137,11 +137,11 @@ class HeaderParser {
         for (const NamedFormat& entry : format_names)
             if (entry.name == words_[1]) found = &entry;
         if (!found)
-            fail(words_[1], "unknown format " + quoted(words_[1]),
+            fail(words_[1], "unknown format " + in_marks(words_[1]),
                  suggestion(words_[1], names_of<NamedFormat>(format_names),
                             "expected ascii, binary_little_endian or binary_big_endian"));
         if (words_[2] != "1.0")
-            fail(words_[2], "unknown PLY version " + quoted(words_[2]), "the only one is 1.0");
+            fail(words_[2], "unknown PLY version " + in_marks(words_[2]), "the only one is 1.0");
         header_.format = found->format;
         has_format_ = true;
     }
@@ -152,7 +152,7 @@ class HeaderParser {
         std::uint64_t count = 0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
         if (error != std::errc() || end != digits.data() + digits.size())
-            fail(digits, quoted(digits) + " is not a number of elements",
+            fail(digits, in_marks(digits) + " is not a number of elements",
                  "expected a whole number, 0 or more");
         header_.elements.push_back(
             {std::string(words_[1]), count, source_.offset(words_[1]), source_.offset(digits), {}});
@@ -169,7 +169,7 @@ class HeaderParser {
             expect_words(5, "property list COUNT_TYPE TYPE NAME");
             property.count_type = parse_type(words_[2]);
             if (!is_integer(*property.count_type))
-                fail(words_[2], "a list cannot be counted in " + quoted(words_[2]),
+                fail(words_[2], "a list cannot be counted in " + in_marks(words_[2]),
                      "expected an integer type, such as uchar");
         } else {
             expect_words(3, "property TYPE NAME");
@@ -182,7 +182,7 @@ class HeaderParser {
         property.offset = source_.offset(name);
         Element& element = header_.elements.back();
         if (!names_in_element_.insert(name).second)
-            fail(name, "element " + quoted(element.name) + " has a second property " + quoted(name),
+            fail(name, "element " + in_marks(element.name) + " has a second property " + in_marks(name),
                  "names of properties must differ");
         element.properties.push_back(std::move(property));
     }
@@ -190,7 +190,7 @@ class HeaderParser {
     Type parse_type(std::string_view word) const {
         for (const NamedType& entry : type_names)
             if (entry.name == word) return entry.type;
-        fail(word, "unknown type " + quoted(word),
+        fail(word, "unknown type " + in_marks(word),
              suggestion(word, names_of<NamedType>(type_names),
                         "expected char, uchar, short, ushort, int, uint, float or double"));
     }

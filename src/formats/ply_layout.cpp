@@ -50,7 +50,7 @@ std::string names_of_properties(const Element& element) {
     constexpr std::size_t most_shown = 12;
     std::string names;
     for (std::size_t i = 0; i < element.properties.size() && i < most_shown; ++i)
-        names += (i ? ", " : "") + quoted(element.properties[i].name);
+        names += (i ? ", " : "") + in_marks(element.properties[i].name);
     if (element.properties.size() > most_shown) names += " …";
     return names.empty() ? "none" : names;
 }
@@ -95,10 +95,10 @@ int find_corners(const Source& source, const Element& element) {
         if (property.name != "vertex_indices" && property.name != "vertex_index") continue;
         if (found >= 0)
             source.fail_in_text(property.offset,
-                                "element " + quoted(element.name) + " lists its corners twice",
+                                "element " + in_marks(element.name) + " lists its corners twice",
                                 "keep one of vertex_indices and vertex_index");
         if (!property.is_list())
-            source.fail_in_text(property.offset, quoted(property.name) + " is not a list",
+            source.fail_in_text(property.offset, in_marks(property.name) + " is not a list",
                                 "expected: property list uchar int vertex_indices");
         if (!is_integer(property.type))
             source.fail_in_text(property.type_offset,
@@ -109,7 +109,7 @@ int find_corners(const Source& source, const Element& element) {
     }
     if (found < 0 && element.count > 0)
         source.fail_in_text(
-            element.name_offset, "element " + quoted(element.name) + " has no list of corners",
+            element.name_offset, "element " + in_marks(element.name) + " has no list of corners",
             "expected: property list uchar int vertex_indices; it has: " + names_of_properties(element));
     return found;
 }
@@ -127,7 +127,7 @@ std::size_t find_vertices(const Source& source, const Header& header) {
         for (const Element& element : header.elements)
             if (nearest_name(element.name, {"vertex", "vertices", "point", "points"}))
                 source.fail_in_text(element.name_offset, "the file has no element 'vertex'",
-                                    "did you mean 'vertex' by " + quoted(element.name) + "?");
+                                    "did you mean 'vertex' by " + in_marks(element.name) + "?");
         source.fail_in_text(header.end_header, "the file has no element 'vertex'", "a mesh needs vertices");
     }
     if (found->count == 0)

@@ -136,7 +136,7 @@ class Assembler {
         std::string hint = "each vertex becomes a small sphere; 'point_radius' sets its size";
         for (const Element& element : header_.elements)
             if (element.count > 0 && nearest_name(element.name, {"face", "faces", "triangle", "triangles"}))
-                hint = "did you mean 'face' by " + quoted(element.name) + "?";
+                hint = "did you mean 'face' by " + in_marks(element.name) + "?";
         warn("the file has no faces: it is drawn as a point cloud", hint);
     }
 

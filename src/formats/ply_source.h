@@ -36,7 +36,7 @@ class Source {
 };
 
 /// A word of a file for a message: in quotes, shortened, bytes that are not printable ASCII as '?'.
-std::string quoted(std::string_view word);
+std::string in_marks(std::string_view word);
 
 /// "did you mean 'nearest'?", or `otherwise` where no candidate is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,

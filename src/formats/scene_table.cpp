@@ -280,7 +280,7 @@ void TableReader::read_size(std::string_view key, int& width, int& height) {
     const bool good_width = check_integer(found, value.items[0]);
     const bool good_height = check_integer(found, value.items[1]);
     if (!good_width || !good_height) return;
-    if (value.items[0].number * value.items[1].number > picture_pixel_limit)
+    if (value.items[0].number * value.items[1].number > static_cast<double>(picture_pixel_limit))
         return error(value.where, label_of(*found.spec) + " is above 2^30 pixels");
     width = static_cast<int>(value.items[0].integer);
     height = static_cast<int>(value.items[1].integer);

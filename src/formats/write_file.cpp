@@ -44,7 +44,7 @@ std::string cure(const fs::path& path, int code) {
     }
 }
 
-[[noreturn]] void fail(const fs::path& path, int code) {
+[[noreturn]] void fail_at(const fs::path& path, int code) {
     Location where;
     where.file = path.string();
     throw Error(ErrorKind::output, "cannot write the file: " + std::generic_category().message(code),
@@ -105,7 +105,7 @@ fs::path follow_links(const fs::path& path) {
         const fs::path next = fs::read_symlink(place, none);
         place = next.is_absolute() ? next : place.parent_path() / next;
     }
-    fail(path, ELOOP);
+    fail_at(path, ELOOP);
 }
 
 struct Target {
@@ -120,15 +120,15 @@ Target find_target(const fs::path& path) {
     target.place = follow_links(path);
     struct stat info = {};
     if (::stat(target.place.c_str(), &info) == 0) {
-        if (S_ISDIR(info.st_mode)) fail(path, EISDIR);
-        if (::access(target.place.c_str(), W_OK) != 0) fail(path, errno);
+        if (S_ISDIR(info.st_mode)) fail_at(path, EISDIR);
+        if (::access(target.place.c_str(), W_OK) != 0) fail_at(path, errno);
         target.exists = true;
         target.regular = S_ISREG(info.st_mode);
         target.mode = info.st_mode & 07777U;
     } else if (errno != ENOENT) {
-        fail(path, errno);
+        fail_at(path, errno);
     } else if (!target.place.has_filename()) {
-        fail(path, path.empty() ? ENOENT : EISDIR);
+        fail_at(path, path.empty() ? ENOENT : EISDIR);
     }
     return target;
 }
@@ -147,9 +147,9 @@ int open_temporary(const fs::path& folder, fs::path& name) {
 
 void write_in_place(const fs::path& path, const Target& target, std::span<const std::byte> bytes) {
     Descriptor file(::open(target.place.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.fd() < 0) fail(path, errno);
-    if (const int code = write_all(file.fd(), bytes); code != 0) fail(path, code);
-    if (file.close() != 0) fail(path, errno);
+    if (file.fd() < 0) fail_at(path, errno);
+    if (const int code = write_all(file.fd(), bytes); code != 0) fail_at(path, code);
+    if (file.close() != 0) fail_at(path, errno);
 }
 
 /// After a crash of the machine the new name should still be there; folders that cannot be synced are let be.
@@ -164,9 +164,9 @@ void check_writable(const std::string& path) {
     const Target target = find_target(path);
     if (!target.regular) return;
     const fs::path folder = folder_of(target.place);
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail(path, errno);
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_at(path, errno);
     std::error_code none;
-    if (!fs::is_directory(folder, none)) fail(path, ENOTDIR);
+    if (!fs::is_directory(folder, none)) fail_at(path, ENOTDIR);
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
@@ -176,21 +176,21 @@ void write_file(const std::string& path, std::span<const std::byte> bytes) {
     const fs::path folder = folder_of(target.place);
     fs::path name;
     Descriptor file(open_temporary(folder, name));
-    if (file.fd() < 0) fail(path, errno);
+    if (file.fd() < 0) fail_at(path, errno);
     Temporary temporary(name);
 
     // The new file takes the permissions of the one it replaces.
-    if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail(path, errno);
-    if (const int code = write_all(file.fd(), bytes); code != 0) fail(path, code);
-    if (::fsync(file.fd()) != 0 && errno != EINVAL) fail(path, errno);
-    if (file.close() != 0) fail(path, errno);
-    if (std::rename(temporary.path().c_str(), target.place.c_str()) != 0) fail(path, errno);
+    if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail_at(path, errno);
+    if (const int code = write_all(file.fd(), bytes); code != 0) fail_at(path, code);
+    if (::fsync(file.fd()) != 0 && errno != EINVAL) fail_at(path, errno);
+    if (file.close() != 0) fail_at(path, errno);
+    if (std::rename(temporary.path().c_str(), target.place.c_str()) != 0) fail_at(path, errno);
     temporary.keep();
     sync_folder(folder);
 }
 
 void write_stdout(std::span<const std::byte> bytes) {
-    if (const int code = write_all(STDOUT_FILENO, bytes); code != 0) fail("<stdout>", code);
+    if (const int code = write_all(STDOUT_FILENO, bytes); code != 0) fail_at("<stdout>", code);
 }
 
 } // namespace glint

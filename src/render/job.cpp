@@ -23,9 +23,6 @@ double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Samples that are traced together: enough to fill batches of rays, few enough to stay in the cache.
-constexpr int batch_samples = 256;
-
 /// One rendering: tiles over threads, each tile's pixels written by one thread alone.
 class Job {
   public:

@@ -17,8 +17,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Part = PixelSum<Terms>::Part;
 
-/// Samples that are traced together.
-constexpr int batch_samples = 256;
 /// Side of a tile, in places of a pass.
 constexpr int tile_side = 16;
 

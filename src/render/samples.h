@@ -11,6 +11,9 @@
 
 namespace glint {
 
+/// Samples that are traced together: enough to fill batches of rays, few enough to stay in the cache.
+inline constexpr int batch_samples = 256;
+
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
 

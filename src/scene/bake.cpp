@@ -11,8 +11,6 @@
 namespace glint {
 namespace {
 
-constexpr float coordinate_limit = 1e12f;
-
 // The factor by which m stretches all lengths alike, or 0 if it does not.
 double similarity_scale(const dmat4& m) {
     const dvec3 x(m[0]), y(m[1]), z(m[2]);

@@ -135,8 +135,8 @@ std::vector<std::uint32_t> objects_around(const FrozenScene& scene, const vec3& 
 
 namespace {
 
-/// A better tree is worth its time where many rays will use it. Architecture gains as much in 20 to 270 rays a
-/// triangle, by their kind, as the better tree costs; scans gain nothing (docs/performance.md).
+/// A better tree is worth its time where many rays will use it. Architecture gains as much in 20 to 270 rays
+/// a triangle, by their kind, as the better tree costs; scans gain nothing (docs/performance.md).
 BuildQuality quality_for(const SceneDescription& description, const WorldInput& input) {
     constexpr double rays_a_triangle = 200;
     double triangles = 0;

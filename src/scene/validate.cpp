@@ -8,10 +8,7 @@
 namespace glint {
 namespace {
 
-constexpr double coordinate_limit = 1e12;
 constexpr double number_limit = std::numeric_limits<float>::max();
-constexpr int side_limit = 65536;
-constexpr std::int64_t pixel_limit = std::int64_t{1} << 30;
 
 class Checker {
   public:
@@ -71,8 +68,9 @@ class Checker {
 
     void check_settings() {
         const RenderSettings& r = scene_.render;
-        const bool sides = r.width >= 1 && r.height >= 1 && r.width <= side_limit && r.height <= side_limit;
-        const bool fits = sides && std::int64_t{r.width} * r.height <= pixel_limit;
+        const bool sides =
+            r.width >= 1 && r.height >= 1 && r.width <= picture_side_limit && r.height <= picture_side_limit;
+        const bool fits = sides && std::int64_t{r.width} * r.height <= picture_pixel_limit;
         require(fits, {}, "the picture's size is out of range",
                 "a side has 1 to 65536 pixels, the whole 2^30");
         require(r.spp >= 1 && r.spp <= (1 << 20), {}, "spp is out of range", "expected 1 to 1048576");

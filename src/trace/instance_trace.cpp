@@ -4,6 +4,7 @@
 
 #include "math/offset.shared.h"
 #include "trace/instance_tree.h"
+#include "trace/mesh_walk.h"
 
 namespace glint {
 namespace {
@@ -15,9 +16,6 @@ constexpr std::size_t few_rays = 8;
 constexpr std::size_t rays_an_instance = 16;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-
-/// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
-float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
 /// The ray up to `limit`, inclusive.
 Ray limited(Ray ray, float limit) {

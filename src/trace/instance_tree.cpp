@@ -2,6 +2,7 @@
 
 #include "trace/instance_tree.h"
 
+#include "math/finite.h"
 #include "math/inverse.h"
 
 #include <map>
@@ -26,11 +27,6 @@ float below(double x) {
 }
 float above(double x) {
     return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-}
-
-template <class V>
-bool is_finite(const V& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// How much |L| |L⁻¹| stretches errors; infinite or NaN where there is no inverse.
@@ -87,7 +83,7 @@ BoxRef box_of(const MeshInstance& instance, std::span<const Bounds> boxes, doubl
             vec3(above(most.x), above(most.y), above(most.z))};
 }
 
-bool is_finite(const BoxRef& box) { return is_finite(box.lo) && is_finite(box.hi); }
+bool is_bounded(const BoxRef& box) { return is_finite(box.lo) && is_finite(box.hi); }
 
 } // namespace
 
@@ -111,7 +107,7 @@ InstanceTree::InstanceTree(std::span<const MeshInstance> instances, TaskPool& po
         std::vector<Bounds>& mesh_boxes = parts[instance.mesh];
         if (mesh_boxes.empty()) mesh_boxes = boxes_of(*instance.mesh);
         boxes.push_back(box_of(instance, mesh_boxes, stretch, id));
-        if (!is_finite(boxes.back()))
+        if (!is_bounded(boxes.back()))
             throw std::invalid_argument("an instance reaches beyond the range of floats");
     }
     tree_ = build_tree(std::move(boxes), 1, pool);
@@ -123,7 +119,7 @@ bool InstanceTree::takes(const MeshInstance& instance) {
     const double stretch = stretch_of(instance, inverted(instance.linear));
     return is_place(instance, stretch) &&
            (instance.mesh->bounds.empty() ||
-            is_finite(box_of(instance, {&instance.mesh->bounds, 1}, stretch, 0)));
+            is_bounded(box_of(instance, {&instance.mesh->bounds, 1}, stretch, 0)));
 }
 
 float InstanceTree::fill_slack(TreeRef ref, const std::vector<float>& slack_of_instance) {

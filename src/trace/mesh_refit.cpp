@@ -1,12 +1,12 @@
 // A tree that follows its vertices.
 
+#include "math/finite.h"
 #include "trace/mesh_pack.h"
 #include "trace/mesh_tree.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <stdexcept>
 
 namespace glint {
@@ -14,8 +14,6 @@ namespace {
 
 /// Nodes of one task.
 constexpr std::size_t grain = 256;
-
-bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void store_box(WideNode& node, std::size_t child, const Bounds& box) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -9,7 +9,7 @@ namespace {
 bool search(const MeshTree& tree, const Ray& ray, bool any, TriangleRecord& record) {
     if (!is_traceable(ray)) return false;
     const ShearedRay sheared(ray);
-    float limit = next_float(ray.tmax, -1.0f);
+    float limit = limit_below(ray.tmax);
     walk(tree, ray, ray.tmin, limit, [&](LeafCode leaf) {
         for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
             std::uint32_t number;

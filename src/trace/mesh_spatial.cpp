@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-constexpr int bins = 16;
+constexpr int slices = 16;
 
 /// Bounds the rounding of a point between two others: each is at most 11 · 2^-24 of the larger coordinate
 /// off, and the smallest of floats is.
@@ -20,9 +20,9 @@ bool is_empty(const QuadBox& box) {
 }
 
 struct SpatialBins {
-    std::array<QuadBox, bins> boxes;
-    std::array<std::uint32_t, bins> begins{}; ///< how many references have their first part here
-    std::array<std::uint32_t, bins> ends{};   ///< and how many their last
+    std::array<QuadBox, slices> boxes;
+    std::array<std::uint32_t, slices> begins{}; ///< how many references have their first part here
+    std::array<std::uint32_t, slices> ends{};   ///< and how many their last
 };
 
 /// Equally spaced planes across a range's box.
@@ -33,12 +33,12 @@ struct Planes {
 
     Planes(const QuadBox& box, int axis) : lo(box.lo[axis]), step(0), scale(0) {
         const float extent = box.hi[axis] - lo;
-        const float factor = static_cast<float>(bins) / extent;
+        const float factor = static_cast<float>(slices) / extent;
         if (!(extent > 0.0f) || !(factor < 1e30f)) return;
-        step = extent / static_cast<float>(bins);
+        step = extent / static_cast<float>(slices);
         scale = factor;
     }
-    int bin(float x) const { return std::clamp(static_cast<int>((x - lo) * scale), 0, bins - 1); }
+    int bin(float x) const { return std::clamp(static_cast<int>((x - lo) * scale), 0, slices - 1); }
     /// Between bin − 1 and bin.
     float plane(int bin) const { return lo + step * static_cast<float>(bin); }
 };
@@ -59,16 +59,16 @@ void add(const MeshBuild& build, Ref ref, int axis, const Planes& planes, Spatia
 
 void sweep(const SpatialBins& filled, const Planes& planes, const Range& range, float scale, int axis,
            SpatialCut& best) {
-    std::array<float, bins> right_area;
+    std::array<float, slices> right_area;
     QuadBox box;
-    for (std::size_t i = bins - 1; i > 0; --i) {
+    for (std::size_t i = slices - 1; i > 0; --i) {
         box.grow(filled.boxes[i]);
         right_area[i] = half_area(box, scale);
     }
     box = {};
     std::size_t left = 0;
     std::size_t right = range.size();
-    for (std::size_t i = 1; i < bins; ++i) {
+    for (std::size_t i = 1; i < slices; ++i) {
         box.grow(filled.boxes[i - 1]);
         left += filled.begins[i - 1];
         right -= filled.ends[i - 1];

@@ -4,10 +4,13 @@
 #include "bvh/split.h"
 #include "trace/mesh_tree.h"
 
+#include <limits>
 #include <span>
 #include <utility>
 
 namespace glint {
+
+inline constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// What all steps of a build share.
 struct MeshBuild {

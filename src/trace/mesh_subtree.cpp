@@ -3,17 +3,15 @@
 #include "trace/mesh_pack.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace glint {
 namespace {
 
 /// Prices of a leaf in steps into a node, measured: one round of eight vertices and triangles, and each more.
 constexpr float leaf_base = 0.7f;
-constexpr float leaf_triangle = 0.12f;
+constexpr float leaf_more = 0.12f;
 /// Ranges of this size will soon be leaves.
 constexpr std::size_t soon_wanted = 24;
-constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Where a block of references would be cut.
 struct BlockCut {
@@ -167,7 +165,7 @@ float SubtreeBuilder::leaf_cost(const BinaryNode& node, float area) const {
     std::uint32_t vertices = 0;
     for (std::uint32_t i = 0; i < node.count; ++i) vertices |= vertices_[node.first - block_ + i];
     if (count_bits(vertices) > leaf_vertices) return infinite;
-    return area * (leaf_base + leaf_triangle * static_cast<float>(node.count)) + leaf_price_;
+    return area * (leaf_base + leaf_more * static_cast<float>(node.count)) + leaf_price_;
 }
 
 /// Cuts down to single triangles, or, for the fast quality, to what fits into leaves.

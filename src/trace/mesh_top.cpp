@@ -1,7 +1,6 @@
 #include "trace/mesh_top.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace glint {
@@ -15,8 +14,6 @@ constexpr std::uint32_t most_of_part = 8192;
 /// What a range of some hundred references saves, in steps into a node, by standing with 1, 2 … 7 roots
 /// instead of one. Measured on scans and architecture, where it differs by few per cent.
 constexpr RootCosts saved_by_roots{0.0f, 0.28f, 0.45f, 0.585f, 0.71f, 0.82f, 0.915f};
-
-constexpr float infinite = std::numeric_limits<float>::infinity();
 
 Binning binning_of(const MeshBuild& build, const Range& range) {
     return {range.middles, bins_for(range.size(), build.quality)};

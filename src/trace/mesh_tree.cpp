@@ -3,13 +3,13 @@
 
 #include "trace/mesh_tree.h"
 
+#include "math/finite.h"
 #include "trace/mesh_pack.h"
 #include "trace/mesh_subtree.h"
 #include "trace/mesh_top.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -19,8 +19,6 @@ namespace {
 
 /// Triangles of one task.
 constexpr std::size_t piece = 32768;
-
-bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// How many references a tree may have: cut triangles count for each part.
 std::size_t room_for(std::size_t triangles, BuildQuality quality) {

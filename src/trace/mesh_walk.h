@@ -4,6 +4,7 @@
 
 #include "bvh/traverse.h"
 #include "geometry/triangle.h"
+#include "math/offset.shared.h"
 #include "trace/mesh_tree.h"
 
 #include <algorithm>
@@ -11,6 +12,9 @@
 #include <limits>
 
 namespace glint {
+
+/// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
+inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
 /// The vertices and the number of triangle i of a leaf.
 inline TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::uint32_t i,

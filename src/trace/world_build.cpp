@@ -1,5 +1,6 @@
 // From plain input to trees.
 
+#include "math/finite.h"
 #include "math/inverse.h"
 #include "trace/world_data.h"
 
@@ -20,8 +21,6 @@ template <class T>
 std::uint64_t bytes_of(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
-
-bool is_finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// All meshes as one, for the time of the build.
 WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {

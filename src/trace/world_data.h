@@ -204,9 +204,6 @@ inline double size_of(const Quadric& quadric) {
 
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
 
-/// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
-inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
-
 /// Keeps the least hit.
 struct Closest {
     float limit;

@@ -10,8 +10,6 @@ namespace glint::house {
 namespace {
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 /// Preprocessor lines, with their continuations, become blank: braces in macros need not be balanced.
 std::string without_directives(std::string code) {
     bool directive = false;

@@ -38,8 +38,6 @@ std::vector<Source> sources_under(const std::vector<std::string>& folders) {
 
 namespace {
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 /// Walks over a text and blanks what is not code.
 class Blanker {
   public:
@@ -100,6 +98,8 @@ class Blanker {
 };
 
 } // namespace
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::string code_only(const std::string& text) { return Blanker(text).run(); }
 

@@ -23,6 +23,9 @@ std::string read_project_file(const std::string& path);
 /// line ends stay as they are. Knows raw strings and digit separators.
 std::string code_only(const std::string& text);
 
+/// Whether a character may stand in a name.
+bool is_word(char c);
+
 /// The text split at line ends, without them.
 std::vector<std::string> lines_of(const std::string& text);
 

@@ -42,8 +42,6 @@ const std::vector<Ban>& bans() {
     return table;
 }
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 /// The place of a word from a place on, whole and, unless it names its namespace, not somebody's member or
 /// part of ours. std:: and glm:: before it are seen through.
 std::size_t find_word(const std::string& code, const std::string& word, std::size_t from) {

@@ -1,4 +1,5 @@
 #include "glint/image.h"
+#include "special.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +13,8 @@ namespace {
 using glint::compare;
 using glint::Comparison;
 using glint::Image;
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
+using glint::infinity;
+using glint::no_number;
 
 Image gray(int width, int height, float value) {
     Image image(width, height);
@@ -58,12 +58,12 @@ TEST(Compare, CountsAPixelOnceHoweverManyOfItsChannelsDiffer) {
 }
 
 TEST(Compare, NanAndInfinityEqualThemselvesAndNothingElse) {
-    EXPECT_EQ(compare(gray(1, 1, nan), gray(1, 1, nan), 0, 1).max, 0);
+    EXPECT_EQ(compare(gray(1, 1, no_number), gray(1, 1, no_number), 0, 1).max, 0);
     EXPECT_EQ(compare(gray(1, 1, infinity), gray(1, 1, infinity), 0, 1).rmse, 0);
 
     const double without_end = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(compare(gray(1, 1, nan), gray(1, 1, 0), 1e30, 1).max, without_end);
-    EXPECT_EQ(compare(gray(1, 1, 0), gray(1, 1, nan), 1e30, 1).share, 1);
+    EXPECT_EQ(compare(gray(1, 1, no_number), gray(1, 1, 0), 1e30, 1).max, without_end);
+    EXPECT_EQ(compare(gray(1, 1, 0), gray(1, 1, no_number), 1e30, 1).share, 1);
     EXPECT_EQ(compare(gray(1, 1, infinity), gray(1, 1, -infinity), 0, 1).mae, without_end);
     EXPECT_EQ(compare(gray(1, 1, infinity), gray(1, 1, 0), 0, 1).psnr, -without_end);
 }
@@ -97,7 +97,7 @@ TEST(DifferenceHeat, RunsFromBlackThroughBlueAndYellowToWhite) {
 
 TEST(DifferenceHeat, ShowsAnyDifferenceInWhiteAtAScaleOfZero) {
     Image b = gray(2, 1, 0.5f);
-    b.at(1, 0)[0] = nan;
+    b.at(1, 0)[0] = no_number;
     const Image heat = glint::difference_heat(gray(2, 1, 0.5f), b, 0);
     EXPECT_EQ(heat.at(0, 0)[0], 0);
     EXPECT_EQ(heat.at(1, 0)[0], 1);

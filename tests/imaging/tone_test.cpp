@@ -1,17 +1,14 @@
 #include "imaging/tone.h"
+#include "special.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace {
 
 using namespace glint;
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// The definition, with the C library's pow: good for checks that are not about the last bit.
 double encode(double linear) {
@@ -86,7 +83,7 @@ TEST(Tone, RawTruncatesWithoutACurve) {
 }
 
 TEST(Tone, WhatIsNoLightIsBlackAndWhatIsTooBrightIsWhite) {
-    for (const float dark : {nan, -0.0f, -1.0f, -infinity}) {
+    for (const float dark : {no_number, -0.0f, -1.0f, -infinity}) {
         EXPECT_EQ(srgb8_from_linear(dark), 0);
         EXPECT_EQ(srgb16_from_linear(dark), 0);
         EXPECT_EQ(raw8_from_linear(dark), 0);

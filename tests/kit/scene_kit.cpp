@@ -21,6 +21,12 @@ SceneDescription empty_scene(const Vec3& eye, const Vec3& direction, int size, d
     return scene;
 }
 
+SceneDescription in_sky(const Vec3& background) {
+    SceneDescription scene = empty_scene();
+    scene.render.background = background;
+    return scene;
+}
+
 Material black() {
     Material m;
     m.color = Vec3(0);

@@ -18,6 +18,9 @@ inline constexpr double pi = 3.14159265358979323846;
 SceneDescription empty_scene(const Vec3& eye = Vec3(0), const Vec3& direction = Vec3(0, 1, 0), int size = 16,
                              double fov = 45);
 
+/// An empty scene within a sky that shines alike from everywhere.
+SceneDescription in_sky(const Vec3& background = Vec3(1));
+
 /// Materials that do one thing only: no ambient, no highlight, and c · k_d = `diffuse`.
 Material matte(double diffuse = 1);
 Material black();                                      ///< does nothing

@@ -13,12 +13,6 @@ namespace {
 
 using namespace kit;
 
-SceneDescription in_sky(const Vec3& background = Vec3(1)) {
-    SceneDescription scene = empty_scene();
-    scene.render.background = background;
-    return scene;
-}
-
 TEST(Reflection, AddsRhoTimesWhatTheMirrorDirectionSees) {
     SceneDescription scene = in_sky(Vec3(0.5, 1, 2));
     add(scene, PlaneShape{}, mirror(0.25));

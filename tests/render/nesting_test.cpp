@@ -12,12 +12,6 @@ namespace {
 
 using namespace kit;
 
-SceneDescription in_sky() {
-    SceneDescription scene = empty_scene();
-    scene.render.background = Vec3(1);
-    return scene;
-}
-
 Material absorbing(double index, const Vec3& sigma) {
     Material m = glass(index);
     m.absorption = sigma;

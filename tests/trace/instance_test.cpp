@@ -13,8 +13,6 @@
 namespace glint::tracing {
 namespace {
 
-constexpr RayHint hints[] = {RayHint::coherent, RayHint::incoherent};
-
 /// In [-1, 1), a function of both.
 float around_zero(std::uint32_t key, std::uint32_t index) { return 2 * draw(key, index) - 1; }
 

@@ -8,6 +8,8 @@
 
 namespace glint::tracing {
 
+inline constexpr RayHint hints[] = {RayHint::coherent, RayHint::incoherent};
+
 struct Soup {
     std::vector<float> xyz;
     std::vector<std::uint32_t> corners;

@@ -11,8 +11,6 @@
 namespace glint::tracing {
 namespace {
 
-constexpr RayHint hints[] = {RayHint::coherent, RayHint::incoherent};
-
 void expect_brute_force(const Mesh& mesh, const Soup& soup, const std::vector<Ray>& rays) {
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> blocked(rays.size());

@@ -45,13 +45,13 @@ TEST(G1b, ASphereShowsTheLightOnItsAxis) {
 }
 
 /// A picture and what it should show: lit[x, y] by closed form.
-struct Expectation {
+struct Outline {
     Image image;
     std::function<bool(int, int)> lit;
 };
 
 /// Pixels farther than one pixel from the expected outline that show the other side.
-int wrong_beyond_one_pixel(const Expectation& e) {
+int wrong_beyond_one_pixel(const Outline& e) {
     int wrong = 0;
     for (int y = 1; y + 1 < e.image.height; ++y)
         for (int x = 1; x + 1 < e.image.width; ++x) {

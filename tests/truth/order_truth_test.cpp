@@ -17,10 +17,10 @@ using namespace kit;
 class G16 : public testing::TestWithParam<Exhibit> {};
 class G19 : public testing::TestWithParam<Exhibit> {};
 
-std::string exhibit_name(const testing::TestParamInfo<Exhibit>& info) { return info.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Gallery, G16, testing::ValuesIn(gallery()), exhibit_name);
-INSTANTIATE_TEST_SUITE_P(Gallery, G19, testing::ValuesIn(gallery()), exhibit_name);
+INSTANTIATE_TEST_SUITE_P(Gallery, G16, testing::ValuesIn(gallery()),
+                         [](const auto& exhibit) { return exhibit.param.name; });
+INSTANTIATE_TEST_SUITE_P(Gallery, G19, testing::ValuesIn(gallery()),
+                         [](const auto& exhibit) { return exhibit.param.name; });
 
 /// A shuffle that is the same everywhere.
 template <class T>

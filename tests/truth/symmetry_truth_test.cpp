@@ -16,10 +16,10 @@ using namespace kit;
 class G17 : public testing::TestWithParam<Exhibit> {};
 class G17b : public testing::TestWithParam<Exhibit> {};
 
-std::string exhibit_name(const testing::TestParamInfo<Exhibit>& info) { return info.param.name; }
-
-INSTANTIATE_TEST_SUITE_P(Gallery, G17, testing::ValuesIn(gallery()), exhibit_name);
-INSTANTIATE_TEST_SUITE_P(Gallery, G17b, testing::ValuesIn(gallery()), exhibit_name);
+INSTANTIATE_TEST_SUITE_P(Gallery, G17, testing::ValuesIn(gallery()),
+                         [](const auto& exhibit) { return exhibit.param.name; });
+INSTANTIATE_TEST_SUITE_P(Gallery, G17b, testing::ValuesIn(gallery()),
+                         [](const auto& exhibit) { return exhibit.param.name; });
 
 TEST_P(G17, ScalingLengthsByPowersOfTwoKeepsEveryBit) {
     const std::string expected = picture_hash(rendered(GetParam().scene).image);

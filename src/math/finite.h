@@ -1,0 +1,16 @@
+#pragma once
+
+#include "math/vec.h"
+
+#include <cmath>
+
+namespace glint {
+
+inline bool is_finite(const vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+inline bool is_finite(const dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+} // namespace glint
