@@ -2,11 +2,12 @@
 
 #include "gpu_frames.h"
 #include "gpu_rays.h"
+#include "temporary_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <cstdio>
 #include <iostream>
 
 namespace glint::bench {
@@ -126,8 +127,8 @@ int run(const Options& options) {
     const GpuContext context(options.device);
     GpuRenderer renderer(options.device);
     std::cout << context.device().name << "; " << context.device().driver << "\n" << std::flush;
-    const std::string folder = std::filesystem::temp_directory_path().string();
-    const std::vector<Model> models = models_of(options, folder);
+    const TemporaryFolder folder;
+    const std::vector<Model> models = models_of(options, folder.path());
     print_rays(options, context, renderer, models);
     print_frames(options, renderer, models);
     return 0;
@@ -152,7 +153,12 @@ int main(int count, char** words) {
         ->capture_default_str();
     app.add_option("--size", options.size, "of the pictures")->capture_default_str();
     app.add_option("--triangles", options.triangles, "of the field")->capture_default_str();
-    CLI11_PARSE(app, count, words);
+    try {
+        app.parse(count, words);
+        if (options.rays_size % 8 != 0) throw CLI::ValidationError("--rays-size", "is no multiple of 8");
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    }
     try {
         return bench::run(options);
     } catch (const Error& error) {

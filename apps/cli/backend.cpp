@@ -48,9 +48,18 @@ std::optional<RenderedPicture> Backend::render_on_card(const Scene& scene, const
         }
     }
     // Frames of one animation have one reason.
-    if (why != told_) console_.line("on the CPU: " + why.substr(0, why.find('\n')));
+    if (why != told_) tell(why);
     told_ = why;
     return std::nullopt;
+}
+
+/// In one line, but for a driver's log, which -v shows.
+void Backend::tell(const std::string& why) {
+    const std::size_t end = why.find(":\n");
+    const std::string line = "on the CPU: " + why.substr(0, end);
+    if (end == std::string::npos) return console_.line(line);
+    if (!console_.verbose()) return console_.line(line + " (-v shows its log)");
+    console_.line(line + why.substr(end, why.find_last_not_of('\n') + 1 - end));
 }
 
 RenderedPicture Backend::on_gpu(const Scene& scene, const RenderOptions& options) {

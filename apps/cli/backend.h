@@ -23,13 +23,15 @@ class Backend {
     Backend(const Arguments& arguments, Console& console);
 
     /// Renders where --backend says. `auto` takes a graphics card where there is one, and says in one line
-    /// why it takes the CPU instead. Throws Error(device) where --backend gpu cannot be had.
+    /// why it takes the CPU instead; with -v all of what a driver says. Throws Error(device) where --backend
+    /// gpu cannot be had.
     RenderedPicture render(const Scene& scene, const RenderOptions& options);
 
     /// The same, but nothing where the CPU would render.
     std::optional<RenderedPicture> render_on_card(const Scene& scene, const RenderOptions& options);
 
   private:
+    void tell(const std::string& why);
     RenderedPicture on_gpu(const Scene& scene, const RenderOptions& options);
 
     std::string wanted_; ///< cpu, gpu or auto

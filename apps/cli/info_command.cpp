@@ -103,7 +103,7 @@ int info_command(const Arguments& arguments, Console& console) {
     if (arguments.has("devices")) {
         if (!arguments.operands().empty())
             throw Error(ErrorKind::usage, "--devices takes no file", "glint info --devices");
-        print_data(devices_text());
+        print_data(arguments.has("json") ? devices_json() : devices_text());
         return exit_code::done;
     }
     const std::string& file = arguments.operands().front();

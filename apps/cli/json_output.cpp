@@ -2,6 +2,8 @@
 
 #include "text.h"
 
+#include "glint/gpu.h"
+
 #include <nlohmann/json.hpp>
 
 namespace glint::cli {
@@ -81,6 +83,27 @@ std::string stats_list_json(const std::vector<std::string>& documents) {
     Json list = Json::array();
     for (const std::string& each : documents) list.push_back(Json::parse(each));
     return document(list);
+}
+
+std::string devices_json() {
+    std::string why;
+    Json devices = Json::array();
+    for (const GpuDevice& d : gpu_devices(&why)) {
+        Json device{{"number", devices.size()},
+                    {"name", d.name},
+                    {"usable", d.fault.empty()},
+                    {"software", d.software}};
+        if (!d.fault.empty()) device["fault"] = d.fault;
+        if (!d.driver.empty())
+            device.update({{"driver", d.driver},
+                           {"largest_buffer", d.largest_buffer},
+                           {"buffers", d.buffers},
+                           {"largest_group", d.largest_group}});
+        devices.push_back(std::move(device));
+    }
+    Json json{{"glint", version()}, {"devices", devices}};
+    if (devices.empty()) json["fault"] = why;
+    return document(json);
 }
 
 std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene) {

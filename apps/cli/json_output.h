@@ -1,5 +1,6 @@
 #pragma once
-// What programs read: --stats and info --json. The only part that sees the JSON library.
+// What programs read: --stats, info --json and info --devices --json. The only part that sees the JSON
+// library.
 
 #include "glint/render.h"
 #include "glint/scene.h"
@@ -31,5 +32,8 @@ std::string stats_list_json(const std::vector<std::string>& documents);
 
 /// The document of info --json, with a line feed at its end.
 std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene);
+
+/// The document of info --devices --json: the facts of devices_text().
+std::string devices_json();
 
 } // namespace glint::cli

@@ -19,6 +19,7 @@ constexpr Option allow_outside{0, "allow-outside", "", "let a scene read files o
 constexpr Option threads{'t', "threads", "N", "default: one for each core", false, true};
 constexpr Option color{0, "color", "auto|always|never", "colours in messages; auto heeds NO_COLOR and TERM"};
 constexpr Option quiet{'q', "quiet", "", "print errors only", false, true};
+constexpr Option verbose{'v', "verbose", "", "say more", true};
 constexpr Option help{'h', "help", "", "this help", true};
 
 constexpr std::array render_options{
@@ -48,7 +49,7 @@ constexpr std::array render_options{
     Option{0, "progress", "auto|plain|json|none", "on stderr; auto: a bar on a terminal, else plain"},
     color,
     quiet,
-    Option{'v', "verbose", "", "say more", true},
+    verbose,
     help,
 };
 
@@ -108,6 +109,7 @@ constexpr std::array explain_options{
     threads,
     color,
     quiet,
+    verbose,
     help,
 };
 

@@ -46,6 +46,7 @@ OpenGlObjects opengl_objects() {
 }
 
 SideContext::SideContext(const Window& window) : listens_(window.listens_to_opengl()) {
+    // GLFW keeps the hints of the window: contexts that share must tell of their loss alike.
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -46,12 +46,16 @@ Window::Window(int width, int height, const std::string& title, bool listen) : l
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, listen ? GLFW_TRUE : GLFW_FALSE);
-    // The later one can make pictures too; the older is enough to draw them.
+    // The later one can make pictures too; the older is enough to draw them. Best is one that tells of its
+    // loss.
     for (const int major : {4, 3}) {
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-        if (window_ != nullptr) break;
+        for (const int loss : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+            if (window_ != nullptr) break;
+            glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+            glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+            glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, loss);
+            window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+        }
     }
     if (window_ == nullptr) {
         glfwTerminate();

@@ -27,10 +27,9 @@ struct GpuDevice {
 std::vector<GpuDevice> gpu_devices(std::string* why = nullptr);
 
 /// Bounds that a renderer keeps to. 0: what the device allows, or what the renderer learns from its speed.
-/// They change the time, never
-/// the picture.
+/// They change the time, never the picture.
 struct GpuLimits {
-    std::uint64_t buffer = 0; ///< bytes of the largest buffer
+    std::uint64_t buffer = 0; ///< bytes of the largest buffer, where the device allows more
     std::uint32_t pixels = 0; ///< that one dispatch looks at; rounded up to a multiple of 64
     std::uint32_t rays = 0;   ///< of each pixel's tree that one dispatch follows at most
     std::uint32_t steps = 0;  ///< of a pixel's rays through the scene, after which they wait for the next
@@ -73,7 +72,8 @@ struct GpuCurrentContext {};
 GpuDevice gpu_device(GpuCurrentContext context);
 
 /// A linear picture that stays on the device: a texture of OpenGL, RGBA in 32-bit floats, its first row the
-/// top one. It can be used in every context that shares with the one it was made in.
+/// top one. It can be used in every context that shares with the one it was made in, and is let go where such
+/// a context is current.
 class GpuPicture {
   public:
     ~GpuPicture();
@@ -93,6 +93,7 @@ class GpuPicture {
   private:
     friend class GpuPicturePool;
     GpuPicture(int width, int height);
+    void leave_to_context();
     void wait_until_drawn();
 
     std::uint32_t texture_ = 0;
@@ -118,19 +119,22 @@ class GpuProgressive {
 
     /// Begins a picture; the kernel of the options does not count. What is on the device of the scene before
     /// stays there: trees that both share, and everything where only camera and size differ. Throws
-    /// Error(device) as GpuRenderer does, and std::invalid_argument for an impossible step.
+    /// std::invalid_argument for an impossible step, and Error(device) as GpuRenderer does: then the picture
+    /// before is gone, and none is begun.
     void start(const Scene& scene, const ProgressiveOptions& options = {});
 
     /// Goes on for about so many seconds, by dispatches of some hundredths of a second, and at least to the
     /// end of the first pass. False when nothing is left to do. After a cancelled call the next goes on where
-    /// it stood. Throws Error(device) where the device is lost, or cannot follow a ray.
+    /// it stood. Throws Error(device) where the device is lost, or cannot follow a ray: then the picture is
+    /// gone, and there is nothing to go on with before the next start().
     bool advance(double seconds);
 
     const Refinement& reached() const;
     /// The picture so far, as it is now: what is done later is seen in the next one alone. None before the
-    /// first pass.
+    /// first pass. For what works in a GpuCurrentContext; the textures of a device of its own cannot be
+    /// used outside: see image().
     std::shared_ptr<const GpuPicture> picture() const;
-    /// The same, brought into memory.
+    /// The same, brought into memory; without pixels where there is none.
     Image image() const;
     /// How often the device was given anything of a scene beside its camera.
     int layings() const;

@@ -171,7 +171,7 @@ struct GpuContext::State {
     std::vector<std::string> complaints;
 };
 
-GpuContext::GpuContext(int number, std::uint64_t largest_buffer) : state_(std::make_unique<State>()) {
+GpuContext::GpuContext(int number) : state_(std::make_unique<State>()) {
     std::string why;
     const std::vector<EGLDeviceEXT> devices = list_devices(why);
     const auto refuse = [](const std::string& what) {
@@ -189,7 +189,6 @@ GpuContext::GpuContext(int number, std::uint64_t largest_buffer) : state_(std::m
             state_->device = describe(state_->opened, devices[i]);
             why = state_->device.name + ": " + state_->device.fault;
             if (state_->device.fault.empty() && (number >= 0 || state_->device.software == software)) {
-                if (largest_buffer > 0) state_->device.largest_buffer = largest_buffer;
                 glEnable(GL_DEBUG_OUTPUT);
                 glDebugMessageCallback(note_complaint, &state_->complaints);
                 leave();
@@ -212,18 +211,27 @@ GpuContext::~GpuContext() { close(state_->opened); }
 
 const GpuDevice& GpuContext::device() const { return state_->device; }
 
+void GpuContext::set_largest_buffer(std::uint64_t bytes) { state_->device.largest_buffer = bytes; }
+
 void GpuContext::enter() const {
-    if (state_->opened.display == EGL_NO_DISPLAY) return;
+    if (!try_enter()) throw Error(ErrorKind::device, "the GPU's context cannot be used from this thread");
+}
+
+bool GpuContext::try_enter() const noexcept {
+    const Opened& opened = state_->opened;
+    if (opened.display == EGL_NO_DISPLAY) return true;
     // The interface to be made current is remembered by thread.
     eglBindAPI(EGL_OPENGL_API);
-    if (eglMakeCurrent(state_->opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, state_->opened.context) ==
-        EGL_FALSE)
-        throw Error(ErrorKind::device, "the GPU's context cannot be used from this thread");
+    return eglMakeCurrent(opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, opened.context) == EGL_TRUE;
 }
 
 void GpuContext::leave() const {
     if (state_->opened.display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(state_->opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
+bool GpuContext::is_current() const {
+    return state_->opened.display == EGL_NO_DISPLAY || eglGetCurrentContext() == state_->opened.context;
 }
 
 void GpuContext::check(const std::string& doing) const {

@@ -15,8 +15,7 @@ namespace glint {
 class GpuContext {
   public:
     /// Throws Error(device) where the device of that number (−1: the first usable) cannot be used.
-    /// `largest_buffer` bytes stand in the place of the device's own limit, unless 0.
-    explicit GpuContext(int device, std::uint64_t largest_buffer = 0);
+    explicit GpuContext(int device);
     /// The context that is current on this thread, whose owner keeps it so: enter() and leave() do nothing.
     /// Throws Error(device) where it cannot do what the shaders need.
     explicit GpuContext(GpuCurrentContext current);
@@ -25,8 +24,15 @@ class GpuContext {
     GpuContext& operator=(const GpuContext&) = delete;
 
     const GpuDevice& device() const;
-    void enter() const; ///< makes it current on this thread
+    /// So many bytes stand in the place of the device's own limit.
+    void set_largest_buffer(std::uint64_t bytes);
+
+    /// Makes it current on this thread. Throws Error(device) where that cannot be: the device is lost, or
+    /// another thread has it.
+    void enter() const;
+    bool try_enter() const noexcept; ///< the same; false in place of an error
     void leave() const;
+    bool is_current() const; ///< on this thread
 
     /// Throws Error(device) where the device was lost or an operation failed since the last call; `doing`
     /// says what was being done: "rendering".
@@ -49,6 +55,23 @@ class GpuScope {
 
   private:
     const GpuContext& context_;
+};
+
+/// The same for destructors. A context that cannot be entered any more keeps its objects, and they go with
+/// it.
+class GpuEnding {
+  public:
+    explicit GpuEnding(const GpuContext& context) noexcept
+        : context_(context), entered_(context.try_enter()) {}
+    ~GpuEnding() {
+        if (entered_) context_.leave();
+    }
+    GpuEnding(const GpuEnding&) = delete;
+    GpuEnding& operator=(const GpuEnding&) = delete;
+
+  private:
+    const GpuContext& context_;
+    const bool entered_;
 };
 
 } // namespace glint

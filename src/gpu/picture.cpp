@@ -1,5 +1,7 @@
 #include "gpu/picture.h"
 
+#include "gpu/context.h"
+
 #include <algorithm>
 #include <epoxy/gl.h>
 #include <mutex>
@@ -16,6 +18,7 @@ GpuPicture::GpuPicture(int width, int height) : width_(width), height_(height) {
 }
 
 GpuPicture::~GpuPicture() {
+    if (texture_ == 0) return;
     if (drawn_ != nullptr) glDeleteSync(static_cast<GLsync>(drawn_));
     glDeleteTextures(1, &texture_);
 }
@@ -36,6 +39,11 @@ Image GpuPicture::read() const {
     return image;
 }
 
+void GpuPicture::leave_to_context() {
+    texture_ = 0;
+    drawn_ = nullptr;
+}
+
 void GpuPicture::wait_until_drawn() {
     if (drawn_ == nullptr) return;
     glWaitSync(static_cast<GLsync>(drawn_), 0, GL_TIMEOUT_IGNORED);
@@ -48,34 +56,43 @@ struct GpuPicturePool::Shelf {
     std::vector<std::unique_ptr<GpuPicture>> pictures;
     bool closed = false;
 
+    /// On whatever thread lets it go, where there may be no context to end it in.
     void put(std::unique_ptr<GpuPicture> picture) {
+        const std::lock_guard lock(mutex);
+        if (!closed) pictures.push_back(std::move(picture));
+    }
+
+    /// One of this size, or none; few others are kept.
+    std::unique_ptr<GpuPicture> take(int width, int height) {
         constexpr std::size_t most_spare = 2;
         const std::lock_guard lock(mutex);
-        if (!closed && pictures.size() < most_spare) pictures.push_back(std::move(picture));
+        // Those of another size will not be wanted again.
+        std::erase_if(pictures, [&](const auto& p) { return p->width() != width || p->height() != height; });
+        if (pictures.empty()) return nullptr;
+        std::unique_ptr<GpuPicture> picture = std::move(pictures.back());
+        pictures.pop_back();
+        if (pictures.size() > most_spare) pictures.resize(most_spare);
+        return picture;
     }
 };
 
-GpuPicturePool::GpuPicturePool() : shelf_(std::make_shared<Shelf>()) {}
+GpuPicturePool::GpuPicturePool(const GpuContext& context)
+    : context_(context), shelf_(std::make_shared<Shelf>()) {}
 
 GpuPicturePool::~GpuPicturePool() {
     const std::lock_guard lock(shelf_->mutex);
     shelf_->closed = true;
+    if (!context_.is_current())
+        for (const auto& picture : shelf_->pictures) picture->leave_to_context();
     shelf_->pictures.clear();
 }
 
 std::shared_ptr<GpuPicture> GpuPicturePool::take(int width, int height) {
-    std::unique_ptr<GpuPicture> picture;
-    {
-        const std::lock_guard lock(shelf_->mutex);
-        // Those of another size will not be wanted again.
-        std::erase_if(shelf_->pictures,
-                      [&](const auto& p) { return p->width() != width || p->height() != height; });
-        if (!shelf_->pictures.empty()) {
-            picture = std::move(shelf_->pictures.back());
-            shelf_->pictures.pop_back();
-        }
+    std::unique_ptr<GpuPicture> picture = shelf_->take(width, height);
+    if (picture == nullptr) {
+        picture = std::unique_ptr<GpuPicture>(new GpuPicture(width, height));
+        context_.check("making room for the picture");
     }
-    if (picture == nullptr) picture = std::unique_ptr<GpuPicture>(new GpuPicture(width, height));
     picture->wait_until_drawn();
     return {picture.release(),
             [shelf = shelf_](GpuPicture* done) { shelf->put(std::unique_ptr<GpuPicture>(done)); }};

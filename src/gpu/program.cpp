@@ -1,5 +1,6 @@
 #include "gpu/program.h"
 
+#include "gpu/clock.h"
 #include "gpu/context.h"
 #include "gpu/scene_data.h"
 #include "gpu/shader_text.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <chrono>
 #include <epoxy/gl.h>
 #include <functional>
 
@@ -20,10 +20,6 @@ std::string define(const char* name, int value) {
     return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
 }
 
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 std::size_t digits_from(const std::string& text, std::size_t at) {
     while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) ++at;
     return at;
@@ -32,7 +28,7 @@ std::size_t digits_from(const std::string& text, std::size_t at) {
 /// "7:12(3): error", "7(12) : error" or "ERROR: 7:12: error": file 7 by name.
 std::string readable_line(const std::string& line) {
     std::size_t begin = line.find_first_of("0123456789");
-    if (begin == std::string::npos || begin > 10) return line;
+    if (begin > 10) return line; // or there is none
     const std::size_t end = digits_from(line, begin);
     if (end == line.size() || (line[end] != ':' && line[end] != '(') || end - begin > 3) return line;
     const std::size_t number_end = digits_from(line, end + 1);
@@ -113,7 +109,7 @@ std::string readable_log(const std::string& text) {
     return out;
 }
 
-GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) {
+GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) : context_(context) {
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
@@ -137,12 +133,14 @@ GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) {
     }
 }
 
-GpuProgram::~GpuProgram() { glDeleteProgram(id_); }
+GpuProgram::~GpuProgram() {
+    if (context_.is_current()) glDeleteProgram(id_);
+}
 
 void GpuProgram::use() const { glUseProgram(id_); }
 
 GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* data, std::size_t bytes)
-    : bytes_(std::max(bytes, least_bytes)) {
+    : context_(context), bytes_(std::max(bytes, least_bytes)) {
     const std::uint64_t most = context.device().largest_buffer;
     if (bytes > most)
         throw Error(ErrorKind::device,
@@ -162,7 +160,9 @@ GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* da
     if (data != nullptr && bytes > 0) write(0, data, bytes);
 }
 
-GpuBuffer::~GpuBuffer() { glDeleteBuffers(1, &id_); }
+GpuBuffer::~GpuBuffer() {
+    if (context_.is_current()) glDeleteBuffers(1, &id_);
+}
 
 void GpuBuffer::bind_storage(std::uint32_t binding) const {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
@@ -195,11 +195,13 @@ void GpuBuffer::read(std::size_t offset, void* data, std::size_t bytes) const {
                        static_cast<GLsizeiptr>(bytes), data);
 }
 
-GpuTimer::GpuTimer(const GpuContext& context) : own_clock_(!context.device().software) {
+GpuTimer::GpuTimer(const GpuContext& context) : context_(context), own_clock_(!context.device().software) {
     glGenQueries(1, &id_);
 }
 
-GpuTimer::~GpuTimer() { glDeleteQueries(1, &id_); }
+GpuTimer::~GpuTimer() {
+    if (context_.is_current()) glDeleteQueries(1, &id_);
+}
 
 void GpuTimer::start() {
     wall_ = -wall_seconds();

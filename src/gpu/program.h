@@ -37,7 +37,8 @@ std::string show_source();
 /// A driver's log with numbers of files replaced by their names: "shading/whitted.shared.h:12: …".
 std::string readable_log(const std::string& text);
 
-/// A compiled program; needs its context to be current wherever it is used.
+/// A compiled program. Like buffers and timers it needs its context to be current wherever it is used, and
+/// stays in it where it ends while that is not so.
 class GpuProgram {
   public:
     /// Throws Error(device) with the driver's log where it refuses the source.
@@ -49,6 +50,7 @@ class GpuProgram {
     void use() const;
 
   private:
+    const GpuContext& context_;
     std::uint32_t id_ = 0;
 };
 
@@ -73,6 +75,7 @@ class GpuBuffer {
     void read(std::size_t offset, void* data, std::size_t bytes) const;
 
   private:
+    const GpuContext& context_;
     std::uint32_t id_ = 0;
     std::size_t bytes_ = 0;
 };
@@ -91,6 +94,7 @@ class GpuTimer {
     double seconds() const; ///< between the two; waits for the device
 
   private:
+    const GpuContext& context_;
     const bool own_clock_;
     std::uint32_t id_ = 0;
     double wall_ = 0;

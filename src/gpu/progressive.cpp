@@ -1,13 +1,13 @@
 // The passes of render/progressive.cpp on the device, and pictures of what they have come to.
 
 #include "glint/gpu.h"
+#include "gpu/clock.h"
 #include "gpu/picture.h"
 #include "gpu/studio.h"
 #include "gpu/tile_work.h"
 #include "render/aspect.h"
 
 #include <algorithm>
-#include <chrono>
 #include <epoxy/gl.h>
 #include <stdexcept>
 
@@ -19,10 +19,6 @@ constexpr std::uint32_t show_centres = 0;
 constexpr std::uint32_t show_spread = 1;
 constexpr std::uint32_t show_means = 2;
 constexpr std::uint32_t show_started = 3;
-
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// One way over the picture: the centres of every step-th pixel from (x, y) on, or `count` samples more of
 /// each pixel.
@@ -54,15 +50,13 @@ std::vector<Pass> passes_of(const RenderSettings& settings, int coarsest) {
     return passes;
 }
 
-std::uint32_t slots_of(const Rect& tile) { return static_cast<std::uint32_t>(tile.width * tile.height); }
-
 } // namespace
 
 struct GpuProgressive::State {
     explicit State(int device) : studio(device, {}) {}
     explicit State(GpuCurrentContext current) : studio(current) {}
     ~State() {
-        const GpuScope scope(studio.context());
+        const GpuEnding ending(studio.context());
         work.reset();
         scratch.reset();
         films.clear();
@@ -77,7 +71,7 @@ struct GpuProgressive::State {
     std::unique_ptr<GpuBuffer> scratch;            ///< the film of centres
     std::vector<std::unique_ptr<GpuBuffer>> films; ///< of samples, by tile of the picture
     std::unique_ptr<GpuBuffer> block;
-    std::optional<GpuPicturePool> pool{std::in_place};
+    std::optional<GpuPicturePool> pool{std::in_place, studio.context()};
     std::shared_ptr<GpuPicture> known; ///< centres, at the places that were looked at
 
     ProgressiveOptions options;
@@ -121,7 +115,6 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
         (wanted.coarsest & (wanted.coarsest - 1)) != 0)
         throw std::invalid_argument("the coarsest step is no power of two from 1 to 64");
     give_up();
-    reached = {};
     studio.prepare(scene);
     options = wanted;
     settings = scene.render_settings();
@@ -133,7 +126,6 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
     if (known == nullptr || known->width() != settings.width || known->height() != settings.height) {
         known.reset();
         known = pool->take(settings.width, settings.height);
-        studio.context().check("making room for the picture");
     }
     done_work = 0;
     rays_before = rays();
@@ -150,8 +142,9 @@ void GpuProgressive::State::tell_apart(std::size_t count) {
     films.clear();
 }
 
-/// Leaves nothing to go on with.
+/// Leaves nothing to go on with, and nothing to show.
 void GpuProgressive::State::give_up() {
+    reached = {};
     passes.clear();
     pass = 0;
     work->give_up();
@@ -280,7 +273,6 @@ void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, 
 std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
     if (reached.step == 0) return nullptr;
     const std::shared_ptr<GpuPicture> shown = pool->take(settings.width, settings.height);
-    studio.context().check("making room for the picture");
     const bool has_samples = !is_finished() ? now().count > 0 : settings.spp > 1;
     for (std::size_t i = 0; i < picture_tiles.size(); ++i) {
         const bool started = has_samples && i == tile && work->is_under_way();
@@ -317,6 +309,7 @@ void GpuProgressive::start(const Scene& scene, const ProgressiveOptions& options
 
 bool GpuProgressive::advance(double seconds) {
     State& s = *state_;
+    if (s.passes.empty()) return false;
     const GpuScope scope(s.studio.context());
     const double begin = wall_seconds();
     try {

@@ -29,7 +29,7 @@ GpuRays::GpuRays(const GpuContext& context, const FrozenScene& scene, bool count
 }
 
 GpuRays::~GpuRays() {
-    const GpuScope scope(context_);
+    const GpuEnding ending(context_);
     parts_.reset();
 }
 

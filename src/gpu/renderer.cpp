@@ -1,6 +1,7 @@
 // A whole picture on the device, tile by tile.
 
 #include "glint/gpu.h"
+#include "gpu/clock.h"
 #include "gpu/studio.h"
 #include "gpu/tile_work.h"
 #include "imaging/film.h"
@@ -9,14 +10,9 @@
 #include "render/samples.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace glint {
 namespace {
-
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 class Rendering {
   public:
@@ -60,9 +56,6 @@ class Rendering {
         // The first is the largest.
         film_ = std::make_unique<GpuBuffer>(studio_.context(), "the pixels", nullptr,
                                             4 * film_fields(terms_) * slots_of(tiles_.front()));
-    }
-    static std::uint32_t slots_of(const Rect& tile) {
-        return static_cast<std::uint32_t>(tile.width * tile.height);
     }
 
     /// Whether it was not cancelled.
@@ -179,15 +172,18 @@ Picture GpuRenderer::render(const RenderOptions& options) {
     const GpuScope scope(studio.context());
     GpuSettings settings = studio.settings();
     RenderSettings picture = studio.scene()->render_settings();
+    RenderOptions wanted = options;
     const bool first_hit = !is_light(options.show);
     if (first_hit) {
-        // One ray through each pixel's centre, and nothing bounces.
+        // One ray through each pixel's centre, nothing bounces, and numbers have no terms.
+        wanted.terms = false;
+        wanted.coverage = false;
         settings.area.z = static_cast<std::uint32_t>(options.show);
         settings.limits.x = 0;
         settings.tile.w = 1;
         picture.spp = 1;
     }
-    return Rendering(studio, studio.program(options.terms, first_hit), settings, options, picture).run();
+    return Rendering(studio, studio.program(wanted.terms, first_hit), settings, wanted, picture).run();
 }
 
 } // namespace glint

@@ -2,13 +2,19 @@
 
 #include "scene/frozen.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glint {
 
+GpuStudio::GpuStudio(int device, const GpuLimits& limits) : context_(device), pace_(limits) {
+    if (limits.buffer > 0)
+        context_.set_largest_buffer(std::min(limits.buffer, context_.device().largest_buffer));
+}
+
 GpuStudio::~GpuStudio() {
     // Programs and buffers go while their context is current.
-    const GpuScope scope(context_);
+    const GpuEnding ending(context_);
     buffers_.reset();
     programs_.clear();
     show_program_.reset();

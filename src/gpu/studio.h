@@ -16,7 +16,7 @@ namespace glint {
 /// All but the constructors needs the context to be entered.
 class GpuStudio {
   public:
-    GpuStudio(int device, const GpuLimits& limits) : context_(device, limits.buffer), pace_(limits) {}
+    GpuStudio(int device, const GpuLimits& limits);
     explicit GpuStudio(GpuCurrentContext current) : context_(current), pace_({}) {}
     ~GpuStudio();
     GpuStudio(const GpuStudio&) = delete;

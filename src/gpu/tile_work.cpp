@@ -1,7 +1,8 @@
 #include "gpu/tile_work.h"
 
+#include "gpu/clock.h"
+
 #include <algorithm>
-#include <chrono>
 #include <epoxy/gl.h>
 
 namespace glint {
@@ -10,10 +11,6 @@ namespace {
 constexpr std::size_t counters = 16; ///< words before the slots' fields (shaders/places.glsl)
 constexpr std::uint32_t fault_media = 1;
 constexpr std::uint32_t fault_loops = 2;
-
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 int whole_squares(int pixels) { return (pixels + 7) / 8 * 8; }
 
@@ -32,6 +29,8 @@ struct Counters {
 };
 
 } // namespace
+
+std::uint32_t slots_of(const Rect& tile) { return static_cast<std::uint32_t>(tile.width * tile.height); }
 
 std::size_t film_fields(std::size_t terms) { return 6 * terms + 2; }
 

@@ -11,6 +11,9 @@
 
 namespace glint {
 
+/// A slot is a pixel of a tile.
+std::uint32_t slots_of(const Rect& tile);
+
 /// Words of a film for each slot: sums and counts.
 std::size_t film_fields(std::size_t terms);
 

@@ -2,24 +2,17 @@
 
 #include "workplace.h"
 
+#include <nlohmann/json.hpp>
+
 namespace glint::test {
 namespace {
 
-class Backend : public Workplace {
-  public:
-    /// No driver is found: as on a machine that has none.
-    static Setting without_devices() {
-        Setting setting;
-        setting.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=none"};
-        return setting;
-    }
-    bool has_device() const {
-        return glint("info --devices").out.find("usable          yes") != std::string::npos;
-    }
-};
+using nlohmann::json;
+
+class Backend : public Workplace {};
 
 TEST_F(Backend, GpuRendersWithoutADisplay) {
-    if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    GLINT_NEEDS_DEVICE();
     const Outcome gpu = glint("good.toml --backend gpu -o gpu.png");
     EXPECT_EQ(gpu.exit, 0) << gpu.err;
     EXPECT_NE(gpu.err.find(", on "), std::string::npos) << gpu.err;
@@ -28,7 +21,7 @@ TEST_F(Backend, GpuRendersWithoutADisplay) {
 }
 
 TEST_F(Backend, DebugViewsAreRenderedOnTheGpu) {
-    if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    GLINT_NEEDS_DEVICE();
     for (const std::string view : {"normal", "depth", "shadows", "diffuse"}) {
         const Outcome gpu = glint("good.toml --backend gpu --show " + view + " -o gpu.png");
         EXPECT_EQ(gpu.exit, 0) << gpu.err;
@@ -40,7 +33,7 @@ TEST_F(Backend, DebugViewsAreRenderedOnTheGpu) {
 }
 
 TEST_F(Backend, FramesOfOneAnimationShareTheCard) {
-    if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    GLINT_NEEDS_DEVICE();
     write("moving.toml", content("good.toml") + "\n[[animate]]\nkey = \"camera.fov\"\nframes = [0, 2]\n"
                                                 "values = [30, 60]\n");
     const Outcome all = glint("moving.toml --backend gpu --frames 0..2 -o gpu-%d.pfm");
@@ -70,8 +63,7 @@ TEST_F(Backend, GpuWithoutADeviceEndsWithSevenAndAReason) {
 TEST_F(Backend, OldOpenGlIsToldWithACure) {
     Setting old;
     old.environment = {"MESA_GL_VERSION_OVERRIDE=3.3"};
-    if (glint("info --devices", old).out.find("usable          yes") != std::string::npos)
-        GTEST_SKIP() << "a device that does not heed Mesa's variables";
+    if (has_device(old)) GTEST_SKIP() << "a device that does not heed Mesa's variables";
     const Outcome outcome = glint("good.toml --backend gpu -o a.png", old);
     EXPECT_EQ(outcome.exit, 7);
     if (has_device()) {
@@ -94,6 +86,48 @@ TEST_F(Backend, DevicesAreListedWithoutAFile) {
     EXPECT_NE(none.out.find("no devices for --backend gpu: "), std::string::npos) << none.out;
     EXPECT_EQ(glint("info --devices good.toml").exit, 2);
     EXPECT_EQ(glint("info").exit, 2);
+}
+
+TEST_F(Backend, DevicesAreListedForPrograms) {
+    const Outcome none = glint("info --devices --json", without_devices());
+    EXPECT_EQ(none.exit, 0);
+    const json nothing = json::parse(none.out);
+    EXPECT_EQ(nothing["devices"], json::array());
+    EXPECT_NE(nothing["fault"], "");
+
+    GLINT_NEEDS_DEVICE();
+    const std::string text = glint("info --devices").out;
+    const json found = json::parse(glint("info --devices --json").out);
+    EXPECT_FALSE(found.contains("fault"));
+    bool any = false;
+    for (std::size_t i = 0; i < found["devices"].size(); ++i) {
+        const json& device = found["devices"][i];
+        EXPECT_EQ(device["number"], i);
+        const std::string line = std::to_string(i) + ": " + device["name"].get<std::string>() + "\n";
+        EXPECT_NE(text.find(line), std::string::npos) << line << text;
+        EXPECT_EQ(device["usable"], !device.contains("fault"));
+        if (!device["usable"]) continue;
+        any = true;
+        EXPECT_NE(text.find(device["driver"].get<std::string>()), std::string::npos) << text;
+        EXPECT_GE(device["largest_buffer"], 1 << 24);
+        EXPECT_GE(device["buffers"], 8);
+        EXPECT_GE(device["largest_group"], 64);
+        EXPECT_TRUE(device["software"].is_boolean());
+    }
+    EXPECT_TRUE(any);
+}
+
+TEST_F(Backend, ARefusedShaderIsToldWithTheDriversLog) {
+    Setting old;
+    old.environment = {"MESA_GL_VERSION_OVERRIDE=4.5", "MESA_GLSL_VERSION_OVERRIDE=330"};
+    if (!has_device(old)) GTEST_SKIP() << "no device: " << glint("info --devices", old).out;
+    const Outcome outcome = glint("good.toml --backend gpu -o a.png", old);
+    if (outcome.exit == 0) GTEST_SKIP() << "a device that does not heed Mesa's variables";
+    EXPECT_EQ(outcome.exit, 7);
+    const std::size_t log = outcome.err.find("refuses the shader:\n");
+    ASSERT_NE(log, std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("error", log), std::string::npos) << outcome.err;
+    EXPECT_FALSE(exists("a.png"));
 }
 
 } // namespace

@@ -110,13 +110,6 @@ TEST_F(Explain, PagesStayBelowTenMegabytes) {
     EXPECT_LT(content("page.html").size(), 10'000'000u);
 }
 
-/// No driver is found: as on a machine that has none.
-Setting without_devices() {
-    Setting setting;
-    setting.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=none"};
-    return setting;
-}
-
 TEST_F(Explain, SaysWhoseNumbersItShows) {
     const std::string line = "explain cabinet.toml --pixel 22,18";
     EXPECT_NE(glint(line).out.find("computed on the CPU"), std::string::npos);
@@ -127,8 +120,7 @@ TEST_F(Explain, SaysWhoseNumbersItShows) {
 }
 
 TEST_F(Explain, TellsHowFarTheGpuIs) {
-    const bool device = glint("info --devices").out.find("usable          yes") != std::string::npos;
-    if (!device) GTEST_SKIP() << "no device: " << glint("info --devices").out;
+    GLINT_NEEDS_DEVICE();
     const std::string line = "explain cabinet.toml --pixel 22,18 --spp 3 --backend gpu";
     const json found = json::parse(glint(line + " --format json").out);
     EXPECT_FALSE(found["gpu"]["device"].get<std::string>().empty());

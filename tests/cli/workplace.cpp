@@ -120,4 +120,14 @@ std::string Workplace::listing() const {
     return text;
 }
 
+Setting Workplace::without_devices() {
+    Setting setting;
+    setting.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=none"};
+    return setting;
+}
+
+bool Workplace::has_device(const Setting& setting) const {
+    return glint("info --devices", setting).out.find("usable          yes") != std::string::npos;
+}
+
 } // namespace glint::test

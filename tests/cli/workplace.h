@@ -30,8 +30,17 @@ class Workplace : public testing::Test {
     /// Every file in the folder, sorted, joined by blanks.
     std::string listing() const;
 
+    /// As on a machine on which no driver is found.
+    static Setting without_devices();
+    /// Does --backend gpu find a device it can use?
+    bool has_device(const Setting& setting = {}) const;
+
   private:
     std::filesystem::path folder_;
 };
+
+/// Ends a test where --backend gpu cannot be had, and says so.
+#define GLINT_NEEDS_DEVICE()                                                                                 \
+    if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out
 
 } // namespace glint::test

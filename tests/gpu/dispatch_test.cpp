@@ -1,6 +1,5 @@
 // A picture is the same whatever its dispatches hold: nothing is lost or doubled between two of them.
 
-#include "gallery.h"
 #include "gpu_kit.h"
 #include "scene_kit.h"
 
@@ -37,15 +36,6 @@ void expect_same_bits(const SceneDescription& description, const std::string& na
         EXPECT_EQ(picture.coverage, expected.coverage) << how;
         EXPECT_EQ(picture.stats.rays(), expected.stats.rays()) << how;
     }
-}
-
-SceneDescription exhibit(const std::string& name, int samples) {
-    for (kit::Exhibit& exhibit : kit::gallery())
-        if (exhibit.name == name) {
-            exhibit.scene.render.spp = samples;
-            return exhibit.scene;
-        }
-    throw Error(ErrorKind::internal, "no exhibit " + name);
 }
 
 TEST(GpuDispatches, SizesChangeNoBitOfTrees) {

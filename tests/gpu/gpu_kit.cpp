@@ -1,5 +1,7 @@
 #include "gpu_kit.h"
 
+#include "gallery.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +70,22 @@ void expect_agreement(const SceneDescription& description, const std::string& na
     const Picture ours = gpu()->render();
     EXPECT_TRUE(ours.complete) << name;
     expect_agreement(ours.image, render(scene).image, name);
+}
+
+SceneDescription exhibit(const std::string& name, int samples) {
+    for (kit::Exhibit& exhibit : kit::gallery())
+        if (exhibit.name == name) {
+            exhibit.scene.render.spp = samples;
+            return exhibit.scene;
+        }
+    throw Error(ErrorKind::internal, "no exhibit " + name);
+}
+
+SceneDescription exhibit(const std::string& name, int width, int height, int samples) {
+    SceneDescription scene = exhibit(name, samples);
+    scene.render.width = width;
+    scene.render.height = height;
+    return scene;
 }
 
 std::string refusal(const std::function<void()>& work) {

@@ -29,6 +29,10 @@ void expect_agreement(const Image& gpu, const Image& cpu, const std::string& nam
 /// Fails where the scene's pictures agree less than the backend promises.
 void expect_agreement(const SceneDescription& description, const std::string& name);
 
+/// A scene of the tests' gallery, by name.
+SceneDescription exhibit(const std::string& name, int samples = 1);
+SceneDescription exhibit(const std::string& name, int width, int height, int samples);
+
 /// What the device says against some work; it must be an Error(device).
 std::string refusal(const std::function<void()>& work);
 

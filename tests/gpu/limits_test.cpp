@@ -46,11 +46,34 @@ SceneDescription one_mesh() {
     return scene;
 }
 
+SceneDescription planes(int count) {
+    SceneDescription scene = kit::empty_scene();
+    kit::add(scene, PlaneShape{Vec3(0, 0, 1), -1}, kit::matte());
+    const std::string material = scene.materials.front().name;
+    for (int i = 1; i < count; ++i) kit::add(scene, PlaneShape{Vec3(0, 0, 1), -1.0 - i}, material);
+    return scene;
+}
+
+/// A mesh of many vertices with normals and colours, few of which its triangles use.
+SceneDescription colored_mesh() {
+    Mesh mesh = kit::sphere_mesh(1, 4);
+    for (int i = 0; i < 5000; ++i) {
+        mesh.positions.emplace_back(0.0f, 0.0f, 0.0f);
+        mesh.normals.emplace_back(0.0f, 0.0f, 1.0f);
+    }
+    mesh.colors.assign(mesh.positions.size(), glm::vec3(0.5f));
+    SceneDescription scene = kit::empty_scene();
+    kit::add(scene, kit::mesh_of(mesh), kit::matte());
+    return scene;
+}
+
 TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
     GLINT_NEEDS_GPU();
     const Large scenes[] = {
         {"the tree's nodes", 1000, one_mesh()},
         {"the scene's triangles", 80000, one_mesh()},
+        {"the scene's objects", 20000, planes(1000)},
+        {"the meshes' normals and colours", 50000, colored_mesh()},
         {"the scene's materials and lights", 50000, spheres(1000, true)},
         {"the scene's shapes and places", 60000, spheres(1500, false)},
     };
@@ -63,6 +86,12 @@ TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
         EXPECT_NE(said.find("render on the CPU"), std::string::npos) << said;
         EXPECT_THROW(renderer->render(), Error) << "nothing is prepared";
     }
+}
+
+TEST(GpuLimits, MoreThanTheDeviceAllowsIsWhatItAllows) {
+    GLINT_NEEDS_GPU();
+    EXPECT_EQ(renderer_with(std::uint64_t{1} << 60)->device().largest_buffer, gpu()->device().largest_buffer);
+    EXPECT_EQ(renderer_with(60000)->device().largest_buffer, 60000u);
 }
 
 TEST(GpuLimits, ARefusedSceneLeavesRoomForTheNext) {
@@ -97,7 +126,8 @@ TEST(GpuLimits, PicturesAreCutIntoTilesThatFit) {
 TEST(GpuLimits, SpentMemoryIsToldWithWhatItWasFor) {
     GLINT_NEEDS_GPU();
     constexpr std::size_t bytes = std::size_t{1} << 46; // more than any machine has
-    const GpuContext context(-1, bytes);
+    GpuContext context(-1);
+    context.set_largest_buffer(bytes);
     const GpuScope scope(context);
     const std::string said = refusal([&] { const GpuBuffer buffer(context, "the pixels", nullptr, bytes); });
     EXPECT_NE(said.find("ran out of memory while taking 70368744177664 bytes for the pixels"),

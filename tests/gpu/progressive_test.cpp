@@ -1,6 +1,5 @@
 // Pictures that get better on the GPU.
 
-#include "gallery.h"
 #include "gpu/context.h"
 #include "gpu_kit.h"
 #include "scene_kit.h"
@@ -11,17 +10,6 @@
 
 namespace glint {
 namespace {
-
-SceneDescription exhibit(const std::string& name, int width, int height, int samples) {
-    for (kit::Exhibit& exhibit : kit::gallery())
-        if (exhibit.name == name) {
-            exhibit.scene.render.width = width;
-            exhibit.scene.render.height = height;
-            exhibit.scene.render.spp = samples;
-            return exhibit.scene;
-        }
-    throw Error(ErrorKind::internal, "no exhibit " + name);
-}
 
 /// One for all tests, as there is one renderer.
 GpuProgressive& progressive() {
@@ -235,7 +223,22 @@ TEST(GpuProgressive, WhatItCannotDrawIsRefused) {
                   }
               }).find("more than eight"),
               std::string::npos);
-    EXPECT_FALSE(progressive().advance(1)) << "there is nothing to go on with";
+    const auto expect_nothing_left = [] {
+        EXPECT_FALSE(progressive().advance(1)) << "there is nothing to go on with";
+        EXPECT_EQ(progressive().picture(), nullptr);
+        EXPECT_EQ(progressive().image().width, 0);
+        EXPECT_EQ(progressive().reached().step, 0);
+        EXPECT_EQ(progressive().reached().fraction, 0);
+    };
+    expect_nothing_left();
+
+    // Larger than a texture can be: the second time as well.
+    const Scene wide = freeze(exhibit("mirrors", 65536, 1, 1));
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_NE(refusal([&] { progressive().start(wide, from(1)); }).find("making room for the picture"),
+                  std::string::npos);
+        expect_nothing_left();
+    }
     progressive().start(scene, from(8));
     EXPECT_EQ(finished(), whole(scene));
 }

@@ -1,6 +1,5 @@
 // What the GPU's renderer promises beside its pictures.
 
-#include "gallery.h"
 #include "gpu_kit.h"
 #include "scene_kit.h"
 
@@ -10,12 +9,6 @@
 
 namespace glint {
 namespace {
-
-SceneDescription exhibit(const std::string& name) {
-    for (const kit::Exhibit& exhibit : kit::gallery())
-        if (exhibit.name == name) return exhibit.scene;
-    throw Error(ErrorKind::internal, "no exhibit " + name);
-}
 
 TEST(GpuRenderer, GivesTheSameBitsTwice) {
     GLINT_NEEDS_GPU();
@@ -52,6 +45,21 @@ TEST(GpuRenderer, TermsAddUpToThePictureAndMatchTheCpu) {
                 sum.pixels[i] = t == 0 ? ours.terms[t].pixels[i] : sum.pixels[i] + ours.terms[t].pixels[i];
         }
         EXPECT_EQ(sum.pixels, ours.image.pixels) << name;
+    }
+}
+
+TEST(GpuRenderer, NumbersOfFirstHitsHaveNeitherTermsNorCoverage) {
+    GLINT_NEEDS_GPU();
+    const Scene scene = freeze(exhibit("mirrors"));
+    RenderOptions options;
+    options.show = Aspect::normal;
+    options.terms = true;
+    options.coverage = true;
+    gpu()->prepare(scene);
+    for (const Picture& picture : {gpu()->render(options), render(scene, options)}) {
+        EXPECT_EQ(picture.image.width, scene.render_settings().width);
+        EXPECT_TRUE(picture.coverage.empty());
+        for (const Image& term : picture.terms) EXPECT_TRUE(term.pixels.empty());
     }
 }
 

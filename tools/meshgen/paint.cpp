@@ -1,7 +1,7 @@
 #include "math/trig.h"
 #include "shapes.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 namespace glint::meshgen {
@@ -31,13 +31,16 @@ dvec3 landscape(double height) {
                                      {0.050, {0.50, 0.40, 0.20}}, {0.090, {0.10, 0.24, 0.06}},
                                      {0.400, {0.07, 0.16, 0.05}}, {0.600, {0.22, 0.18, 0.15}},
                                      {0.780, {0.30, 0.27, 0.25}}, {0.860, {0.85, 0.87, 0.90}}};
-    const Stop* last = std::end(stops) - 1;
+    const Stop& last = *std::rbegin(stops);
     if (height <= 0) return stops[0].color;
-    if (height >= last->height) return last->color;
-    const Stop* above = std::find_if(stops, last, [height](const Stop& s) { return s.height > height; });
-    const Stop* below = above - 1;
-    const double t = (height - below->height) / (above->height - below->height);
-    return below->color * (1 - t) + above->color * t;
+    if (height >= last.height) return last.color;
+    // By number: of the pointer before one that was searched g++ 12's sanitizer says that it is outside.
+    std::size_t above = 1;
+    while (stops[above].height <= height) ++above;
+    const Stop& from = stops[above - 1];
+    const Stop& to = stops[above];
+    const double t = (height - from.height) / (to.height - from.height);
+    return from.color * (1 - t) + to.color * t;
 }
 
 } // namespace glint::meshgen
