@@ -247,7 +247,7 @@ class SvgTree {
              "title");
         text(margin + 72, margin + 43,
              "= " + quantity_text(e.color, digits) + ", linear red, green, blue, computed on the CPU; " +
-                 e.rule + (e.gpu ? "; " + other_pixel_text(e, digits) : ""),
+                 e.rule + (e.gpu ? "; " + other_pixel_text(e, *e.gpu, digits) : ""),
              "what");
         legend(margin + 72, margin + 62);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + place(width) + "\" height=\"" +
