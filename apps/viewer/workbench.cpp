@@ -1,7 +1,5 @@
 #include "workbench.h"
 
-#include "glint/explain.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -78,6 +76,12 @@ bool Workbench::update() {
         news |= latest != held;
         held = latest;
     }
+    // In this order: what was answered in between is taken the next time.
+    const bool explaining = session_->is_explaining();
+    const auto explained = session_->explained();
+    news |= explaining != explaining_ || explained != explained_;
+    explaining_ = explaining;
+    explained_ = explained;
     return news;
 }
 
@@ -206,15 +210,21 @@ std::string Workbench::save() {
 }
 
 void Workbench::keep() {
-    kept_ = description_;
-    if (session_->is_comparing()) session_->compare(kept_);
+    kept_ = shown_file(0);
+    if (session_->is_comparing()) session_->compare(kept_->description);
 }
 
 void Workbench::compare(bool on) {
     on = on && kept_.has_value();
-    if (on != session_->is_comparing()) session_->compare(on ? kept_ : std::nullopt);
+    if (on != session_->is_comparing())
+        session_->compare(on ? std::optional(kept_->description) : std::nullopt);
 }
 
-Explanation Workbench::explain(int x, int y) const { return glint::explain(*session_->view(), x, y); }
+ShownFile Workbench::shown_file(int place) const {
+    if (place == 1) return kept_.value_or(ShownFile());
+    ShownFile shown{staged_saved_ ? document_->name() : file_, load_, document_, {}, at_, description_};
+    if (animation() != nullptr) shown.moving = animation()->keys;
+    return shown;
+}
 
 } // namespace glint::viewer
