@@ -100,6 +100,7 @@ bool App::take_input() {
     }
     for (const KeyPress& key : window_.take_keys()) {
         any = true;
+        if (key.control) navigation_.ignore(key.code);
         const auto action = action_of(key);
         // While a name or a number is typed, letters are its own.
         if (action && (!ImGui::GetIO().WantTextInput || key.control)) perform(*action);

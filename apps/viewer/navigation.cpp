@@ -6,14 +6,12 @@
 #include <utility>
 
 namespace glint::viewer {
-namespace {
 
 /// +1, 0 or −1 by two opposite keys.
-double held(const Window& window, int plus, int minus) {
-    return (window.is_held(plus) ? 1.0 : 0.0) - (window.is_held(minus) ? 1.0 : 0.0);
+double Navigation::held(const Window& window, int plus, int minus) const {
+    const auto flies = [&](int code) { return window.is_held(code) && !ignored_.contains(code) ? 1.0 : 0.0; };
+    return flies(plus) - flies(minus);
 }
-
-} // namespace
 
 void Navigation::read_drag(std::span<const Area> pictures, Movement& movement) {
     // Pictures come and go.
@@ -59,6 +57,7 @@ Movement Navigation::read(const Window& window, std::span<const Area> pictures, 
     if (over && (io.MouseClicked[0] || io.MouseClicked[1] || io.MouseClicked[2])) pressed_ = over;
     read_drag(pictures, movement);
     if (over) movement.nearer += io.MouseWheel;
+    std::erase_if(ignored_, [&](int code) { return !window.is_held(code); });
     if (!io.WantTextInput && !io.KeyCtrl) {
         movement.fly_ahead = held(window, GLFW_KEY_W, GLFW_KEY_S) * seconds;
         movement.fly_right = held(window, GLFW_KEY_D, GLFW_KEY_A) * seconds;

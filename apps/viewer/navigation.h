@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace glint::viewer {
@@ -40,6 +41,10 @@ class Navigation {
     /// widget has it; and the held keys, unless text is being typed.
     Movement read(const Window& window, std::span<const Area> pictures, double seconds);
 
+    /// That key was pressed for something else, with Ctrl: until it is let go it does not fly, whichever of
+    /// the two is let go first.
+    void ignore(int code) { ignored_.insert(code); }
+
     /// Where the mouse was pressed and let go without moving, once.
     std::optional<PicturePlace> take_click();
     /// Does the mouse move the camera now?
@@ -48,12 +53,14 @@ class Navigation {
     bool is_flying() const { return flying_; }
 
   private:
+    double held(const Window& window, int plus, int minus) const;
     void read_drag(std::span<const Area> pictures, Movement& movement);
 
     std::optional<std::size_t> pressed_; ///< a button went down over that picture
     bool dragging_ = false;              ///< and the mouse has moved since
     bool flying_ = false;
     std::optional<PicturePlace> click_;
+    std::set<int> ignored_; ///< keys
 };
 
 } // namespace glint::viewer

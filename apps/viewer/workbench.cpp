@@ -115,8 +115,11 @@ void Workbench::take_document(const SessionScene& scene) {
         if (!load_.overrides.empty()) fresh.set_all(load_.overrides);
         if (document_ && document_->text() == fresh.text()) return;
         const bool edited = document_ && document_->changed();
+        const std::string text = SceneDocument::open(scene.path).text();
+        // The file is as it was: what was changed here is put in again, and can still be undone.
+        if (edited && document_->is_saved_as(text)) return show_document();
         if (edited) {
-            document_->rebase(SceneDocument::open(scene.path).text());
+            document_->rebase(text);
         } else {
             document_ = std::move(fresh);
         }
@@ -186,6 +189,8 @@ void Workbench::edit(const std::vector<Edit>& edits, bool same_gesture) {
 void Workbench::step(std::vector<SceneDocument>& from, std::vector<SceneDocument>& to) {
     if (from.empty()) return;
     to.push_back(*document_);
+    // The file may have been saved in between.
+    from.back().take_saved(*document_);
     document_ = std::move(from.back());
     from.pop_back();
     show_document();
