@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 namespace glint::viewer {
 namespace {
@@ -83,6 +84,8 @@ void App::run() {
 bool App::is_moving() const {
     // Scripts wait for a change to have become a picture: is_finished().
     if (ui_.map.is_kept() && now() - last_change_ < 0.4) return true;
+    // That something takes long is said a moment after it began.
+    if (pixel_ && pixel_->busy_since > 0 && now() - pixel_->busy_since < 2 * silent_seconds) return true;
     return state_.turntable || state_.playing || bench_.status().busy || now() < notice_until_ ||
            save_when_finished_ || navigation_.is_flying();
 }
@@ -97,6 +100,7 @@ bool App::take_input() {
     }
     for (const KeyPress& key : window_.take_keys()) {
         any = true;
+        if (key.control) navigation_.ignore(key.code);
         const auto action = action_of(key);
         // While a name or a number is typed, letters are its own.
         if (action && (!ImGui::GetIO().WantTextInput || key.control)) perform(*action);
@@ -114,6 +118,7 @@ void App::draw_frame() {
     new_theme_.reset();
     window_.begin_frame();
     ui_.map.begin();
+    follow_explained();
     layout_ = lay_out(size, ui_.theme.scale, state_.panel, bench_.animation() != nullptr);
     draw_panel();
     draw_status();
@@ -273,28 +278,12 @@ void App::draw_comparison() {
     if (near || state_.wiping) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }
 
-void App::draw_explained() {
-    rays_drawn_ = 0;
-    if (!pixel_) return;
-    const Explanation& explanation = pixel_->explanation;
-    if (pixel_->lines_of_sample != pixel_->choice.sample) {
-        pixel_->lines =
-            ray_lines(explanation.samples[static_cast<std::size_t>(pixel_->choice.sample)], bench_.extent());
-        pixel_->lines_of_sample = pixel_->choice.sample;
-    }
-    const int width = explanation.width;
-    const int height = explanation.height;
-    const Projection projection(bench_.session().camera().camera(), width, height);
-    rays_drawn_ = draw_rays(picture_, projection, width, height, pixel_->lines, pixel_->choice.place);
-    // The mark stays on what was clicked when the camera moves.
-    const ExplainedRay& first = explanation.samples.front().rays.front();
-    const Vec3 place =
-        first.hit ? Vec3(first.position) : Vec3(first.origin) + Vec3(first.direction) * bench_.extent();
-    if (const auto at = projection.point(place)) draw_mark(ui_, picture_, at->x / width, at->y / height);
-}
-
 void App::move_camera(double seconds) {
-    const Movement movement = state_.wiping ? Movement() : navigation_.read(window_, picture_, seconds);
+    const std::array pictures{picture_, reference_};
+    const bool both = is_comparing() && state_.compare == CompareMode::side_by_side;
+    const Movement movement =
+        state_.wiping ? Movement()
+                      : navigation_.read(window_, std::span(pictures.data(), both ? 2 : 1), seconds);
     const auto click = navigation_.take_click();
     if (bench_.description() == nullptr) return;
     if (!movement.is_none()) move(movement);
@@ -346,11 +335,7 @@ void App::tell_map() {
     map.state("changed", bench_.is_changed());
     map.state("rays_drawn", static_cast<double>(rays_drawn_));
     if (!saved_.empty()) map.state("saved", saved_);
-    if (pixel_) {
-        map.state("pixel.x", static_cast<double>(pixel_->explanation.x));
-        map.state("pixel.y", static_cast<double>(pixel_->explanation.y));
-        map.state("pixel.material", picked_.material);
-    }
+    tell_pixel();
     if (shown) tell_picture();
 }
 

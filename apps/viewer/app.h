@@ -16,6 +16,8 @@
 #include "workbench.h"
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,14 +27,26 @@ namespace glint::viewer {
 /// Seconds of a clock that only goes forward.
 double now();
 
-/// The pixel that is explained, with its rays as they were when it was clicked.
+/// The pixel that is explained, seen from where the camera was when it was clicked.
 struct ExplainedPixel {
-    Explanation explanation;
+    int place = 0; ///< which picture's: 1 is A
+    int x = 0;
+    int y = 0;
+    std::shared_ptr<const PixelAnswer> answer; ///< none: it is still to come
     PixelChoice choice;
     std::vector<RayLine> lines;
-    int lines_of_sample = -1; ///< which sample `lines` show
+    int lines_of_sample = -1;      ///< which sample `lines` show
+    double since = 0;              ///< when the scene changed that is explained
+    double busy_since = 0;         ///< 0: nothing is being explained
+    std::optional<OtherPixel> gpu; ///< the pixel of frame `gpu_frame`
+    std::uint64_t gpu_frame = 0;
+    std::string command;      ///< the command line for `command_of`, as the scene was at that time
+    double command_time = -1; ///< of the last change then
+    std::shared_ptr<const PixelAnswer> command_of;
 };
 
+/// What takes no longer needs no word about it.
+inline constexpr double silent_seconds = 0.2;
 /// How far a drag has to go for a whole turn, in heights of the picture.
 inline constexpr double turn_in_heights = 2.5;
 /// Of flying, in distances to what is looked at a second.
@@ -79,14 +93,21 @@ class App {
     void set_backend(bool gpu);
     PainterMaker gpu_maker();
     void use(Kernel kernel);
-    /// Forgets the pixel that is explained.
-    void let_go() {
-        pixel_.reset();
-        picked_ = {};
-    }
-    void explain_at(const PicturePlace& place);
-    /// The Scene panel marks what the chosen ray meets.
+    // The pixel that is explained (app_pixel.cpp).
+    void explain_at(const PicturePlace& where);
+    void explain(int place, int x, int y);
+    void let_go();
+    void follow_explained();
+    void draw_pixel_tab();
+    void tell_pixel();
     void mark_picked();
+    int place_at(const PicturePlace& where) const;
+    Area seen_part(int place) const;
+    bool is_where_it_was() const;
+    std::string compare_with_gpu();
+    const std::string& command_line();
+    void copy_command();
+
     void save_picture();
     void save_window();
     /// Says something for a few seconds.
@@ -95,7 +116,6 @@ class App {
     template <typename Work>
     void guarded(const Work& work);
 
-    std::string explain_command() const;
     bool is_moving() const;
     bool is_finished() const;
     bool is_comparing() const;

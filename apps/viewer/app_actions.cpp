@@ -62,6 +62,8 @@ void App::perform(Action action) {
         break;
     case Action::play:
         state_.playing = bench_.animation() != nullptr && !state_.playing;
+        // Where it stops is a frame that `glint` can be asked for.
+        if (!state_.playing && bench_.animation() != nullptr) show_at(std::round(bench_.frame_shown()));
         break;
     case Action::next_frame:
     case Action::previous_frame:
@@ -108,6 +110,7 @@ void App::perform(Action action) {
         if (scene)
             guarded([&] {
                 saved_ = bench_.save();
+                last_change_ = now();
                 notice("Saved " + saved_);
             });
         break;
@@ -237,36 +240,6 @@ void App::use(Kernel kernel) {
     if (bench_.session().kernel() == kernel) return;
     bench_.session().set_kernel(kernel);
     last_change_ = now();
-}
-
-void App::explain_at(const PicturePlace& place) {
-    guarded([&] {
-        const int width = bench_.session().width();
-        const int height = bench_.session().height();
-        const int x = std::clamp(static_cast<int>(place.across * width), 0, width - 1);
-        const int y = std::clamp(static_cast<int>(place.down * height), 0, height - 1);
-        pixel_ = ExplainedPixel{bench_.explain(x, y), {}, {}, -1};
-        state_.panel = true;
-        state_.tab = Tab::pixel;
-        state_.turn_to_tab = true;
-        mark_picked();
-    });
-}
-
-void App::mark_picked() {
-    const ExplainedSample& sample =
-        pixel_->explanation.samples[static_cast<std::size_t>(pixel_->choice.sample)];
-    const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(pixel_->choice.place.ray)];
-    Picked met;
-    if (ray.hit) met = {ray.material, ray.object, true};
-    if (met.material == picked_.material && met.object == picked_.object) return;
-    picked_ = met;
-}
-
-std::string App::explain_command() const {
-    const Explanation& e = pixel_->explanation;
-    return fmt::format("glint explain {} --size {}x{} --pixel {},{}", bench_.file(), e.width, e.height, e.x,
-                       e.y);
 }
 
 void App::save_picture() {

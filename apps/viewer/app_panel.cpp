@@ -120,11 +120,8 @@ void App::draw_tab(Tab tab, const char* label, std::vector<Edit>& edits, std::ve
         set_backend(state_.gpu);
         bench_.session().set_tone(state_.view);
         use(state_.kernel);
-    } else if (pixel_) {
-        pixel_panel(ui_, pixel_->explanation, pixel_->choice, explain_command());
-        mark_picked();
     } else {
-        quiet_text(ui_, "Click into the picture: here stands why the pixel has its colour.");
+        draw_pixel_tab();
     }
     ImGui::EndChild();
     ImGui::EndTabItem();

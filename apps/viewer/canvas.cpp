@@ -107,6 +107,18 @@ void Canvas::show(int place, std::shared_ptr<const GpuPicture> picture) {
     pictures_[static_cast<std::size_t>(place)].on_device = std::move(picture);
 }
 
+glm::vec3 Canvas::pixel_of(const GpuPicture& picture, int x, int y) {
+    glm::vec3 color(0.0f);
+    GLuint target = 0;
+    glGenFramebuffers(1, &target);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture(), 0);
+    glReadPixels(x, y, 1, 1, GL_RGB, GL_FLOAT, &color.x);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &target);
+    return color;
+}
+
 void Canvas::was_drawn() const {
     for (const Texture& texture : pictures_)
         if (texture.on_device) texture.on_device->was_drawn();

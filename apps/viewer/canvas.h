@@ -7,6 +7,8 @@
 #include "glint/formats.h"
 #include "glint/gpu.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -29,6 +31,9 @@ class Canvas {
     /// To be called when what was drawn is on its way to the screen.
     void was_drawn() const;
     bool holds(int place) const { return pictures_[static_cast<std::size_t>(place)].width > 0; }
+
+    /// A pixel of a picture that is on the graphics card, in linear light; (0, 0) is top left.
+    static glm::vec3 pixel_of(const GpuPicture& picture, int x, int y);
 
     /// Draws picture `place` over `area`, cut to `part` of it. Where a pixel of the picture covers one of the
     /// screen or more, its edges stay sharp. `view` is for pictures of the graphics card: uploaded ones are

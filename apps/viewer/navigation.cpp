@@ -6,27 +6,31 @@
 #include <utility>
 
 namespace glint::viewer {
-namespace {
 
 /// +1, 0 or −1 by two opposite keys.
-double held(const Window& window, int plus, int minus) {
-    return (window.is_held(plus) ? 1.0 : 0.0) - (window.is_held(minus) ? 1.0 : 0.0);
+double Navigation::held(const Window& window, int plus, int minus) const {
+    const auto flies = [&](int code) { return window.is_held(code) && !ignored_.contains(code) ? 1.0 : 0.0; };
+    return flies(plus) - flies(minus);
 }
 
-} // namespace
-
-void Navigation::read_drag(const Area& picture, Movement& movement) {
+void Navigation::read_drag(std::span<const Area> pictures, Movement& movement) {
+    // Pictures come and go.
+    if (pressed_ && *pressed_ >= pictures.size()) pressed_.reset();
     const ImGuiIO& io = ImGui::GetIO();
     const bool left = io.MouseDown[0];
     const bool other = io.MouseDown[1] || io.MouseDown[2];
     if (!left && !other) {
-        if (pressed_ && !dragging_ && io.MouseReleased[0])
-            click_ = PicturePlace{(io.MousePos.x - picture.x) / picture.width,
+        if (pressed_ && !dragging_ && io.MouseReleased[0]) {
+            const Area& picture = pictures[*pressed_];
+            click_ = PicturePlace{*pressed_, (io.MousePos.x - picture.x) / picture.width,
                                   (io.MousePos.y - picture.y) / picture.height};
-        pressed_ = dragging_ = false;
+        }
+        pressed_.reset();
+        dragging_ = false;
         return;
     }
     if (!pressed_) return;
+    const Area& picture = pictures[*pressed_];
     // A hand trembles a little when it clicks.
     if (ImGui::IsMouseDragging(0, 4) || ImGui::IsMouseDragging(1, 2) || ImGui::IsMouseDragging(2, 2))
         dragging_ = true;
@@ -44,13 +48,16 @@ void Navigation::read_drag(const Area& picture, Movement& movement) {
     }
 }
 
-Movement Navigation::read(const Window& window, const Area& picture, double seconds) {
+Movement Navigation::read(const Window& window, std::span<const Area> pictures, double seconds) {
     const ImGuiIO& io = ImGui::GetIO();
     Movement movement;
-    const bool over = !io.WantCaptureMouse && picture.contains(io.MousePos.x, io.MousePos.y);
-    if (over && (io.MouseClicked[0] || io.MouseClicked[1] || io.MouseClicked[2])) pressed_ = true;
-    read_drag(picture, movement);
+    std::optional<std::size_t> over;
+    for (std::size_t i = 0; i < pictures.size() && !io.WantCaptureMouse; ++i)
+        if (pictures[i].contains(io.MousePos.x, io.MousePos.y)) over = i;
+    if (over && (io.MouseClicked[0] || io.MouseClicked[1] || io.MouseClicked[2])) pressed_ = over;
+    read_drag(pictures, movement);
     if (over) movement.nearer += io.MouseWheel;
+    std::erase_if(ignored_, [&](int code) { return !window.is_held(code); });
     if (!io.WantTextInput && !io.KeyCtrl) {
         movement.fly_ahead = held(window, GLFW_KEY_W, GLFW_KEY_S) * seconds;
         movement.fly_right = held(window, GLFW_KEY_D, GLFW_KEY_A) * seconds;

@@ -4,7 +4,10 @@
 #include "ui_map.h"
 #include "window.h"
 
+#include <cstddef>
 #include <optional>
+#include <set>
+#include <span>
 
 namespace glint::viewer {
 
@@ -25,17 +28,22 @@ struct Movement {
     }
 };
 
-/// A place in the picture, 0 … 1 from its left and top.
+/// A place in a picture, 0 … 1 from its left and top.
 struct PicturePlace {
+    std::size_t picture = 0; ///< which of several
     double across = 0;
     double down = 0;
 };
 
 class Navigation {
   public:
-    /// Reads Dear ImGui's mouse over `picture`, between begin_frame() and the end of the frame, unless a
+    /// Reads Dear ImGui's mouse over the pictures, between begin_frame() and the end of the frame, unless a
     /// widget has it; and the held keys, unless text is being typed.
-    Movement read(const Window& window, const Area& picture, double seconds);
+    Movement read(const Window& window, std::span<const Area> pictures, double seconds);
+
+    /// That key was pressed for something else, with Ctrl: until it is let go it does not fly, whichever of
+    /// the two is let go first.
+    void ignore(int code) { ignored_.insert(code); }
 
     /// Where the mouse was pressed and let go without moving, once.
     std::optional<PicturePlace> take_click();
@@ -45,12 +53,14 @@ class Navigation {
     bool is_flying() const { return flying_; }
 
   private:
-    void read_drag(const Area& picture, Movement& movement);
+    double held(const Window& window, int plus, int minus) const;
+    void read_drag(std::span<const Area> pictures, Movement& movement);
 
-    bool pressed_ = false;  ///< a button went down over the picture
-    bool dragging_ = false; ///< and the mouse has moved since
+    std::optional<std::size_t> pressed_; ///< a button went down over that picture
+    bool dragging_ = false;              ///< and the mouse has moved since
     bool flying_ = false;
     std::optional<PicturePlace> click_;
+    std::set<int> ignored_; ///< keys
 };
 
 } // namespace glint::viewer

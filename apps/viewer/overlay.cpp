@@ -74,7 +74,7 @@ void key_rows(const char* keys, const char* what) {
 int draw_rays(const Area& picture, const Projection& projection, int width, int height,
               const std::vector<RayLine>& lines, const RayPlace& chosen) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height}, true);
     const auto screen = [&](const PicturePoint& p) {
         return ImVec2(picture.x + static_cast<float>(p.x / width) * picture.width,
                       picture.y + static_cast<float>(p.y / height) * picture.height);
@@ -103,7 +103,7 @@ void draw_mark(const Ui& ui, const Area& picture, double across, double down) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const ImVec2 at(picture.x + static_cast<float>(across) * picture.width,
                     picture.y + static_cast<float>(down) * picture.height);
-    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height}, true);
     const float radius = 7 * ui.theme.scale;
     draw.AddCircle(at, radius + 1, IM_COL32(0, 0, 0, 160), 24, 4);
     draw.AddCircle(at, radius + 1, ImGui::GetColorU32(color_of(ui.theme.accent)), 24, 2);

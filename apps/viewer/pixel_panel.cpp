@@ -94,26 +94,37 @@ void draw_legend() {
     }
 }
 
-void draw_pixel(Ui& ui, const Explanation& explanation, PixelChoice& choice, const std::string& command) {
+PixelWish draw_pixel(Ui& ui, const Explanation& explanation, const PixelRemarks& remarks) {
+    PixelWish wish = PixelWish::none;
     const float size = ImGui::GetFontSize();
     draw_swatch(ImGui::GetCursorScreenPos(), {2.2f * size, 2.2f * size}, explanation.color);
     ImGui::Dummy({2.2f * size, 2.2f * size});
     ImGui::SameLine();
     ImGui::BeginGroup();
-    ImGui::PushFont(ui.theme.bold);
-    ImGui::Text("Pixel %d, %d", explanation.x, explanation.y);
-    ImGui::PopFont();
+    pixel_heading(ui, explanation.x, explanation.y, remarks.picture);
     ImGui::TextUnformatted(number_text(explanation.color).c_str());
     ImGui::EndGroup();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Copy command").x -
                     2 * ImGui::GetStyle().FramePadding.x);
-    if (button(ui, "copy_command", "Copy command", command.c_str())) ImGui::SetClipboardText(command.c_str());
-    const int samples = static_cast<int>(explanation.samples.size());
+    if (button(ui, "copy_command", "Copy command", remarks.command.c_str())) wish = PixelWish::copy_command;
+    if (remarks.is_again) quiet_text(ui, "The scene has changed: explaining again \u2026");
+    if (!remarks.devices.empty()) quiet_text(ui, remarks.devices);
+    if (!remarks.is_elsewhere) return wish;
+    quiet_text(ui, fmt::format("As seen when it was clicked, {} \u00d7 {} pixels.", explanation.width,
+                               explanation.height));
+    if (button(ui, "explain_here", "Explain as seen now", "the pixel of the same numbers"))
+        wish = PixelWish::explain_here;
+    return wish;
+}
+
+void choose_sample(Ui& ui, const Explanation& explanation, PixelChoice& choice) {
+    const int samples = explained_sample_count(explanation);
     choice.sample = std::clamp(choice.sample, 0, samples - 1);
     if (samples < 2) return;
     int shown = choice.sample + 1;
     label_row(ui, "sample", explanation.rule.c_str());
-    if (ImGui::SliderInt("##sample", &shown, 1, samples, fmt::format("%d of {}", samples).c_str())) {
+    const std::size_t all = explanation.samples.size();
+    if (ImGui::SliderInt("##sample", &shown, 1, samples, fmt::format("%d of {}", all).c_str())) {
         choice.sample = std::clamp(shown, 1, samples) - 1;
         choice.place = {};
     }
@@ -122,11 +133,21 @@ void draw_pixel(Ui& ui, const Explanation& explanation, PixelChoice& choice, con
 
 } // namespace
 
-void pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice, const std::string& command) {
-    if (explanation.samples.empty()) return;
-    draw_pixel(ui, explanation, choice, command);
+void pixel_heading(const Ui& ui, int x, int y, const std::string& picture) {
+    const std::string of = picture.empty() ? "" : " of " + picture;
+    heading(ui, fmt::format("Pixel {}, {}{}", x, y, of).c_str());
+}
+
+int explained_sample_count(const Explanation& explanation) {
+    const auto is_told = [](const ExplainedSample& sample) { return !sample.rays.empty(); };
+    return static_cast<int>(std::count_if(explanation.samples.begin(), explanation.samples.end(), is_told));
+}
+
+PixelWish pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice,
+                      const PixelRemarks& remarks) {
+    const PixelWish wish = draw_pixel(ui, explanation, remarks);
+    choose_sample(ui, explanation, choice);
     const ExplainedSample& sample = explanation.samples[static_cast<std::size_t>(choice.sample)];
-    if (sample.rays.empty()) return;
     if (choice.place.ray >= static_cast<int>(sample.rays.size())) choice.place = {};
 
     // The tree takes what it needs up to half of the panel; the working scrolls below it.
@@ -142,10 +163,11 @@ void pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice, co
     ImGui::BeginChild("working", {0, 0});
     const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(choice.place.ray)];
     if (choice.place.light >= 0 && choice.place.light < static_cast<int>(ray.lights.size()))
-        working_of_light(ui, ray.lights[static_cast<std::size_t>(choice.place.light)]);
+        working_of_light(ui, ray, ray.lights[static_cast<std::size_t>(choice.place.light)]);
     else
         working_of_ray(ui, ray);
     ImGui::EndChild();
+    return wish;
 }
 
 } // namespace glint::viewer

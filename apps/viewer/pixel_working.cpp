@@ -1,5 +1,7 @@
 #include "pixel_working.h"
 
+#include "glint/formats.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -26,20 +28,18 @@ void topic_line(Ui& ui, const Step& step) {
     ImGui::TextDisabled("%s", section.c_str());
 }
 
-std::string result_text(const Step& step) {
-    return step.result.vector ? number_text(step.result.value) : fmt::format("{:.6g}", step.result.value.x);
-}
-
-/// "symbol = formula" and below it "= result"; what is given takes one line.
-void step_lines(Ui& ui, const Step& step) {
+/// "symbol = formula", below it the numbers and the result; what is given takes one line. `numbers`: the
+/// formula with them, or nothing.
+void step_lines(Ui& ui, const Step& step, const std::string& numbers) {
     ImGui::PushFont(ui.theme.fixed);
     ImGui::PushTextWrapPos(0);
     if (step.formula.empty()) {
-        ImGui::TextUnformatted(fmt::format("{} = {}", step.symbol, result_text(step)).c_str());
+        ImGui::TextUnformatted(fmt::format("{} = {}", step.symbol, quantity_text(step.result)).c_str());
     } else {
         ImGui::TextUnformatted(fmt::format("{} = {}", step.symbol, step.formula).c_str());
         ImGui::Indent();
-        ImGui::TextUnformatted(fmt::format("= {}", result_text(step)).c_str());
+        if (!numbers.empty()) ImGui::TextUnformatted(("= " + numbers).c_str());
+        ImGui::TextUnformatted(fmt::format("= {}", quantity_text(step.result)).c_str());
         ImGui::Unindent();
     }
     ImGui::PopTextWrapPos();
@@ -48,12 +48,13 @@ void step_lines(Ui& ui, const Step& step) {
     if (*step.note) quiet_text(ui, step.note);
 }
 
-void steps(Ui& ui, const std::vector<Step>& all) {
+void steps(Ui& ui, const std::vector<Step>& all, const ExplainedRay& ray,
+           const ExplainedLight* light = nullptr) {
     const char* topic = "";
     for (const Step& step : all) {
         if (std::strcmp(topic, step.topic) != 0) topic_line(ui, step);
         topic = step.topic;
-        step_lines(ui, step);
+        step_lines(ui, step, formula_in_numbers(step, ray, light));
     }
 }
 
@@ -92,9 +93,7 @@ void surface(Ui& ui, const ExplainedRay& ray) {
 
 } // namespace
 
-std::string number_text(const glm::vec3& three) {
-    return fmt::format("({:.5g}, {:.5g}, {:.5g})", three.x, three.y, three.z);
-}
+std::string number_text(const glm::vec3& three) { return quantity_text(three, 5); }
 
 void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& light) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -107,23 +106,27 @@ void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& ligh
 void working_of_ray(Ui& ui, const ExplainedRay& ray) {
     heading(ui, fmt::format("{} ray, weight {}", ray_kind_name(ray.kind), number_text(ray.weight)).c_str());
     quiet_text(ui, ray.why);
+    fact(ui, "from", number_text(ray.origin));
     if (ray.hit) surface(ui, ray);
     if (ray.hit && ray.crosses) crossing(ui, ray);
-    steps(ui, ray.given);
-    steps(ui, ray.steps);
+    steps(ui, ray.given, ray);
+    steps(ui, ray.steps, ray);
 }
 
-void working_of_light(Ui& ui, const ExplainedLight& light) {
+void working_of_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light) {
     heading(ui, light.label.c_str());
     fact(ui, "distance", fmt::format("{:.5g}", light.distance));
     fact(ui, "n \u00b7 l", fmt::format("{:.5g}  ({:.4g}\u00b0)", light.cosine, light.degrees));
     fact(ui, "attenuation", fmt::format("{:.5g}", light.attenuation));
-    if (!light.asked) quiet_text(ui, "no shadow ray: nothing arrives, or nothing of it would be seen");
+    if (light.asked)
+        fact(ui, "shadow ray", "from " + number_text(light.shadow_origin));
+    else
+        quiet_text(ui, "no shadow ray: nothing arrives, or nothing of it would be seen");
     for (const Blocker& blocker : light.blockers)
         fact(ui, blocker.share > 0 ? "passes" : "blocked by",
              fmt::format("{} at {:.5g}, \u03c4 = {:.3g}{}", blocker.label, blocker.distance,
                          blocker.transparency, blocker.passed_over ? ", passed over" : ""));
-    steps(ui, light.steps);
+    steps(ui, light.steps, ray, &light);
 }
 
 } // namespace glint::viewer

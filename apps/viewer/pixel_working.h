@@ -10,7 +10,8 @@ struct ImVec2;
 namespace glint::viewer {
 
 void working_of_ray(Ui& ui, const ExplainedRay& ray);
-void working_of_light(Ui& ui, const ExplainedLight& light);
+/// Of a light at the ray's hit.
+void working_of_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light);
 
 /// "(0.1, 0.2, 0.3)".
 std::string number_text(const glm::vec3& three);

@@ -4,6 +4,7 @@
 
 #include "glint/render.h"
 
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -30,6 +31,13 @@ int code_of(ErrorKind kind) {
     return 70;
 }
 
+/// Ends the program without waiting for its threads. A driver that compiles a shader cannot be interrupted,
+/// and takes seconds. All files that were asked for are written by then, whole, on this thread.
+[[noreturn]] void leave() {
+    std::cout.flush();
+    std::_Exit(0);
+}
+
 int open(const std::vector<std::string>& words) {
     const Arguments arguments = parse_arguments(words);
     if (arguments.help) {
@@ -40,6 +48,7 @@ int open(const std::vector<std::string>& words) {
         App app(arguments);
         app.run();
         if (arguments.statistics) std::cout << app.statistics();
+        leave();
     }
     return 0;
 }

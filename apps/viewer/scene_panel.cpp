@@ -1,5 +1,7 @@
 #include "scene_panel.h"
 
+#include "glint/explain.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace glint::viewer {
 namespace {
 
 constexpr std::array shape_words{"plane", "sphere", "cylinder", "triangle", "polyhedron", "mesh", "instance"};
-constexpr std::array light_words{"ambient", "point", "directional", "spot"};
 
 /// A slider's end for a number that has none: a round one above what it is now.
 double end_for(double value, double usual) {
@@ -160,13 +161,6 @@ const Vec3* color_of(const SceneDescription& scene, const std::string& material)
     return nullptr;
 }
 
-/// As explanations call it: sphere "ball", or sphere #3, which counts all objects.
-std::string label_of(const Object& object, std::size_t number) {
-    const std::string name =
-        object.name.empty() ? "#" + std::to_string(number + 1) : "\"" + object.name + "\"";
-    return std::string(shape_words[object.shape.index()]) + " " + name + (object.visible ? "" : "  (hidden)");
-}
-
 /// How -D names an object: by its name, else by its number among its kind.
 std::string table_of(const Object& object, std::size_t number_in_kind) {
     const std::string kind = shape_words[object.shape.index()];
@@ -186,7 +180,8 @@ void objects(Ui& ui, const SceneDescription& scene, double size, const Picked& p
         const std::string table = table_of(object, counts[object.shape.index()]++);
         if (i >= most) continue;
         const Mark mark(ui, table, picked.object == i, picked.is_new);
-        if (!section(ui, table, label_of(object, i), false, color_of(scene, object.material))) continue;
+        const std::string label = object_label(scene, i) + (object.visible ? "" : "  (hidden)");
+        if (!section(ui, table, label, false, color_of(scene, object.material))) continue;
         Rows rows(ui, edits, table);
         rows.choice("material", "material", object.material, names, "");
         rows.check("visible", "visible", object.visible, "hidden ones are gone for all rays");
@@ -203,9 +198,7 @@ void lights(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit
         const Light& light = scene.lights[i];
         const std::string table = "light." + std::to_string(i);
         const Vec3 color = std::visit([](const auto& kind) { return kind.color; }, light.kind);
-        const std::string label =
-            std::string(light_words[light.kind.index()]) + " light " + std::to_string(i + 1);
-        if (!section(ui, table, label, scene.lights.size() == 1, &color)) continue;
+        if (!section(ui, table, light_label(scene, i), scene.lights.size() == 1, &color)) continue;
         Rows rows(ui, edits, table);
         std::visit(LightRows{rows, size / 500}, light.kind);
         ImGui::Spacing();

@@ -1,7 +1,5 @@
 #include "workbench.h"
 
-#include "glint/explain.h"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -78,6 +76,12 @@ bool Workbench::update() {
         news |= latest != held;
         held = latest;
     }
+    // In this order: what was answered in between is taken the next time.
+    const bool explaining = session_->is_explaining();
+    const auto explained = session_->explained();
+    news |= explaining != explaining_ || explained != explained_;
+    explaining_ = explaining;
+    explained_ = explained;
     return news;
 }
 
@@ -111,8 +115,11 @@ void Workbench::take_document(const SessionScene& scene) {
         if (!load_.overrides.empty()) fresh.set_all(load_.overrides);
         if (document_ && document_->text() == fresh.text()) return;
         const bool edited = document_ && document_->changed();
+        const std::string text = SceneDocument::open(scene.path).text();
+        // The file is as it was: what was changed here is put in again, and can still be undone.
+        if (edited && document_->is_saved_as(text)) return show_document();
         if (edited) {
-            document_->rebase(SceneDocument::open(scene.path).text());
+            document_->rebase(text);
         } else {
             document_ = std::move(fresh);
         }
@@ -182,6 +189,8 @@ void Workbench::edit(const std::vector<Edit>& edits, bool same_gesture) {
 void Workbench::step(std::vector<SceneDocument>& from, std::vector<SceneDocument>& to) {
     if (from.empty()) return;
     to.push_back(*document_);
+    // The file may have been saved in between.
+    from.back().take_saved(*document_);
     document_ = std::move(from.back());
     from.pop_back();
     show_document();
@@ -206,15 +215,21 @@ std::string Workbench::save() {
 }
 
 void Workbench::keep() {
-    kept_ = description_;
-    if (session_->is_comparing()) session_->compare(kept_);
+    kept_ = shown_file(0);
+    if (session_->is_comparing()) session_->compare(kept_->description);
 }
 
 void Workbench::compare(bool on) {
     on = on && kept_.has_value();
-    if (on != session_->is_comparing()) session_->compare(on ? kept_ : std::nullopt);
+    if (on != session_->is_comparing())
+        session_->compare(on ? std::optional(kept_->description) : std::nullopt);
 }
 
-Explanation Workbench::explain(int x, int y) const { return glint::explain(*session_->view(), x, y); }
+ShownFile Workbench::shown_file(int place) const {
+    if (place == 1) return kept_.value_or(ShownFile());
+    ShownFile shown{staged_saved_ ? document_->name() : file_, load_, document_, {}, at_, description_};
+    if (animation() != nullptr) shown.moving = animation()->keys;
+    return shown;
+}
 
 } // namespace glint::viewer

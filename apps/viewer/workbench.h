@@ -2,11 +2,11 @@
 // The scene file under work: its document with the changes made to it, over the session that shows it.
 
 #include "arguments.h"
+#include "session/explain_command.h"
 #include "session/session.h"
 #include "widgets.h"
 
 #include "glint/document.h"
-#include "glint/explanation.h"
 
 #include <array>
 #include <functional>
@@ -37,6 +37,9 @@ class Workbench {
     /// What is wrong with the file, or with a change that was not taken; empty where all is well.
     const std::vector<Diagnostic>& problems() const;
     std::shared_ptr<const Frame> frame(int place) const { return frames_[static_cast<std::size_t>(place)]; }
+    /// What the session has explained, and whether it still does.
+    std::shared_ptr<const PixelAnswer> explained() const { return explained_; }
+    bool is_explaining() const { return explaining_; }
     /// About how large the scene is.
     double extent() const { return extent_; }
     /// The file that was opened, scene or mesh.
@@ -60,11 +63,10 @@ class Workbench {
     /// What is shown becomes A, which later changes are compared with.
     void keep();
     bool has_kept() const { return kept_.has_value(); }
+    /// What a picture shows: the changed file, or A.
+    ShownFile shown_file(int place) const;
     /// Is A rendered too?
     void compare(bool on);
-
-    /// Throws Error(usage) outside the picture.
-    Explanation explain(int x, int y) const;
 
   private:
     void take_scene(const SessionScene& scene);
@@ -84,10 +86,12 @@ class Workbench {
     std::vector<SceneDocument> undo_;
     std::vector<SceneDocument> redo_;
     bool staged_saved_ = false; ///< the mesh has become a scene file
-    std::optional<SceneDescription> kept_;
+    std::optional<ShownFile> kept_;
     std::vector<Diagnostic> refused_; ///< why the last change was not taken
     LoadStatus status_;
     std::array<std::shared_ptr<const Frame>, picture_places> frames_;
+    std::shared_ptr<const PixelAnswer> explained_;
+    bool explaining_ = false;
     double extent_ = 1;
     std::unique_ptr<Session> session_; ///< last: its threads end first
 };

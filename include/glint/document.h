@@ -28,6 +28,14 @@ class SceneDocument {
     const std::string& name() const { return name_; }
     /// Does the text differ from the file as it was opened or saved last?
     bool changed() const { return saved_ != text_; }
+    /// Is that the text of the file, as it was opened or saved last?
+    bool is_saved_as(std::string_view text) const { return saved_ == text; }
+    /// Going back to a copy made before `now` was saved: the file is as `now` knows it, and the text is the
+    /// copy's.
+    void take_saved(const SceneDocument& now) { saved_ = now.saved_; }
+    /// What was set since then, each key once, as -D has it: given beside that file it says what the text
+    /// says.
+    std::vector<Override> changes() const;
 
     /// The value at the path as it is written; none where the file leaves it out or has no such table.
     std::optional<std::string> value(std::string_view path) const;

@@ -4,8 +4,10 @@
 #include "glint/explanation.h"
 #include "glint/scene.h"
 
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <string>
 
 namespace glint {
 
@@ -13,6 +15,11 @@ namespace glint {
 /// every term of the light along them. The same functions compute the picture, so the sum is its pixel, bit
 /// for bit. (0, 0) is top left. Throws Error(usage) for a pixel outside the picture.
 Explanation explain(const Scene& scene, int x, int y);
+
+/// What explanations call an object, by its index: sphere "ball", or sphere #3, the third object of the file.
+std::string object_label(const SceneDescription& scene, std::size_t object);
+/// And a light: point light 2, the second light of the file.
+std::string light_label(const SceneDescription& scene, std::size_t light);
 
 /// How much of a pixel is told.
 struct ExplainLimits {
@@ -24,7 +31,8 @@ struct ExplainLimits {
 /// The same for many pixels of one scene. One explainer for each thread.
 class Explainer {
   public:
-    explicit Explainer(const Scene& scene);
+    /// Once `cancel` is set, pixel() throws Error(cancelled), within one ray.
+    explicit Explainer(const Scene& scene, const CancelFlag* cancel = nullptr);
     ~Explainer();
     Explainer(Explainer&&) noexcept;
     Explainer& operator=(Explainer&&) noexcept;

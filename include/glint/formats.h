@@ -141,6 +141,18 @@ PictureDifference diff_pictures(const LoadedPicture& a, const LoadedPicture& b, 
 /// A readable tree of 6 digits, UTF-8; `color` adds a terminal's escape sequences.
 std::string explanation_text(const Explanation& explanation, bool color = false);
 
+/// "0.5", or "(1, 0, 0.25)".
+std::string quantity_text(const Quantity& q, int digits = 6);
+
+/// The formula of a step with its numbers for its symbols, as explanation_text() prints it; empty where it
+/// would say no more than the formula or the result. `light`: whose step it is, else the ray's own.
+std::string formula_in_numbers(const Step& step, const ExplainedRay& ray,
+                               const ExplainedLight* light = nullptr);
+
+/// What a graphics card makes of the pixel, and how far that is from the explanation:
+/// "on DEVICE it is (…), off by at most …".
+std::string other_pixel_text(const Explanation& explanation, const OtherPixel& other, int digits = 6);
+
 /// JSON with nine digits, which read back as the same floats; docs/explain.md lists the names.
 std::string explanation_json(const Explanation& explanation);
 

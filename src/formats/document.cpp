@@ -73,6 +73,12 @@ std::optional<std::string> SceneDocument::value(std::string_view path) const {
     return std::string(text_of(parsed.source, entry->value));
 }
 
+std::vector<Override> SceneDocument::changes() const {
+    std::vector<Override> all;
+    for (const Edit& edit : edits_) all.push_back(path_and(edit.path, edit.value));
+    return all;
+}
+
 void SceneDocument::set(std::string_view path, std::string_view value) { set_all({path_and(path, value)}); }
 void SceneDocument::set(std::string_view path, double value) { set(path, scene_value(value)); }
 void SceneDocument::set(std::string_view path, const Vec3& value) { set(path, scene_value(value)); }

@@ -1,5 +1,7 @@
 #include "formats/explain_formula.h"
 
+#include "glint/formats.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -79,15 +81,19 @@ std::vector<const Step*> Scope::named_in(std::string_view formula) const {
     return found;
 }
 
-std::string Scope::filled_in(std::string_view formula, int digits) const {
+std::string Scope::filled_in(const Step& step) const {
     std::string text;
-    split(formula, [&](std::string_view part, const Step* step) {
-        if (step == nullptr) return void(text += part);
-        const std::string number = quantity_text(step->result, digits);
+    split(step.formula, [&](std::string_view part, const Step* named) {
+        if (named == nullptr) return void(text += part);
+        const std::string number = quantity_text(named->result, readable_digits);
         // A sign of its own would be read as an operator's.
-        text += !step->result.vector && number.rfind("−", 0) == 0 ? "(" + number + ")" : number;
+        text += !named->result.vector && number.rfind("−", 0) == 0 ? "(" + number + ")" : number;
     });
-    return text;
+    return text == step.formula || text == quantity_text(step.result, readable_digits) ? "" : text;
+}
+
+std::string formula_in_numbers(const Step& step, const ExplainedRay& ray, const ExplainedLight* light) {
+    return Scope(ray, light).filled_in(step);
 }
 
 std::string number_text(float x, int digits) {
@@ -107,8 +113,7 @@ std::string quantity_text(const Quantity& q, int digits) {
            number_text(q.value.z, digits) + ")";
 }
 
-std::string other_pixel_text(const Explanation& explanation, int digits) {
-    const OtherPixel& other = *explanation.gpu;
+std::string other_pixel_text(const Explanation& explanation, const OtherPixel& other, int digits) {
     const glm::vec3 off = glm::abs(other.color - explanation.color);
     return "on " + other.device + " it is " + quantity_text(other.color, digits) + ", off by at most " +
            number_text(std::max({off.x, off.y, off.z}), 3);

@@ -18,8 +18,8 @@ class Scope {
 
     /// The quantities that a formula names, each once, in the order of the formula.
     std::vector<const Step*> named_in(std::string_view formula) const;
-    /// The formula with its numbers for its symbols.
-    std::string filled_in(std::string_view formula, int digits) const;
+    /// The step's formula with its numbers for its symbols; empty where that says nothing new.
+    std::string filled_in(const Step& step) const;
 
   private:
     const Step* find(std::string_view symbol) const;
@@ -30,13 +30,10 @@ class Scope {
     std::vector<const std::vector<Step>*> lists_;
 };
 
+/// How many digits are for reading.
+inline constexpr int readable_digits = 6;
+
 /// A number with so many digits, as short as it can be; "∞" where it is infinite.
 std::string number_text(float x, int digits);
-/// "0.5", or "(1, 0, 0.25)".
-std::string quantity_text(const Quantity& q, int digits);
-
-/// What a graphics card makes of the pixel, and how far that is from the explanation, which must have it:
-/// "on DEVICE it is (…), off by at most …".
-std::string other_pixel_text(const Explanation& explanation, int digits);
 
 } // namespace glint

@@ -249,7 +249,7 @@ class SvgTree {
         text(margin + 72, margin + 43,
              "= " + quantity_text(e.color, shown_digits) +
                  ", linear red, green, blue, computed on the CPU; " + e.rule +
-                 (e.gpu ? "; " + other_pixel_text(e, shown_digits) : ""),
+                 (e.gpu ? "; " + other_pixel_text(e, *e.gpu, shown_digits) : ""),
              "what");
         legend(margin + 72, margin + 62);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + place(width) + "\" height=\"" +

@@ -8,7 +8,7 @@
 namespace glint {
 namespace {
 
-constexpr int digits = 6;
+constexpr int digits = readable_digits;
 constexpr std::size_t longest_line = 100;
 
 /// Escape sequences of a terminal, or nothing.
@@ -49,7 +49,7 @@ class TextTree {
         line(c_.strong + std::string("pixel ") + std::to_string(e.x) + "," + std::to_string(e.y) + c_.plain +
              " of " + size + " = " + c_.value + text_of(e.color) + c_.plain +
              " (linear red, green, blue; computed on the CPU)");
-        if (e.gpu) line("  " + other_pixel_text(e, digits));
+        if (e.gpu) line("  " + other_pixel_text(e, *e.gpu));
         line("  " + e.rule + (e.samples.size() > 1 ? " (" + e.filter + " filter)" : ""));
         line("  = " + terms_text(e.terms));
         for (std::size_t i = 0; i < e.samples.size(); ++i) {
@@ -143,6 +143,9 @@ class TextTree {
              angle(light.degrees) + "), " +
              (light.arriving == glm::vec3(0.0f) ? "nothing arrives"
                                                 : "gets through: " + number_text(light.shadow, digits)));
+        if (light.asked)
+            line(inner + "  shadow ray from " + text_of(light.shadow_origin) + " along " +
+                 text_of(light.direction));
         for (const Blocker& b : light.blockers)
             line(inner + "  blocked at " + number_text(b.distance, digits) + " by " + b.label +
                  " (material " + b.material + "), τ = " + number_text(b.transparency, digits) +
@@ -157,7 +160,7 @@ class TextTree {
 
     /// "D = E ⊙ c · k_d · s = … = …", on as many lines as it takes.
     void write_step(const Scope& scope, const Step& step, const std::string& inner) {
-        const std::string numbers = scope.filled_in(step.formula, digits);
+        const std::string numbers = scope.filled_in(step);
         const std::string result = text_of(step.result);
         // A formula that is a number is its own result.
         const std::string formula = step.formula == result ? "" : " = " + step.formula;
@@ -166,7 +169,7 @@ class TextTree {
             std::string(step.meaning) + (*step.section ? " [" + std::string(step.section) + "]" : "");
         const std::string colored = c_.name + step.symbol + c_.plain + formula;
         const std::string value = c_.value + result + c_.plain;
-        const std::string middle = numbers == result || numbers == step.formula ? "" : " = " + numbers;
+        const std::string middle = numbers.empty() ? "" : " = " + numbers;
         const bool short_enough =
             width(left) + width(middle) + width(result) + width(aside) + 8 <= longest_line;
         if (short_enough) {

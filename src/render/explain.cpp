@@ -7,9 +7,9 @@
 namespace glint {
 
 struct Explainer::State {
-    explicit State(const Scene& whole)
+    State(const Scene& whole, const CancelFlag* stop)
         : scene(whole), settings(whole.render_settings()), places(whole.frozen().description),
-          parts(whole.frozen()), tracer(whole.frozen()) {}
+          parts(whole.frozen()), cancel(stop), tracer(whole.frozen(), stop) {}
 
     ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
         const bool with_rays = i < limits.samples;
@@ -21,9 +21,10 @@ struct Explainer::State {
         out.dy = place.dy;
         out.weight = place.weight;
         const Terms terms = tracer.trace(camera.origin, camera.direction, with_rays ? &tree : nullptr);
+        stop_if_cancelled(cancel);
         out.terms = terms.value;
         out.radiance = terms.sum();
-        if (with_rays) out.rays = explain_tree(parts, tree, limits.weight);
+        if (with_rays) out.rays = explain_tree(parts, tree, limits.weight, cancel);
         return out;
     }
 
@@ -31,6 +32,7 @@ struct Explainer::State {
     const RenderSettings& settings;
     const SamplePlaces places;
     const ExplainedScene parts;
+    const CancelFlag* cancel;
     WhittedTracer tracer;
     RayTree tree;
 };
@@ -51,7 +53,8 @@ std::string rule_of(const PixelSum<Terms>& sum, int positive, int negative) {
 
 } // namespace
 
-Explainer::Explainer(const Scene& scene) : state_(std::make_unique<State>(scene)) {}
+Explainer::Explainer(const Scene& scene, const CancelFlag* cancel)
+    : state_(std::make_unique<State>(scene, cancel)) {}
 Explainer::~Explainer() = default;
 Explainer::Explainer(Explainer&&) noexcept = default;
 Explainer& Explainer::operator=(Explainer&&) noexcept = default;

@@ -208,11 +208,6 @@ class Shown {
     ExplainedLight& out_;
 };
 
-std::string light_label(LightKind kind, std::uint32_t number) {
-    const char* name = kind == LightKind::point ? "point" : kind == LightKind::spot ? "spot" : "directional";
-    return std::string(name) + " light " + std::to_string(number + 1);
-}
-
 } // namespace
 
 ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, std::size_t index) {
@@ -220,7 +215,7 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
     const LightNode& record = node.lights[index];
     ExplainedLight out;
     out.light = scene.light_numbers[index];
-    out.label = light_label(light.kind, out.light);
+    out.label = light_label(scene.scene.description, out.light);
     out.direction = record.direction;
     out.distance = record.distance;
     out.cosine = record.cosine;

@@ -2,7 +2,7 @@
 // The parts of explain(): from a recorded ray tree to steps with formulas. Every result is the recorded one,
 // or comes from the function of shading/whitted.shared.h that the tracer called, with the recorded numbers.
 
-#include "glint/explanation.h"
+#include "glint/explain.h"
 #include "render/ray_tree.h"
 #include "scene/frozen.h"
 
@@ -15,8 +15,7 @@ namespace glint {
 struct ExplainedScene {
     explicit ExplainedScene(const FrozenScene& scene);
 
-    /// sphere "ball", or sphere #3: the third object of the file.
-    std::string label(std::uint32_t object) const;
+    std::string label(std::uint32_t object) const { return object_label(scene.description, object); }
     const std::string& material_name(std::uint32_t object) const;
     const FrozenMaterial& material(std::uint32_t object) const {
         return scene.materials[scene.objects[object].material];
@@ -37,6 +36,13 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
 void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& ray);
 
 /// All rays of a recorded tree; those of less weight without lights and steps.
-std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight);
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight,
+                                       const CancelFlag* cancel);
+
+/// Throws Error(cancelled) once the flag, if any, is set.
+inline void stop_if_cancelled(const CancelFlag* cancel) {
+    if (cancel != nullptr && cancel->load(std::memory_order_relaxed))
+        throw Error(ErrorKind::cancelled, "explaining was cancelled");
+}
 
 } // namespace glint

@@ -260,21 +260,28 @@ ExplainedScene::ExplainedScene(const FrozenScene& frozen)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
 }
 
-std::string ExplainedScene::label(std::uint32_t object) const {
+std::string object_label(const SceneDescription& scene, std::size_t object) {
     static constexpr const char* types[] = {"plane",      "sphere", "cylinder", "triangle",
                                             "polyhedron", "mesh",   "instance"};
-    const Object& o = scene.description.objects[object];
+    const Object& o = scene.objects[object];
     const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
     return std::string(types[o.shape.index()]) + " " + name;
+}
+
+std::string light_label(const SceneDescription& scene, std::size_t light) {
+    static constexpr const char* types[] = {"ambient", "point", "directional", "spot"};
+    return std::string(types[scene.lights[light].kind.index()]) + " light " + std::to_string(light + 1);
 }
 
 const std::string& ExplainedScene::material_name(std::uint32_t object) const {
     return scene.description.materials[scene.objects[object].material].name;
 }
 
-std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight) {
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight,
+                                       const CancelFlag* cancel) {
     std::vector<ExplainedRay> rays(tree.nodes.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
+        stop_if_cancelled(cancel);
         const RayNode& node = tree.nodes[i];
         // Parents stand before their children: they know what their branches weigh.
         if (node.parent >= 0) {

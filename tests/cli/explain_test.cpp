@@ -86,6 +86,23 @@ TEST_F(Explain, ColoursTerminalsOnly) {
     EXPECT_NE(glint("explain good.toml --pixel 8,6 --color always").out.find('\x1b'), std::string::npos);
 }
 
+TEST_F(Explain, TellsWhereShadowRaysBegin) {
+    const std::string line = "explain cabinet.toml --pixel 30,20 --spp 1";
+    const std::string text = glint(line).out;
+    const auto count = [&text](const std::string& words) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+            ++found;
+        return found;
+    };
+    std::size_t rays = 0;
+    const json document = json::parse(glint(line + " --format json").out);
+    for (const json& ray : document["samples"][0]["rays"])
+        for (const json& light : ray["lights"]) rays += light["shadow_ray"].is_null() ? 0 : 1;
+    EXPECT_GT(rays, 0u);
+    EXPECT_EQ(count("shadow ray from ("), rays);
+}
+
 TEST_F(Explain, TellsOfEverySample) {
     const Outcome outcome = glint("explain cabinet.toml --pixel 30,20 --spp 3");
     for (const char* word :

@@ -13,6 +13,22 @@ std::string set_in(const std::string& text, std::string_view path, std::string_v
     return edited.text();
 }
 
+TEST(SceneDocument, ItsChangesAreOverridesThatSayTheSame) {
+    const std::string text = "[whitted]\nmax_depth = 3\n[material.red]\ncolor = [1, 0, 0]\n";
+    SceneDocument edited = document(text);
+    EXPECT_TRUE(edited.changes().empty());
+    edited.set("material.red.index", 1.25);
+    edited.set("whitted.max_depth", 5);
+    edited.set("render.filter", "tent");
+    edited.set("whitted.max_depth", 7);
+    SceneDocument again = document(text);
+    again.set_all(edited.changes());
+    EXPECT_EQ(again.text(), edited.text());
+    EXPECT_EQ(edited.changes().size(), 3u);
+    edited.set("whitted.max_depth", 3);
+    EXPECT_EQ(edited.changes().size(), 2u) << "what is as the file has it is no change";
+}
+
 // ── Replacing and inserting ────────────────────────────────────────────────────────────────────────────────
 
 TEST(SceneDocument, ReplacesTheCharactersOfAValueAlone) {

@@ -67,5 +67,36 @@ TEST(ExplainedPixel, MustLieInThePicture) {
         EXPECT_THROW(explain(scene, x, y), Error) << x << "," << y;
 }
 
+TEST(ExplainedPixel, ItsMakingCanBeCancelled) {
+    SceneDescription description = empty_scene();
+    description.render.spp = 16384;
+    const Scene scene = freeze(description);
+    CancelFlag cancel{true};
+    Explainer explainer(scene, &cancel);
+    try {
+        explainer.pixel(3, 4);
+        FAIL() << "it went on";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+    }
+    cancel = false;
+    EXPECT_EQ(explainer.pixel(3, 4).color, explain(scene, 3, 4).color);
+}
+
+TEST(Labels, CountAllObjectsAndAllLights) {
+    SceneDescription scene = empty_scene();
+    scene.objects.clear();
+    scene.lights.clear();
+    add(scene, SphereShape{Vec3(0), 1}, Material{});
+    add(scene, PlaneShape{}, Material{});
+    scene.objects[0].name = "ball";
+    scene.lights.push_back({AmbientLight{}, {}});
+    scene.lights.push_back({SpotLight{}, {}});
+    EXPECT_EQ(object_label(scene, 0), "sphere \"ball\"");
+    EXPECT_EQ(object_label(scene, 1), "plane #2");
+    EXPECT_EQ(light_label(scene, 0), "ambient light 1");
+    EXPECT_EQ(light_label(scene, 1), "spot light 2");
+}
+
 } // namespace
 } // namespace glint

@@ -5,6 +5,8 @@
 
 #include "glint/formats.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 
@@ -140,6 +142,26 @@ TEST_F(WindowOnTheGpu, DrawsWhatTheCommandLineRendersThere) {
             for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
         }
     EXPECT_EQ(wrong, 0);
+    expect_no_complaint();
+}
+
+TEST_F(WindowOnTheGpu, AnExplanationSaysHowFarTheCardIsFromIt) {
+    open_scene(scene, {"--backend", "gpu"});
+    finished_picture();
+    click(spot("picture", 0.5, 0.6));
+    ASSERT_TRUE(wait_until([&] {
+        const nlohmann::json devices = state("pixel.devices");
+        return devices.is_string() && devices.get<std::string>().find("off by at most") != std::string::npos;
+    })) << map().dump(1);
+    const int x = static_cast<int>(state("pixel.x").get<double>());
+    const int y = static_cast<int>(state("pixel.y").get<double>());
+    const Image card = rendered("gpu");
+    const std::string devices = state("pixel.devices");
+    // The colour that is told is that of the card's own pixel.
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NE(devices.find(fmt::format("{:.6g}", card.at(x, y)[c])), std::string::npos) << devices;
+    press("g");
+    EXPECT_TRUE(wait_for_state("pixel.devices", "")) << "the CPU draws what the CPU explains";
     expect_no_complaint();
 }
 

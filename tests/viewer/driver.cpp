@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <unistd.h>
 
@@ -179,7 +180,9 @@ Image Screen::screenshot() {
 double Screen::seconds_to_close() {
     const double start = now();
     press("ctrl+q");
-    return viewer_->wait(10) ? now() - start : -1;
+    const double seconds = viewer_->wait(10) ? now() - start : -1;
+    std::cout << "closed after " << seconds << " s\n";
+    return seconds;
 }
 
 } // namespace glint::test

@@ -194,6 +194,26 @@ TEST_F(Window, SavingTheSceneChangesOnlyWhatWasEdited) {
     EXPECT_EQ(differ, 1);
 }
 
+TEST_F(Window, WhatIsUndoneAfterSavingCanBeSavedAgain) {
+    open_scene();
+    const std::string before = finished_picture();
+    turn_to("scene");
+    if (!has("material.red.diffuse")) click("section:material.red");
+    ASSERT_TRUE(wait_for_widget("material.red.diffuse"));
+    drag(spot("material.red.diffuse", 0.8), spot("material.red.diffuse", 0.1));
+    ASSERT_TRUE(wait_for_state("changed", true));
+    press("ctrl+s");
+    ASSERT_TRUE(wait_for_state("changed", false));
+    EXPECT_NE(content("scene.toml"), two_balls);
+    press("ctrl+z");
+    ASSERT_TRUE(wait_for_state("changed", true)) << "the file is another now";
+    EXPECT_EQ(finished_picture(), before);
+    press("ctrl+s");
+    ASSERT_TRUE(wait_for_state("changed", false));
+    EXPECT_EQ(content("scene.toml"), two_balls);
+    EXPECT_EQ(finished_picture(), before);
+}
+
 TEST_F(Window, AClickShowsTheRayTreeOfThePixel) {
     open_scene();
     finished_picture();

@@ -83,6 +83,11 @@ void CameraControl::set_camera(const CameraDescription& camera, double target_di
     distance_ = target_distance;
 }
 
+bool same_view(const CameraDescription& a, const CameraDescription& b) {
+    return a.eye == b.eye && a.direction == b.direction && a.up == b.up && a.fov == b.fov &&
+           a.fov_axis == b.fov_axis;
+}
+
 double target_distance(const Scene& scene) {
     const RenderSettings& r = scene.render_settings();
     if (const auto middle = pick(scene, r.width / 2.0, r.height / 2.0)) return middle->distance;

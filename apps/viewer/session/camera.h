@@ -45,6 +45,9 @@ class CameraControl {
     double distance_ = 1;
 };
 
+/// Do both see the same?
+bool same_view(const CameraDescription& a, const CameraDescription& b);
+
 /// How far ahead a camera of the scene finds what it looks at: the first hit in the picture's middle, else
 /// the middle of everything finite, else 1.
 double target_distance(const Scene& scene);

@@ -10,7 +10,7 @@ struct Session::State {
     explicit State(SessionOptions given)
         : options(std::move(given)), width(options.width), height(options.height),
           renderer({options.threads, options.first_picture_seconds, options.changed}),
-          loader(loader_options()) {}
+          explainer(options.changed), loader(loader_options()) {}
 
     SessionLoader::Options loader_options() {
         SessionLoader::Options how;
@@ -37,6 +37,7 @@ struct Session::State {
 
     // Last, so that they end first: their threads call back.
     SessionRenderer renderer;
+    SessionExplainer explainer;
     SessionLoader loader;
 
     /// A file was read.
@@ -51,6 +52,7 @@ struct Session::State {
         scene = SessionScene{std::move(file.path), file.scene, std::move(file.warnings),
                              std::move(file.notes), loads};
         comparing = comparing && keeps_camera;
+        if (!keeps_camera) explainer.forget();
         set_scene(0, file.scene);
         if (!comparing) set_scene(1, std::nullopt);
         renderer.set_view(camera.camera(), width, height);
@@ -67,6 +69,7 @@ struct Session::State {
 
     void set_scene(int place, std::optional<Scene> wanted) {
         scenes[static_cast<std::size_t>(place)] = wanted;
+        explainer.set_scene(place, wanted);
         renderer.set_scene(place, std::move(wanted));
     }
 };
@@ -171,5 +174,14 @@ std::optional<Pick> Session::pick(double x, double y) const {
 }
 
 std::shared_ptr<const Frame> Session::frame(int place) const { return state_->renderer.latest(place); }
+
+void Session::explain(int place, int x, int y) {
+    const std::lock_guard lock(state_->mutex);
+    state_->explainer.ask({place, state_->camera.camera(), state_->width, state_->height, x, y});
+}
+
+void Session::stop_explaining() { state_->explainer.forget(); }
+std::shared_ptr<const PixelAnswer> Session::explained() const { return state_->explainer.latest(); }
+bool Session::is_explaining() const { return state_->explainer.is_busy(); }
 
 } // namespace glint::viewer

@@ -3,6 +3,7 @@
 // waits for reading, freezing or rendering.
 
 #include "camera.h"
+#include "explainer.h"
 #include "loader.h"
 #include "renderer.h"
 
@@ -94,6 +95,14 @@ class Session {
 
     /// The latest picture; none before there is any.
     std::shared_ptr<const Frame> frame(int place = 0) const;
+
+    /// Explains a pixel of the picture in the background, as it is seen now; again whenever the scene of that
+    /// picture changes, from the same camera. Overtakes what was asked before.
+    void explain(int place, int x, int y);
+    void stop_explaining();
+    /// The latest answer; none before there is any.
+    std::shared_ptr<const PixelAnswer> explained() const;
+    bool is_explaining() const;
 
   private:
     struct State;
