@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 
 namespace glint::viewer {
 namespace {
@@ -230,7 +231,10 @@ void App::tell_faults() {
     const auto frame = bench_.frame(0);
     if (!frame || frame->why_cpu == why_cpu_) return;
     why_cpu_ = frame->why_cpu;
-    if (!why_cpu_.empty()) notice("The CPU draws: " + why_cpu_);
+    if (why_cpu_.empty()) return;
+    notice("The CPU draws: " + first_line(why_cpu_));
+    // A driver's log is longer than the window has room for.
+    if (first_line(why_cpu_) != why_cpu_) std::cerr << "The CPU draws: " << why_cpu_ << "\n";
 }
 
 void App::use(Kernel kernel) {

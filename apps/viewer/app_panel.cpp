@@ -32,7 +32,7 @@ std::string status_text(const Frame& frame, int spp) {
     else if (reached.step > 1)
         text += fmt::format("  \u00b7  every {}th pixel", reached.step);
     if (frame.rays_per_second > 0) text += "  \u00b7  " + rate(frame.rays_per_second);
-    if (!frame.why_cpu.empty()) text += "  \u00b7  " + frame.why_cpu;
+    if (!frame.why_cpu.empty()) text += "  \u00b7  " + first_line(frame.why_cpu);
     return text;
 }
 

@@ -36,6 +36,8 @@ void tooltip(const char* help) {
     ImGui::EndTooltip();
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 void label_row(Ui& ui, const char* label, const char* help) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.quiet));

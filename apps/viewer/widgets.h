@@ -73,6 +73,8 @@ bool button(Ui& ui, const char* name, const char* label, const char* help = "", 
 /// A heading that opens and closes; the map names it "section:NAME". `swatch`: a colour shown in it, linear.
 bool section(Ui& ui, const std::string& name, const std::string& label, bool open_at_first,
              const Vec3* swatch = nullptr);
+/// What a message says before its details.
+std::string first_line(const std::string& text);
 /// Shows `help` while the mouse rests on the widget just made.
 void tooltip(const char* help);
 
