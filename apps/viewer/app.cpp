@@ -164,6 +164,7 @@ void App::draw_pictures() {
     for (int place = 0; place < picture_places; ++place) {
         const auto frame = bench_.frame(place);
         std::uint64_t& held = canvas_numbers_[static_cast<std::size_t>(place)];
+        if (!frame) canvas_.drop(place);
         if (!frame || held == frame->number) continue;
         if (frame->on_device)
             canvas_.show(place, frame->on_device);
@@ -363,6 +364,7 @@ void App::tell_picture() {
     if (!frame) return;
     map.state("samples", static_cast<double>(frame->reached.samples));
     map.state("drawn_by", frame->device.empty() ? "CPU" : frame->device);
+    map.state("on_device", frame->on_device != nullptr);
     if (!frame->why_cpu.empty()) map.state("why_cpu", frame->why_cpu);
     // Only what is finished is worth bringing back from a graphics card.
     if (frame->on_device && !frame->reached.finished) return;
