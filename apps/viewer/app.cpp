@@ -36,7 +36,7 @@ double now() {
 App::App(const Arguments& arguments)
     : arguments_(arguments),
       window_(arguments.window_width, arguments.window_height, title_of(arguments.file), arguments.debug),
-      ui_{{}, UiMap(arguments.map_file)}, bench_(arguments, [] { Window::wake(); }) {
+      ui_{{}, UiMap(arguments.map_file), {}}, bench_(arguments, [] { Window::wake(); }) {
     const float ratio = window_.size().pixels_a_unit();
     const double scale = arguments.scale.value_or(window_.content_scale() / ratio);
     ui_.theme = apply_theme(arguments.theme, static_cast<float>(scale), ratio);

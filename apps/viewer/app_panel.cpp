@@ -77,6 +77,7 @@ void App::draw_panel() {
     ImGui::SetNextWindowPos({layout_.panel.x, layout_.panel.y});
     ImGui::SetNextWindowSize({layout_.panel.width, layout_.panel.height});
     ImGui::Begin("panel", nullptr, fixed_part | ImGuiWindowFlags_NoBackground);
+    ui_.animated = bench_.animated();
     std::vector<Edit> edits;
     std::vector<Action> actions;
     if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_NoTooltip)) {
@@ -109,7 +110,7 @@ void App::draw_tab(Tab tab, const char* label, std::vector<Edit>& edits, std::ve
     if (scene == nullptr) {
         quiet_text(ui_, "No scene yet.");
     } else if (tab == Tab::scene) {
-        scene_panel(ui_, *scene, bench_.extent(), picked_, edits);
+        scene_panel(ui_, *scene, bench_.extent(), bench_.keys(), picked_, edits);
         draw_remarks(ui_, bench_.shown());
     } else if (tab == Tab::picture) {
         SettingsWishes wishes{edits, actions, {}};
