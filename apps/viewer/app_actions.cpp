@@ -52,12 +52,9 @@ void App::perform(Action action) {
     case Action::panel:
         state_.panel = !state_.panel;
         break;
-    case Action::theme: {
-        const ThemeChoice other =
-            ui_.theme.choice == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
-        new_theme_ = other;
+    case Action::theme:
+        theme_ = theme_ == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
         break;
-    }
     case Action::turntable:
         state_.turntable = scene && !state_.turntable;
         break;

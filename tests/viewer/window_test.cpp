@@ -69,6 +69,13 @@ class Window : public Screen {
         ASSERT_TRUE(wait_for_state("tab", tab));
     }
 
+    bool is_within_window(const std::string& widget, double width, double height) const {
+        if (!has(widget)) return false;
+        const Spot from = spot(widget, 0, 0);
+        const Spot to = spot(widget, 1, 1);
+        return from.x >= 0 && from.y >= 0 && to.x <= width && to.y <= height;
+    }
+
     /// The scene's text with one thing in it changed.
     static std::string with(const std::string& what, const std::string& instead) {
         std::string text = two_balls;
@@ -352,6 +359,35 @@ TEST_F(Window, TheQuestionMarkListsTheKeys) {
     EXPECT_TRUE(wait_for_widget("help"));
     press("Escape");
     EXPECT_TRUE(wait_until([&] { return !has("help"); }));
+}
+
+TEST_F(Window, TheListOfKeysStaysWithinAWindowWithLargeTexts) {
+    open_scene({"--scale", "2", "--window", "1390x860"});
+    finished_picture();
+    press("question");
+    EXPECT_TRUE(wait_until([&] { return is_within_window("help", 1390, 860); })) << map().dump(1);
+}
+
+TEST_F(Window, TheListOfKeysScrollsWhereThereIsNoRoom) {
+    open_scene({"--scale", "2", "--window", "640x400"});
+    finished_picture();
+    press("question");
+    EXPECT_TRUE(wait_until([&] { return is_within_window("help", 640, 400); })) << map().dump(1);
+}
+
+TEST_F(Window, TheTurntableTurnsUntilItIsStopped) {
+    open_scene();
+    finished_picture();
+    const nlohmann::json eye = state("camera.eye");
+    press("t");
+    ASSERT_TRUE(wait_until([&] { return state("camera.eye") != eye; }));
+    const nlohmann::json later = state("camera.eye");
+    ASSERT_TRUE(wait_until([&] { return state("camera.eye") != later; }));
+    press("t");
+    finished_picture();
+    const nlohmann::json end = state("camera.eye");
+    finished_picture();
+    EXPECT_EQ(state("camera.eye"), end);
 }
 
 TEST_F(Window, ClosesAtOnceWhileItRenders) {
