@@ -400,44 +400,6 @@ TEST_F(Window, ClosesAtOnceWhileItRenders) {
     EXPECT_EQ(viewer().ended(), 0) << log();
 }
 
-TEST_F(Window, ClosesAtOnceWhileItLoadsAMillionTriangles) {
-    // A grid of 1000 × 500 squares, as binary PLY.
-    constexpr int across = 1001;
-    constexpr int down = 501;
-    Mesh mesh;
-    for (int y = 0; y < down; ++y)
-        for (int x = 0; x < across; ++x) {
-            const auto fx = static_cast<float>(x);
-            const auto fy = static_cast<float>(y);
-            mesh.positions.emplace_back(fx, fy, 20 * std::sin(fx * 0.05f) * std::cos(fy * 0.07f));
-        }
-    for (unsigned y = 0; y + 1 < down; ++y)
-        for (unsigned x = 0; x + 1 < across; ++x) {
-            const unsigned corner = y * across + x;
-            mesh.triangles.emplace_back(corner, corner + 1, corner + across);
-            mesh.triangles.emplace_back(corner + 1, corner + across + 1, corner + across);
-        }
-    write_ply(path("grid.ply"), mesh);
-    open("grid.ply");
-    const double seconds = seconds_to_close();
-    EXPECT_GE(seconds, 0);
-    RecordProperty("seconds", std::to_string(seconds));
-    EXPECT_EQ(viewer().ended(), 0) << log();
-}
-
-TEST_F(Window, WaitsForAFileWhenGivenNone) {
-    open("");
-    ASSERT_TRUE(wait_for_state("status", "empty"));
-    EXPECT_GE(seconds_to_close(), 0);
-    EXPECT_EQ(viewer().ended(), 0) << log();
-}
-
-TEST_F(Window, AFileThatIsNotThereIsTold) {
-    open("missing.toml");
-    ASSERT_TRUE(wait_for_widget("errors"));
-    EXPECT_NE(state("error").get<std::string>().find("missing.toml"), std::string::npos);
-}
-
 TEST_F(Window, StatisticsArePrintedAtTheEnd) {
     open_scene({"--ui-stats"});
     finished_picture();
