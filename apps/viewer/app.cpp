@@ -37,10 +37,8 @@ double now() {
 App::App(const Arguments& arguments)
     : arguments_(arguments),
       window_(arguments.window_width, arguments.window_height, title_of(arguments.file), arguments.debug),
-      ui_{{}, UiMap(arguments.map_file)}, bench_(arguments, [] { Window::wake(); }) {
-    const float ratio = window_.size().pixels_a_unit();
-    const double scale = arguments.scale.value_or(window_.content_scale() / ratio);
-    ui_.theme = apply_theme(arguments.theme, static_cast<float>(scale), ratio);
+      ui_{{}, UiMap(arguments.map_file), {}}, bench_(arguments, [] { Window::wake(); }),
+      theme_(arguments.theme) {
     const GpuDevice device = gpu_device(GpuCurrentContext{});
     const bool card = device.fault.empty() && !device.software;
     set_backend(arguments.backend == BackendChoice::gpu ||
@@ -114,8 +112,7 @@ void App::draw_frame() {
     last_frame_ = start;
     const WindowSize size = window_.size();
     if (size.width == 0 || size.height == 0) return;
-    if (new_theme_) ui_.theme = apply_theme(*new_theme_, ui_.theme.scale, size.pixels_a_unit());
-    new_theme_.reset();
+    dress(size);
     window_.begin_frame();
     ui_.map.begin();
     follow_explained();
@@ -138,6 +135,14 @@ void App::draw_frame() {
     if (screenshot_wanted_) save_window();
     if (save_when_finished_ && is_finished()) save_picture();
     ui_.map.end();
+}
+
+void App::dress(const WindowSize& size) {
+    const float ratio = size.pixels_a_unit();
+    const auto scale = static_cast<float>(arguments_.scale.value_or(window_.content_scale() / ratio));
+    const Theme& worn = ui_.theme;
+    const bool fits = worn.text != nullptr && worn.scale == scale && worn.pixels_a_unit == ratio;
+    if (!fits || worn.choice != theme_) ui_.theme = apply_theme(theme_, scale, ratio);
 }
 
 /// Only while the camera moves is there a rate of pictures to speak of.
@@ -169,6 +174,7 @@ void App::draw_pictures() {
     for (int place = 0; place < picture_places; ++place) {
         const auto frame = bench_.frame(place);
         std::uint64_t& held = canvas_numbers_[static_cast<std::size_t>(place)];
+        if (!frame) canvas_.drop(place);
         if (!frame || held == frame->number) continue;
         if (frame->on_device)
             canvas_.show(place, frame->on_device);
@@ -231,7 +237,9 @@ void App::draw_over_picture() {
     draw_progress();
     const double left = notice_until_ - now();
     if (left > 0) draw_notice(ui_, layout_.space, notice_, static_cast<float>(std::min(1.0, left * 2)));
-    if (state_.help) state_.help = draw_help(ui_, layout_.space);
+    const WindowSize size = window_.size();
+    if (state_.help)
+        state_.help = draw_help(ui_, {0, 0, static_cast<float>(size.width), static_cast<float>(size.height)});
 }
 
 /// Small files are there before anybody could read what is said of them.
@@ -288,6 +296,7 @@ void App::move_camera(double seconds) {
     if (bench_.description() == nullptr) return;
     if (!movement.is_none()) move(movement);
     if (state_.turntable) {
+        bench_.session().aim();
         bench_.session().move([&](CameraControl& c) { c.turn(seconds, state_.turns_a_minute); });
         last_change_ = last_move_ = now();
     }
@@ -297,6 +306,7 @@ void App::move_camera(double seconds) {
 /// What is seen follows the hand, so the eye goes the other way.
 void App::move(const Movement& m) {
     constexpr double radians = 6.2831853 / turn_in_heights;
+    if (m.turn_right != 0 || m.turn_up != 0) bench_.session().aim();
     bench_.session().move([&](CameraControl& c) {
         if (m.turn_right != 0 || m.turn_up != 0) c.orbit(-m.turn_right * radians, -m.turn_up * radians);
         if (m.move_right != 0 || m.move_up != 0) c.pan(-m.move_right, -m.move_up);
@@ -348,6 +358,7 @@ void App::tell_picture() {
     if (!frame) return;
     map.state("samples", static_cast<double>(frame->reached.samples));
     map.state("drawn_by", frame->device.empty() ? "CPU" : frame->device);
+    map.state("on_device", frame->on_device != nullptr);
     if (!frame->why_cpu.empty()) map.state("why_cpu", frame->why_cpu);
     // Only what is finished is worth bringing back from a graphics card.
     if (frame->on_device && !frame->reached.finished) return;

@@ -65,6 +65,8 @@ class App {
   private:
     bool take_input();
     void draw_frame();
+    /// Puts on the theme that is wanted, at the scale of the screen that the window is on.
+    void dress(const WindowSize& size);
     void place_pictures();
     void draw_pictures();
     void draw_over_picture();
@@ -150,7 +152,7 @@ class App {
     std::array<std::uint64_t, picture_places> canvas_numbers_{};
     std::string hash_; ///< of the picture, for the map
     std::uint64_t hashed_number_ = 0;
-    std::optional<ThemeChoice> new_theme_; ///< to be put on between frames
+    ThemeChoice theme_; ///< to be put on between frames
     bool save_when_finished_ = false;
     bool screenshot_wanted_ = false;
     bool editing_ = false; ///< the mouse that is down has changed a value

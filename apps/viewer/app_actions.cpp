@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 
 namespace glint::viewer {
 namespace {
@@ -51,12 +52,9 @@ void App::perform(Action action) {
     case Action::panel:
         state_.panel = !state_.panel;
         break;
-    case Action::theme: {
-        const ThemeChoice other =
-            ui_.theme.choice == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
-        new_theme_ = other;
+    case Action::theme:
+        theme_ = theme_ == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
         break;
-    }
     case Action::turntable:
         state_.turntable = scene && !state_.turntable;
         break;
@@ -233,7 +231,10 @@ void App::tell_faults() {
     const auto frame = bench_.frame(0);
     if (!frame || frame->why_cpu == why_cpu_) return;
     why_cpu_ = frame->why_cpu;
-    if (!why_cpu_.empty()) notice("The CPU draws: " + why_cpu_);
+    if (why_cpu_.empty()) return;
+    notice("The CPU draws: " + first_line(why_cpu_));
+    // A driver's log is longer than the window has room for.
+    if (first_line(why_cpu_) != why_cpu_) std::cerr << "The CPU draws: " << why_cpu_ << "\n";
 }
 
 void App::use(Kernel kernel) {

@@ -32,7 +32,7 @@ std::string status_text(const Frame& frame, int spp) {
     else if (reached.step > 1)
         text += fmt::format("  \u00b7  every {}th pixel", reached.step);
     if (frame.rays_per_second > 0) text += "  \u00b7  " + rate(frame.rays_per_second);
-    if (!frame.why_cpu.empty()) text += "  \u00b7  " + frame.why_cpu;
+    if (!frame.why_cpu.empty()) text += "  \u00b7  " + first_line(frame.why_cpu);
     return text;
 }
 
@@ -77,6 +77,7 @@ void App::draw_panel() {
     ImGui::SetNextWindowPos({layout_.panel.x, layout_.panel.y});
     ImGui::SetNextWindowSize({layout_.panel.width, layout_.panel.height});
     ImGui::Begin("panel", nullptr, fixed_part | ImGuiWindowFlags_NoBackground);
+    ui_.animated = bench_.animated();
     std::vector<Edit> edits;
     std::vector<Action> actions;
     if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_NoTooltip)) {
@@ -109,7 +110,7 @@ void App::draw_tab(Tab tab, const char* label, std::vector<Edit>& edits, std::ve
     if (scene == nullptr) {
         quiet_text(ui_, "No scene yet.");
     } else if (tab == Tab::scene) {
-        scene_panel(ui_, *scene, bench_.extent(), picked_, edits);
+        scene_panel(ui_, *scene, bench_.extent(), bench_.keys(), picked_, edits);
         draw_remarks(ui_, bench_.shown());
     } else if (tab == Tab::picture) {
         SettingsWishes wishes{edits, actions, {}};

@@ -89,7 +89,7 @@ const std::vector<Option>& options() {
          }},
         {{"--window"},
          "WxH",
-         "size of the window; default: 1280x800",
+         "size of the window, times what the screen asks for; default: 1280x800",
          [](Arguments& a, const std::string& text) {
              const Size given = size("--window", text, 320, 8192);
              a.window_width = given.width;

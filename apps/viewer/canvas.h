@@ -28,9 +28,10 @@ class Canvas {
     void upload(int place, int width, int height, const std::vector<std::uint32_t>& pixels);
     /// Shows one there that is on the graphics card already, in linear light.
     void show(int place, std::shared_ptr<const GpuPicture> picture);
+    /// Lets go of what show() put there.
+    void drop(int place) { pictures_[static_cast<std::size_t>(place)].on_device.reset(); }
     /// To be called when what was drawn is on its way to the screen.
     void was_drawn() const;
-    bool holds(int place) const { return pictures_[static_cast<std::size_t>(place)].width > 0; }
 
     /// A pixel of a picture that is on the graphics card, in linear light; (0, 0) is top left.
     static glm::vec3 pixel_of(const GpuPicture& picture, int x, int y);

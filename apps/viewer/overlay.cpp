@@ -56,7 +56,7 @@ void add_stretch(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 c
 
 bool begin_key_table(const char* name) {
     const float letter = ImGui::GetFontSize();
-    if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit, {28 * letter, 0})) return false;
+    if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit, {31 * letter, 0})) return false;
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 11.5f * letter);
     return true;
 }
@@ -189,13 +189,14 @@ void draw_notice(Ui& ui, const Area& space, const std::string& text, float stren
     ImGui::PopStyleVar();
 }
 
-bool draw_help(Ui& ui, const Area& space) {
-    place_in_middle(space);
+bool draw_help(Ui& ui, const Area& window) {
+    place_in_middle(window);
     bool open = true;
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.width, window.height});
     ImGui::SetNextWindowBgAlpha(0.97f);
     ImGui::Begin("Keys and gestures", &open,
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_HorizontalScrollbar);
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     ui.map.area("help", {corner.x, corner.y, size.x, size.y});

@@ -36,7 +36,7 @@ void draw_label(Ui& ui, const Area& area, const std::string& text, bool at_right
 /// A line at the bottom of the picture that says what was just done.
 void draw_notice(Ui& ui, const Area& space, const std::string& text, float strength);
 
-/// All keys and gestures. False once it is closed.
-bool draw_help(Ui& ui, const Area& space);
+/// All keys and gestures, within the window; they scroll where it is too small. False once it is closed.
+bool draw_help(Ui& ui, const Area& window);
 
 } // namespace glint::viewer

@@ -1,5 +1,8 @@
 #include "scene_panel.h"
 
+#include "object_names.h"
+#include "object_rows.h"
+
 #include "glint/explain.h"
 
 #include <imgui.h>
@@ -11,8 +14,6 @@
 
 namespace glint::viewer {
 namespace {
-
-constexpr std::array shape_words{"plane", "sphere", "cylinder", "triangle", "polyhedron", "mesh", "instance"};
 
 /// A slider's end for a number that has none: a round one above what it is now.
 double end_for(double value, double usual) {
@@ -44,55 +45,10 @@ void material_rows(Ui& ui, const Material& m, std::vector<Edit>& edits) {
     rows.place("emission", "emission", m.emission, 0.005, "light that the surface gives of itself");
 }
 
-std::vector<std::string> material_names(const SceneDescription& scene) {
-    std::vector<std::string> names;
-    for (const Material& material : scene.materials) names.push_back(material.name);
-    return names;
-}
-
-/// The rows of one shape each.
-struct ShapeRows {
-    Rows& rows;
-    double step;
-
-    void operator()(const PlaneShape& s) const {
-        rows.place("normal", "normal", s.normal, 0.005, "at right angles to the plane; of any length");
-        rows.length("offset", "offset", s.offset, step, "normal · p = offset");
-    }
-    void operator()(const SphereShape& s) const {
-        rows.place("center", "center", s.center, step, "");
-        rows.length("radius", "radius", s.radius, step, "");
-    }
-    void operator()(const CylinderShape& s) const {
-        rows.place("base", "base", s.base, step, "centre of the bottom disc");
-        rows.place("axis", "axis", s.axis, 0.005, "the way up; of any length");
-        rows.length("height", "height", s.height, step, "");
-        rows.length("radius", "radius", s.radius, step, "");
-    }
-    void operator()(const TriangleShape&) const {}
-    void operator()(const PolyhedronShape& s) const {
-        rows.place("center", "center", s.center, step, "");
-        if (s.kind == PolyhedronKind::box) {
-            rows.place("size", "size", s.size, step, "lengths of the edges");
-            return;
-        }
-        rows.length("radius", "radius", s.radius, step, "of the circumscribed sphere");
-        if (s.kind != PolyhedronKind::prism && s.kind != PolyhedronKind::pyramid) return;
-        rows.whole("sides", "sides", s.sides, 3, std::max(s.sides, 24), "");
-        rows.length("height", "height", s.height, step, "");
-        rows.place("axis", "axis", s.axis, 0.005, "the way up; of any length");
-    }
-    void operator()(const MeshShape& s) const {
-        constexpr std::array words{"auto", "flat", "smooth"};
-        rows.choice("normals", "normals", words[static_cast<std::size_t>(s.normals)],
-                    {words.begin(), words.end()}, "the mesh's own, one a triangle, or smooth ones");
-    }
-    void operator()(const InstanceShape&) const {}
-};
-
 struct LightRows {
     Rows& rows;
     double step;
+    std::optional<double> radiant; ///< where the file gives the radiant intensity
 
     void operator()(const AmbientLight& l) const {
         rows.color("color", "color", l.color, "A: light from everywhere");
@@ -100,12 +56,13 @@ struct LightRows {
     void operator()(const PointLight& l) const {
         rows.place("position", "position", l.position, step, "");
         rows.color("color", "color", l.color, "");
-        strength("intensity", l.intensity);
+        intensity(l.intensity);
     }
     void operator()(const DirectionalLight& l) const {
         rows.place("direction", "direction", l.direction, 0.005, "the way the light travels");
         rows.color("color", "color", l.color, "");
-        strength("irradiance", l.irradiance);
+        rows.number("irradiance", "irradiance", l.irradiance, {0, end_for(l.irradiance * 2, 1)},
+                    "a white matte surface facing the light shows this");
     }
     void operator()(const SpotLight& l) const {
         rows.place("position", "position", l.position, step, "");
@@ -113,13 +70,18 @@ struct LightRows {
         rows.number("angle", "angle", l.angle, {1, 90, "%.3g°"}, "half angle of the cone");
         rows.number("blend", "blend", l.blend, {0, 1}, "the share of the cone over which it fades");
         rows.color("color", "color", l.color, "");
-        strength("intensity", l.intensity);
+        intensity(l.intensity);
     }
 
   private:
-    void strength(const char* key, double value) const {
-        rows.number(key, key, value, {0, end_for(value * 2, 1)},
-                    "a white matte surface facing the light at distance 1 shows this");
+    /// By the one of its two names that the file uses.
+    void intensity(double value) const {
+        if (radiant)
+            rows.number("radiant_intensity", "radiant int.", *radiant, {0, end_for(*radiant * 2, 1)},
+                        "W/sr; π is what an intensity of 1 is");
+        else
+            rows.number("intensity", "intensity", value, {0, end_for(value * 2, 1)},
+                        "a white matte surface facing the light at distance 1 shows this");
     }
 };
 
@@ -161,17 +123,10 @@ const Vec3* color_of(const SceneDescription& scene, const std::string& material)
     return nullptr;
 }
 
-/// How -D names an object: by its name, else by its number among its kind.
-std::string table_of(const Object& object, std::size_t number_in_kind) {
-    const std::string kind = shape_words[object.shape.index()];
-    return kind + "." + (object.name.empty() ? std::to_string(number_in_kind) : object.name);
-}
-
-void objects(Ui& ui, const SceneDescription& scene, double size, const Picked& picked,
+void objects(Ui& ui, const SceneDescription& scene, double size, const FileKeys& keys, const Picked& picked,
              std::vector<Edit>& edits) {
     heading(ui, "Objects");
-    const std::vector<std::string> names = material_names(scene);
-    std::array<std::size_t, shape_words.size()> counts{};
+    std::array<std::size_t, std::variant_size_v<Shape>> counts{};
     // A thousand headings would cost more than the picture: the clipper draws what is seen of the closed
     // ones.
     constexpr std::size_t most = 300;
@@ -182,17 +137,15 @@ void objects(Ui& ui, const SceneDescription& scene, double size, const Picked& p
         const Mark mark(ui, table, picked.object == i, picked.is_new);
         const std::string label = object_label(scene, i) + (object.visible ? "" : "  (hidden)");
         if (!section(ui, table, label, false, color_of(scene, object.material))) continue;
-        Rows rows(ui, edits, table);
-        rows.choice("material", "material", object.material, names, "");
-        rows.check("visible", "visible", object.visible, "hidden ones are gone for all rays");
-        std::visit(ShapeRows{rows, size / 500}, object.shape);
+        object_rows(ui, scene, object, table, size / 500, keys, edits);
         ImGui::Spacing();
     }
     if (scene.objects.size() > most)
         quiet_text(ui, "and " + std::to_string(scene.objects.size() - most) + " more, in the scene file");
 }
 
-void lights(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit>& edits) {
+void lights(Ui& ui, const SceneDescription& scene, double size, const FileKeys& keys,
+            std::vector<Edit>& edits) {
     heading(ui, "Lights");
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light& light = scene.lights[i];
@@ -200,18 +153,21 @@ void lights(Ui& ui, const SceneDescription& scene, double size, std::vector<Edit
         const Vec3 color = std::visit([](const auto& kind) { return kind.color; }, light.kind);
         if (!section(ui, table, light_label(scene, i), scene.lights.size() == 1, &color)) continue;
         Rows rows(ui, edits, table);
-        std::visit(LightRows{rows, size / 500}, light.kind);
+        const std::vector<double>& radiant = keys.numbers(table + ".radiant_intensity");
+        std::visit(
+            LightRows{rows, size / 500, radiant.empty() ? std::nullopt : std::optional(radiant.front())},
+            light.kind);
         ImGui::Spacing();
     }
 }
 
 } // namespace
 
-void scene_panel(Ui& ui, const SceneDescription& scene, double size, Picked& picked,
+void scene_panel(Ui& ui, const SceneDescription& scene, double size, const FileKeys& keys, Picked& picked,
                  std::vector<Edit>& edits) {
     materials(ui, scene, picked, edits);
-    lights(ui, scene, size, edits);
-    objects(ui, scene, size, picked, edits);
+    lights(ui, scene, size, keys, edits);
+    objects(ui, scene, size, keys, picked, edits);
     picked.is_new = false;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Materials, objects and lights of the scene with everything in them that can be set.
 
+#include "file_keys.h"
 #include "widgets.h"
 
 #include <cstddef>
@@ -19,9 +20,9 @@ struct Picked {
 };
 
 /// Draws the panel's content; what the user changes is added to `edits`.
-/// `size` is about how large the scene is: what a pixel of dragging moves follows from it.
-/// Sections of what is picked are marked.
-void scene_panel(Ui& ui, const SceneDescription& scene, double size, Picked& picked,
+/// `size` is about how large the scene is: what a pixel of dragging moves follows from it. `keys`: what the
+/// file says, where that can be said in several ways. Sections of what is picked are marked.
+void scene_panel(Ui& ui, const SceneDescription& scene, double size, const FileKeys& keys, Picked& picked,
                  std::vector<Edit>& edits);
 
 } // namespace glint::viewer

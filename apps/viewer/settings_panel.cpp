@@ -44,7 +44,9 @@ void backend(Ui& ui, const std::string& why_cpu, ViewState& state) {
     label_row(ui, "drawn by", "the processor, or the graphics card (G)");
     const int chosen = choose(ui, "backend", state.gpu ? 1 : 0, {"CPU", "GPU"});
     if (chosen >= 0) state.gpu = chosen == 1;
-    if (state.gpu && !why_cpu.empty()) quiet_text(ui, "The CPU draws: " + why_cpu);
+    if (!state.gpu || why_cpu.empty()) return;
+    quiet_text(ui, "The CPU draws: " + first_line(why_cpu));
+    tooltip(why_cpu.c_str());
 }
 
 /// What shows in the time alone.

@@ -130,6 +130,7 @@ Theme apply_theme(ThemeChoice choice, float scale, float pixels_a_unit) {
     Theme theme;
     theme.choice = choice;
     theme.scale = scale;
+    theme.pixels_a_unit = pixels_a_unit;
     load_type(theme, pixels_a_unit);
     set_spaces(scale);
     if (choice == ThemeChoice::dark) {

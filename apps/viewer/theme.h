@@ -18,7 +18,8 @@ struct Tint {
 
 struct Theme {
     ThemeChoice choice = ThemeChoice::dark;
-    float scale = 1; ///< of texts and spaces
+    float scale = 1;         ///< of texts and spaces
+    float pixels_a_unit = 1; ///< of the screen that the type was made for
     ImFont* text = nullptr;
     ImFont* bold = nullptr;
     ImFont* fixed = nullptr; ///< every letter as wide as every other

@@ -36,6 +36,8 @@ void tooltip(const char* help) {
     ImGui::EndTooltip();
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 void label_row(Ui& ui, const char* label, const char* help) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.quiet));
@@ -94,18 +96,28 @@ bool section(Ui& ui, const std::string& name, const std::string& label, bool ope
     return open;
 }
 
-void Rows::begin(const char* key, const char* label, const char* help) {
+void Rows::begin(const std::string& key, const char* label, const char* help) {
     ImGui::PushID((table_ + "." + key).c_str());
     label_row(ui_, label, help);
+    ImGui::BeginDisabled(is_animated(key));
 }
 
-void Rows::finish(const char* key) {
+void Rows::finish(const std::string& key) {
+    ImGui::EndDisabled();
+    if (is_animated(key)) tooltip("animated: its value is that of the frame");
     ui_.map.item(table_ + "." + key);
     ImGui::PopID();
 }
 
-void Rows::set(const char* key, std::string value) {
-    edits_.push_back({table_ + "." + key, std::move(value)});
+/// Or is a part of it, or what it is a part of?
+bool Rows::is_animated(const std::string& key) const {
+    const std::string path = table_ + "." + key;
+    const auto is_part = [](const std::string& part, const std::string& whole) {
+        return part.starts_with(whole) && (part.size() == whole.size() || part[whole.size()] == '.');
+    };
+    return std::any_of(ui_.animated.begin(), ui_.animated.end(), [&](const std::string& animated) {
+        return is_part(animated, path) || is_part(path, animated);
+    });
 }
 
 void Rows::number(const char* key, const char* label, double value, const Range& range, const char* help) {
@@ -136,16 +148,21 @@ void Rows::color(const char* key, const char* label, const Vec3& value, const ch
     finish(key);
 }
 
-void Rows::place(const char* key, const char* label, const Vec3& value, double step, const char* help) {
-    begin(key, label, help);
-    std::array<double, 3> shown{value.x, value.y, value.z};
-    if (ImGui::DragScalarN("##", ImGuiDataType_Double, shown.data(), 3, static_cast<float>(step), nullptr,
-                           nullptr, "%.4g"))
-        set(key, scene_value(Vec3(shown[0], shown[1], shown[2])));
-    finish(key);
+void Rows::place(const std::string& key, const char* label, const Vec3& value, double step,
+                 const char* help) {
+    Vec3 shown = value;
+    if (drag(key, label, shown, step, help)) set(key, scene_value(shown));
 }
 
-void Rows::length(const char* key, const char* label, double value, double step, const char* help) {
+bool Rows::drag(const std::string& key, const char* label, Vec3& value, double step, const char* help) {
+    begin(key, label, help);
+    const bool changed = ImGui::DragScalarN("##", ImGuiDataType_Double, &value.x, 3, static_cast<float>(step),
+                                            nullptr, nullptr, "%.4g");
+    finish(key);
+    return changed;
+}
+
+void Rows::length(const std::string& key, const char* label, double value, double step, const char* help) {
     begin(key, label, help);
     if (ImGui::DragScalar("##", ImGuiDataType_Double, &value, static_cast<float>(step), nullptr, nullptr,
                           "%.4g"))
@@ -162,15 +179,15 @@ void Rows::check(const char* key, const char* label, bool value, const char* hel
 void Rows::choice(const char* key, const char* label, const std::string& value,
                   const std::vector<std::string>& words, const char* help) {
     begin(key, label, help);
-    const bool open = ImGui::BeginCombo("##", value.c_str());
-    ui_.map.item(table_ + "." + key);
-    if (open) {
-        for (const std::string& word : words) {
-            if (ImGui::Selectable(word.c_str(), word == value)) set(key, scene_value(word));
-            ui_.map.item(table_ + "." + key + ":" + word);
-        }
-        ImGui::EndCombo();
+    if (!ImGui::BeginCombo("##", value.c_str())) return finish(key);
+    const std::string path = table_ + "." + key;
+    ui_.map.item(path);
+    for (const std::string& word : words) {
+        if (ImGui::Selectable(word.c_str(), word == value)) set(key, scene_value(word));
+        ui_.map.item(path + ":" + word);
     }
+    ImGui::EndCombo();
+    ImGui::EndDisabled();
     ImGui::PopID();
 }
 

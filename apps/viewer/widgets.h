@@ -15,6 +15,7 @@ namespace glint::viewer {
 struct Ui {
     Theme theme;
     UiMap map;
+    std::vector<std::string> animated; ///< key paths whose values come from the frame that is shown
 };
 
 /// One value to set, as -D has it: "material.glass.index", "1.33".
@@ -32,7 +33,7 @@ struct Range {
 };
 
 /// Rows about one table of the scene. Each row is named in the map by its key path; what the user changes is
-/// added to `edits`.
+/// added to `edits`. Rows of what is animated cannot be changed, and say so.
 class Rows {
   public:
     Rows(Ui& ui, std::vector<Edit>& edits, std::string table)
@@ -44,18 +45,24 @@ class Rows {
     /// A swatch that opens a colour picker. The value is linear; the picker shows it as screens do.
     void color(const char* key, const char* label, const Vec3& value, const char* help);
     /// Three numbers to drag; `step` is what a pixel of movement adds.
-    void place(const char* key, const char* label, const Vec3& value, double step, const char* help);
+    void place(const std::string& key, const char* label, const Vec3& value, double step, const char* help);
+    /// The same for one that is no value of its own in the file: true where it was changed.
+    bool drag(const std::string& key, const char* label, Vec3& value, double step, const char* help);
     /// One number without bounds to drag.
-    void length(const char* key, const char* label, double value, double step, const char* help);
+    void length(const std::string& key, const char* label, double value, double step, const char* help);
     void check(const char* key, const char* label, bool value, const char* help);
     /// One word of several.
     void choice(const char* key, const char* label, const std::string& value,
                 const std::vector<std::string>& words, const char* help);
 
+    void set(const std::string& key, std::string value) {
+        edits_.push_back({table_ + "." + key, std::move(value)});
+    }
+
   private:
-    void begin(const char* key, const char* label, const char* help);
-    void finish(const char* key);
-    void set(const char* key, std::string value);
+    void begin(const std::string& key, const char* label, const char* help);
+    void finish(const std::string& key);
+    bool is_animated(const std::string& key) const;
 
     Ui& ui_;
     std::vector<Edit>& edits_;
@@ -73,6 +80,8 @@ bool button(Ui& ui, const char* name, const char* label, const char* help = "", 
 /// A heading that opens and closes; the map names it "section:NAME". `swatch`: a colour shown in it, linear.
 bool section(Ui& ui, const std::string& name, const std::string& label, bool open_at_first,
              const Vec3* swatch = nullptr);
+/// What a message says before its details.
+std::string first_line(const std::string& text);
 /// Shows `help` while the mouse rests on the widget just made.
 void tooltip(const char* help);
 

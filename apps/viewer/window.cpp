@@ -45,6 +45,8 @@ Window::Window(int width, int height, const std::string& title, bool listen) : l
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    // Where texts are larger, so is the window that holds them.
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, listen ? GLFW_TRUE : GLFW_FALSE);
     // The later one can make pictures too; the older is enough to draw them. Best is one that tells of its
     // loss.
@@ -112,6 +114,8 @@ void Window::take_events() {
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { touch(window)->touched_ = true; });
     glfwSetFramebufferSizeCallback(window_,
                                    [](GLFWwindow* window, int, int) { touch(window)->touched_ = true; });
+    glfwSetWindowContentScaleCallback(
+        window_, [](GLFWwindow* window, float, float) { touch(window)->touched_ = true; });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { touch(window)->touched_ = true; });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { touch(window)->touched_ = true; });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { touch(window)->touched_ = true; });

@@ -42,6 +42,7 @@ struct KeyPress {
 class Window {
   public:
     /// Throws Error(device) where there is no display, or none that can draw.
+    /// The size is multiplied by the screen's content_scale() where that is not in its units already.
     /// `listen`: tell standard error what OpenGL complains of.
     Window(int width, int height, const std::string& title, bool listen);
     ~Window();
@@ -57,7 +58,7 @@ class Window {
     WindowSize size() const;
     /// Where the window's content begins on the screen.
     void position(int& x, int& y) const;
-    /// How large texts shall be, 1 where a screen has about 96 dots an inch.
+    /// How large texts shall be, 1 where a screen has about 96 dots an inch. Another screen may change it.
     float content_scale() const;
 
     /// Waits for input, for wake(), or for so many seconds; true if there was any of the first two.

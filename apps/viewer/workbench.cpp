@@ -1,5 +1,9 @@
 #include "workbench.h"
 
+#include "object_names.h"
+
+#include "glint/explain.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -91,6 +95,7 @@ void Workbench::take_scene(const SessionScene& scene) {
         kept_.reset();
         session_->compare({});
         document_.reset();
+        keys_ = {};
         written_.reset();
         at_.reset();
         staged_saved_ = false;
@@ -141,6 +146,7 @@ void Workbench::read_document() {
     // They are in the document.
     options.overrides.clear();
     written_ = parse_scene(document_->text(), document_->name(), options);
+    keys_ = FileKeys(*document_);
 }
 
 void Workbench::show_document() {
@@ -163,6 +169,13 @@ void Workbench::show_at(double frame) {
         session_->move([&](CameraControl& c) { c.set_camera(*description_.camera, c.target_distance()); });
 }
 
+std::vector<std::string> Workbench::animated() const {
+    if (animation() == nullptr || !at_) return {};
+    std::vector<std::string> keys = animation()->keys;
+    for (std::string& key : keys) key = named_key(description_, key);
+    return keys;
+}
+
 const std::vector<Diagnostic>& Workbench::problems() const {
     return refused_.empty() ? status_.problems : refused_;
 }
@@ -178,6 +191,7 @@ void Workbench::edit(const std::vector<Edit>& edits, bool same_gesture) {
         refused_.clear();
     } catch (const Error& error) {
         document_ = before;
+        keys_ = FileKeys(*document_);
         refused_ = error.diagnostics();
         return;
     }

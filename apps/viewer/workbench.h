@@ -2,6 +2,7 @@
 // The scene file under work: its document with the changes made to it, over the session that shows it.
 
 #include "arguments.h"
+#include "file_keys.h"
 #include "session/explain_command.h"
 #include "session/session.h"
 #include "widgets.h"
@@ -40,6 +41,8 @@ class Workbench {
     /// What the session has explained, and whether it still does.
     std::shared_ptr<const PixelAnswer> explained() const { return explained_; }
     bool is_explaining() const { return explaining_; }
+    /// What the file says, with the changes made here.
+    const FileKeys& keys() const { return keys_; }
     /// About how large the scene is.
     double extent() const { return extent_; }
     /// The file that was opened, scene or mesh.
@@ -49,6 +52,9 @@ class Workbench {
     const Animation* animation() const;
     /// Shows a frame of the animation; those between whole ones too.
     void show_at(double frame);
+    /// The key paths whose values come from the frame that is shown, objects by their names; none until one
+    /// is.
+    std::vector<std::string> animated() const;
     /// The frame shown; the first until another was asked for. Only where there is an animation.
     double frame_shown() const { return at_.value_or(animation()->first); }
 
@@ -83,6 +89,7 @@ class Workbench {
     std::optional<LoadedScene> written_; ///< what the document says, without meshes
     std::optional<double> at_;           ///< the frame of the animation; none: the scene as its tables say
     std::optional<SceneDocument> document_;
+    FileKeys keys_; ///< of that document
     std::vector<SceneDocument> undo_;
     std::vector<SceneDocument> redo_;
     bool staged_saved_ = false; ///< the mesh has become a scene file

@@ -40,6 +40,12 @@ class SceneDocument {
     /// The value at the path as it is written; none where the file leaves it out or has no such table.
     std::optional<std::string> value(std::string_view path) const;
 
+    /// The numbers of the value at the path: one, or those of its list. Empty where it is no such thing.
+    std::vector<double> numbers(std::string_view path) const;
+    /// The list at the path as it is written, with one more value at its end, for set(). None where it stands
+    /// under headers of its own.
+    std::optional<std::string> longer_list(std::string_view path, std::string_view value) const;
+
     /// Sets a value, given as after -D: TOML, or else text. Replaces the characters of the value where the
     /// key exists, and else writes the key into its table; [camera], [render], [whitted] and [animation] are
     /// added where they lack. What is set back to what the file said gets the file's own characters. The

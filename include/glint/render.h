@@ -56,6 +56,8 @@ const char* aspect_name(Aspect aspect);
 /// (near) to black, with half the light as far as the scene's middle; cost from black through blue and yellow
 /// to white. It depends on the scene and each pixel's numbers alone.
 Image visible(const Image& numbers, Aspect aspect, const Scene& scene);
+/// Are an aspect's numbers their own picture? The light and the terms that it is the sum of, but for `clamp`.
+bool is_visible(Aspect aspect);
 
 struct RenderOptions {
     Aspect show = Aspect::final; ///< what Picture::image holds

@@ -40,6 +40,17 @@ struct Parsed {
 
 constexpr Place first_override{1, 0, 0};
 
+/// The value at a path; null if there is none.
+const TreeValue* value_at(Parsed& parsed, std::string_view path) {
+    const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
+    const TreeEntry* entry = target.table ? target.table->find(target.key) : nullptr;
+    return entry ? &entry->value : nullptr;
+}
+
+bool is_number(const TreeValue& value) {
+    return value.kind == TreeValue::Kind::number || value.kind == TreeValue::Kind::integer;
+}
+
 fs::path folder_of(const std::string& file) { return fs::weakly_canonical(fs::absolute(file).parent_path()); }
 
 } // namespace
@@ -67,10 +78,33 @@ SceneDocument SceneDocument::open(const std::string& path, const LoadOptions& op
 
 std::optional<std::string> SceneDocument::value(std::string_view path) const {
     Parsed parsed(text_, name_, {Override(path)});
-    const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
-    const TreeEntry* entry = target.table ? target.table->find(target.key) : nullptr;
-    if (!entry) return std::nullopt;
-    return std::string(text_of(parsed.source, entry->value));
+    const TreeValue* value = value_at(parsed, path);
+    return value ? std::optional(std::string(text_of(parsed.source, *value))) : std::nullopt;
+}
+
+std::vector<double> SceneDocument::numbers(std::string_view path) const {
+    Parsed parsed(text_, name_, {Override(path)});
+    const TreeValue* value = value_at(parsed, path);
+    if (!value) return {};
+    if (is_number(*value)) return {value->number};
+    if (!std::all_of(value->items.begin(), value->items.end(), is_number)) return {};
+    std::vector<double> all;
+    for (const TreeValue& item : value->items) all.push_back(item.number);
+    return all;
+}
+
+std::optional<std::string> SceneDocument::longer_list(std::string_view path, std::string_view value) const {
+    Parsed parsed(text_, name_, {Override(path)});
+    const TreeValue* list = value_at(parsed, path);
+    const std::string added(value);
+    if (!list) return "[" + added + "]";
+    std::string text(text_of(parsed.source, *list));
+    if (!text.starts_with('[') || text.starts_with("[[") || list->kind != TreeValue::Kind::list)
+        return std::nullopt;
+    if (list->items.empty()) return "[" + added + "]";
+    // Behind the last value, before what is said of it.
+    const std::size_t begin = parsed.source.offset(list->where);
+    return text.insert(parsed.source.offset(list->items.back().end) - begin, ", " + added);
 }
 
 std::vector<Override> SceneDocument::changes() const {

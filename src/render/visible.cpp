@@ -46,6 +46,10 @@ Image cost_in_colours(const Image& numbers) {
 
 } // namespace
 
+bool is_visible(Aspect aspect) {
+    return aspect == Aspect::final || (is_light(aspect) && aspect != Aspect::clamp);
+}
+
 Image visible(const Image& numbers, Aspect aspect, const Scene& scene) {
     switch (aspect) {
     case Aspect::clamp:

@@ -89,6 +89,35 @@ TEST(SceneDocument, ReachesEntriesOfATransform) {
     EXPECT_EQ(edited.value("sphere.0.transform.2.angle"), std::nullopt);
 }
 
+TEST(SceneDocument, TellsTheNumbersOfAValue) {
+    const SceneDocument read = document(odd_scene);
+    EXPECT_EQ(read.numbers("sphere.ball.transform.0.translate"), (std::vector<double>{1, 0, 0}));
+    EXPECT_EQ(read.numbers("sphere.ball.radius").size(), 1u);
+    EXPECT_TRUE(read.numbers("sphere.ball.material").empty());
+    EXPECT_TRUE(read.numbers("sphere.ball.transform").empty());
+    EXPECT_TRUE(read.numbers("sphere.ball.transform.9.translate").empty());
+}
+
+TEST(SceneDocument, MakesListsLongerAndKeepsTheirComments) {
+    const std::string before = "[material.m]\n[[sphere]]\nname = \"a\"\ncenter = [0, 0, 0]\nradius = 1\n"
+                               "material = \"m\"\n";
+    const auto longer = [&](const std::string& list) {
+        SceneDocument edited = document(before + list);
+        const auto text = edited.longer_list("sphere.a.transform", "{ translate = [1, 2, 3] }");
+        if (!text) return std::string("none");
+        edited.set("sphere.a.transform", *text);
+        edited.set("sphere.a.transform.1.translate", Vec3(4, 5, 6));
+        return edited.text().substr(before.size());
+    };
+    EXPECT_EQ(longer("transform = [{ scale = 2 }] # big\n"),
+              "transform = [{ scale = 2 }, { translate = [4, 5, 6] }] # big\n");
+    EXPECT_EQ(longer("transform = [\n  { scale = 2 }, # big\n]\n"),
+              "transform = [\n  { scale = 2 }, { translate = [4, 5, 6] }, # big\n]\n");
+    EXPECT_EQ(longer("[[sphere.transform]]\nscale = 2\n"), "none");
+    SceneDocument bare = document(before);
+    EXPECT_EQ(bare.longer_list("sphere.a.transform", "{ scale = 2 }"), "[{ scale = 2 }]");
+}
+
 // ── Undo and going back ────────────────────────────────────────────────────────────────────────────────────
 
 TEST(SceneDocument, WhatIsSetBackGetsTheCharactersOfTheFile) {

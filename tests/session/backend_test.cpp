@@ -222,7 +222,7 @@ TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
     show(ball(512)); // not finished before the card is lost
     ASSERT_TRUE(comes_true([&] { return renderer.latest(0) && renderer.latest(0)->device == "card"; }));
     card.is_lost = true;
-    EXPECT_EQ(finished("")->why_cpu, "the card is lost") << "its first line";
+    EXPECT_EQ(finished("")->why_cpu, "the card is lost\nand this is its log");
     EXPECT_EQ(picture_hash(finished("")->image), expected());
     EXPECT_EQ(card.alive, 0);
     card.is_lost = false;
@@ -234,6 +234,41 @@ TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
         *fault = false;
         renderer.set_backend(card.maker());
         EXPECT_EQ(picture_hash(finished("card")->image), expected());
+    }
+}
+
+TEST_F(Backend, ACardThatFailsAfterItsLastPassLeavesAFinishedPicture) {
+    renderer.set_backend(card.maker());
+    show(ball(2));
+    finished("card");
+    card.cannot_show = true;
+    renderer.set_tone(View::raw); // its picture is to be shown once more
+    const auto frame = finished("");
+    EXPECT_EQ(frame->why_cpu, "the card has no room for pictures");
+    EXPECT_EQ(picture_hash(frame->image), expected());
+    EXPECT_EQ(card.alive, 0);
+}
+
+TEST_F(Backend, AFaultMakesNothingCoarserThanItWas) {
+    show(ball(2));
+    finished("");
+    for (const bool same_view : {true, false}) {
+        renderer.set_backend(card.maker());
+        if (!same_view) show(ball(3));
+        std::uint64_t number = finished("card")->number;
+        card.cannot_show = true;
+        renderer.set_tone(same_view ? View::raw : View::srgb);
+        int coarse = 0;
+        EXPECT_TRUE(comes_true([&] {
+            const auto frame = renderer.latest(0);
+            if (frame->number != number) coarse += frame->reached.step > 1;
+            number = frame->number;
+            return frame->reached.finished && frame->device.empty();
+        }));
+        EXPECT_EQ(coarse, 0);
+        EXPECT_EQ(finished("")->why_cpu, "the card has no room for pictures");
+        EXPECT_EQ(picture_hash(finished("")->image), expected());
+        card.cannot_show = false;
     }
 }
 

@@ -116,6 +116,31 @@ TEST_F(SessionTest, OpensAFileAndFinishesThePictureThatRenderGives) {
     EXPECT_TRUE(session.load_status().problems.empty());
 }
 
+TEST_F(SessionTest, TurnsAroundWhatThePicturesMiddleShows) {
+    Session session(options());
+    session.open(write("ball.toml", ball));
+    ASSERT_TRUE(is_shown(session, 1));
+    const auto expect_target = [&](const Vec3& target) {
+        EXPECT_LT(glm::length(session.camera().target() - target), 1e-5)
+            << session.camera().target().y << " " << session.camera().target_distance();
+    };
+    expect_target(Vec3(0, -1, 0));
+    session.move([](CameraControl& c) { c.fly(0, 0, 0.4); });
+    session.aim();
+    expect_target(Vec3(0, -1, 0));
+    // Turning and zooming keep what is turned around, though other parts of the ball come before it.
+    session.move([](CameraControl& c) { c.orbit(1.5, 0); });
+    session.aim();
+    expect_target(Vec3(0, -1, 0));
+    session.move([](CameraControl& c) { c.zoom(1); });
+    session.aim();
+    expect_target(Vec3(0, -1, 0));
+    // Nothing is seen beside the ball: the distance stays.
+    session.move([](CameraControl& c) { c.reset(), c.pan(2, 0); });
+    session.aim();
+    EXPECT_NEAR(session.camera().target_distance(), 5, 1e-5);
+}
+
 TEST_F(SessionTest, CameraSizeAndWhatIsShownLeadToTheirPictures) {
     Session session(options());
     session.open(write("ball.toml", ball));

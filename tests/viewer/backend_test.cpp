@@ -93,6 +93,21 @@ class WindowOnTheGpu : public Screen {
         return read_picture(file).image;
     }
 
+    /// How many values of a picture are not what the window shows there, among every seventh pixel.
+    int wrong_on_screen(const Image& file) {
+        const Image screen = screenshot();
+        const nlohmann::json area = map()["widgets"]["picture"];
+        int wrong = 0;
+        for (int y = 0; y < file.height; y += 7)
+            for (int x = 0; x < file.width; x += 7) {
+                const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
+                const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
+                const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
+                for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
+            }
+        return wrong;
+    }
+
     void expect_no_complaint() {
         EXPECT_EQ(state("opengl.complaints"), 0);
         EXPECT_GE(seconds_to_close(), 0);
@@ -130,18 +145,7 @@ TEST_F(WindowOnTheGpu, DrawsWhatTheCommandLineRendersThere) {
     // What is saved, and what stands on the screen, is that picture.
     press("ctrl+p");
     ASSERT_TRUE(wait_until([&] { return state("saved").is_string(); })) << log();
-    const Image file = read_picture(state("saved").get<std::string>()).image;
-    const Image screen = screenshot();
-    const nlohmann::json area = map()["widgets"]["picture"];
-    int wrong = 0;
-    for (int y = 0; y < file.height; y += 7)
-        for (int x = 0; x < file.width; x += 7) {
-            const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
-            const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
-            const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
-            for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
-        }
-    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(wrong_on_screen(read_picture(state("saved").get<std::string>()).image), 0);
     expect_no_complaint();
 }
 
@@ -185,6 +189,29 @@ TEST_F(WindowOnTheGpu, DrawsOtherViewsToo) {
     ASSERT_TRUE(wait_for_state("backend", "cpu")) << map().dump(1);
     ASSERT_TRUE(wait_for_state("drawn_by", "CPU"));
     EXPECT_EQ(finished_picture(), picture_hash(rendered("cpu")));
+    expect_no_complaint();
+}
+
+TEST_F(WindowOnTheGpu, TermsOfTheLightStayOnTheDevice) {
+    open_scene(with("reflectivity = 0.6", "reflectivity = 0.4\ntransparency = 0.3\nhighlight = 0.8\n"
+                                          "emission = [0.05, 0.1, 0.02]"),
+               {"--backend", "gpu"});
+    finished_picture();
+    EXPECT_EQ(state("on_device"), true);
+    for (const std::string term :
+         {"ambient", "diffuse", "highlight", "clamp", "reflection", "transmission", "emission", "shadows"}) {
+        press("v");
+        ASSERT_TRUE(wait_for_state("show", term));
+        finished_picture();
+        EXPECT_TRUE(is_drawn_by_gpu()) << term;
+        // What was clamped, and numbers that are no light, become colours in memory.
+        EXPECT_EQ(state("on_device"), term != "clamp" && term != "shadows") << term;
+        const std::string file = path(term + ".png");
+        const Outcome outcome =
+            run_glint({path("scene.toml"), "--show", term, "-o", file, "-q", "--size", "200x150"}, {});
+        ASSERT_EQ(outcome.exit, 0) << outcome.err;
+        EXPECT_EQ(wrong_on_screen(read_picture(file).image), 0) << term;
+    }
     expect_no_complaint();
 }
 

@@ -61,6 +61,7 @@ class Screen : public testing::Test {
     double seconds_to_close();
 
     Child& viewer() { return *viewer_; }
+    const std::string& display() const { return display_; }
     std::string log() const { return content("log"); }
 
   private:

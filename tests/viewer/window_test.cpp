@@ -69,6 +69,13 @@ class Window : public Screen {
         ASSERT_TRUE(wait_for_state("tab", tab));
     }
 
+    bool is_within_window(const std::string& widget, double width, double height) const {
+        if (!has(widget)) return false;
+        const Spot from = spot(widget, 0, 0);
+        const Spot to = spot(widget, 1, 1);
+        return from.x >= 0 && from.y >= 0 && to.x <= width && to.y <= height;
+    }
+
     /// The scene's text with one thing in it changed.
     static std::string with(const std::string& what, const std::string& instead) {
         std::string text = two_balls;
@@ -374,6 +381,35 @@ TEST_F(Window, TheQuestionMarkListsTheKeys) {
     EXPECT_TRUE(wait_until([&] { return !has("help"); }));
 }
 
+TEST_F(Window, TheListOfKeysStaysWithinAWindowWithLargeTexts) {
+    open_scene({"--scale", "2", "--window", "1390x860"});
+    finished_picture();
+    press("question");
+    EXPECT_TRUE(wait_until([&] { return is_within_window("help", 1390, 860); })) << map().dump(1);
+}
+
+TEST_F(Window, TheListOfKeysScrollsWhereThereIsNoRoom) {
+    open_scene({"--scale", "2", "--window", "640x400"});
+    finished_picture();
+    press("question");
+    EXPECT_TRUE(wait_until([&] { return is_within_window("help", 640, 400); })) << map().dump(1);
+}
+
+TEST_F(Window, TheTurntableTurnsUntilItIsStopped) {
+    open_scene();
+    finished_picture();
+    const nlohmann::json eye = state("camera.eye");
+    press("t");
+    ASSERT_TRUE(wait_until([&] { return state("camera.eye") != eye; }));
+    const nlohmann::json later = state("camera.eye");
+    ASSERT_TRUE(wait_until([&] { return state("camera.eye") != later; }));
+    press("t");
+    finished_picture();
+    const nlohmann::json end = state("camera.eye");
+    finished_picture();
+    EXPECT_EQ(state("camera.eye"), end);
+}
+
 TEST_F(Window, ClosesAtOnceWhileItRenders) {
     write("scene.toml", with("spp = 1", "spp = 1024"));
     open("scene.toml", {"--window", "1300x860"});
@@ -382,44 +418,6 @@ TEST_F(Window, ClosesAtOnceWhileItRenders) {
     EXPECT_GE(seconds, 0);
     RecordProperty("seconds", std::to_string(seconds));
     EXPECT_EQ(viewer().ended(), 0) << log();
-}
-
-TEST_F(Window, ClosesAtOnceWhileItLoadsAMillionTriangles) {
-    // A grid of 1000 × 500 squares, as binary PLY.
-    constexpr int across = 1001;
-    constexpr int down = 501;
-    Mesh mesh;
-    for (int y = 0; y < down; ++y)
-        for (int x = 0; x < across; ++x) {
-            const auto fx = static_cast<float>(x);
-            const auto fy = static_cast<float>(y);
-            mesh.positions.emplace_back(fx, fy, 20 * std::sin(fx * 0.05f) * std::cos(fy * 0.07f));
-        }
-    for (unsigned y = 0; y + 1 < down; ++y)
-        for (unsigned x = 0; x + 1 < across; ++x) {
-            const unsigned corner = y * across + x;
-            mesh.triangles.emplace_back(corner, corner + 1, corner + across);
-            mesh.triangles.emplace_back(corner + 1, corner + across + 1, corner + across);
-        }
-    write_ply(path("grid.ply"), mesh);
-    open("grid.ply");
-    const double seconds = seconds_to_close();
-    EXPECT_GE(seconds, 0);
-    RecordProperty("seconds", std::to_string(seconds));
-    EXPECT_EQ(viewer().ended(), 0) << log();
-}
-
-TEST_F(Window, WaitsForAFileWhenGivenNone) {
-    open("");
-    ASSERT_TRUE(wait_for_state("status", "empty"));
-    EXPECT_GE(seconds_to_close(), 0);
-    EXPECT_EQ(viewer().ended(), 0) << log();
-}
-
-TEST_F(Window, AFileThatIsNotThereIsTold) {
-    open("missing.toml");
-    ASSERT_TRUE(wait_for_widget("errors"));
-    EXPECT_NE(state("error").get<std::string>().find("missing.toml"), std::string::npos);
 }
 
 TEST_F(Window, StatisticsArePrintedAtTheEnd) {

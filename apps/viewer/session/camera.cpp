@@ -54,6 +54,7 @@ void CameraControl::pan(double right, double up) {
     const Axes a = axes();
     const double height = 2 * distance_ * std::tan(camera_.fov / 2 * pi / 180);
     camera_.eye += (a.right * right + a.up * up) * height;
+    aimed_ = false;
 }
 
 void CameraControl::zoom(double notches) {
@@ -65,6 +66,7 @@ void CameraControl::zoom(double notches) {
 void CameraControl::fly(double right, double up, double ahead) {
     const Axes a = axes();
     camera_.eye += (a.right * right + a.up * up + a.ahead * ahead) * distance_;
+    aimed_ = false;
 }
 
 void CameraControl::set_fov(double degrees) { camera_.fov = std::clamp(degrees, 1.0, 170.0); }
@@ -76,11 +78,18 @@ void CameraControl::turn(double seconds, double turns_a_minute) {
 void CameraControl::reset() {
     camera_ = home_;
     distance_ = home_distance_;
+    aimed_ = true;
+}
+
+void CameraControl::aim(double target_distance) {
+    distance_ = target_distance;
+    aimed_ = true;
 }
 
 void CameraControl::set_camera(const CameraDescription& camera, double target_distance) {
     camera_ = camera;
     distance_ = target_distance;
+    aimed_ = false;
 }
 
 bool same_view(const CameraDescription& a, const CameraDescription& b) {

@@ -30,6 +30,11 @@ class CameraControl {
     void turn(double seconds, double turns_a_minute);
     /// To the home camera, exactly.
     void reset();
+    /// Is the target what stood in the picture's middle when it was chosen, or what was turned around since?
+    /// Panning, flying and another camera leave it behind.
+    bool is_aimed() const { return aimed_; }
+    /// Something so far ahead becomes the target.
+    void aim(double target_distance);
     /// To another camera, which stays away from home.
     void set_camera(const CameraDescription& camera, double target_distance);
 
@@ -43,6 +48,7 @@ class CameraControl {
     CameraDescription camera_;
     double home_distance_ = 1;
     double distance_ = 1;
+    bool aimed_ = true;
 };
 
 /// Do both see the same?

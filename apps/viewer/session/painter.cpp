@@ -32,7 +32,7 @@ class GpuPainter : public Painter {
 
     void start(const Scene& scene, const ProgressiveOptions& options) override {
         picture_.start(scene, options);
-        is_light_ = options.show == Aspect::final;
+        stays_ = is_visible(options.show);
     }
     bool advance(double seconds) override { return picture_.advance(seconds); }
     const Refinement& reached() const override { return picture_.reached(); }
@@ -41,15 +41,15 @@ class GpuPainter : public Painter {
         frame.width = picture->width();
         frame.height = picture->height();
         // What visible() has yet to make colours of is brought back.
-        frame.image = is_light_ ? Image() : picture->read();
-        if (is_light_) frame.on_device = picture;
+        frame.image = stays_ ? Image() : picture->read();
+        if (stays_) frame.on_device = picture;
     }
     std::string device() const override { return picture_.device().name; }
 
   private:
     std::shared_ptr<void> context_;
     GpuProgressive picture_;
-    bool is_light_ = true;
+    bool stays_ = true; ///< the picture, on the device
 };
 
 } // namespace

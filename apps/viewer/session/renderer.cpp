@@ -129,8 +129,7 @@ std::string fault_of(const Work& work) {
     try {
         work();
     } catch (const Error& error) {
-        const std::string& message = error.diagnostics().front().message;
-        return message.substr(0, message.find('\n'));
+        return error.diagnostics().front().message;
     } catch (const std::bad_alloc&) {
         return "there is too little memory for the graphics card's part";
     }
@@ -184,7 +183,7 @@ struct SessionRenderer::State {
     void start_on_cpu(Easel& easel);
     void paint_first(Easel& easel, Desk& desk);
     bool refine(bool again);
-    bool advance(Easel& easel);
+    void advance(Easel& easel);
     void fall_back(Easel& easel, const std::string& fault);
     void publish(std::size_t place);
     View tone_now() const {
@@ -307,20 +306,22 @@ bool SessionRenderer::State::refine(bool again) {
         Easel& easel = easels[place];
         if (!easel.scene) continue;
         const bool was_finished = easel.painter().reached().finished;
-        if (!was_finished) goes_on = advance(easel) || goes_on;
+        if (!was_finished) advance(easel);
         if (!cancel && (again || !was_finished)) publish(place);
+        // Asked last: after a fault another painter has only begun.
+        goes_on = goes_on || !easel.painter().reached().finished;
     }
     return goes_on;
 }
 
 /// Where the graphics card fails on the way, the CPU begins anew.
-bool SessionRenderer::State::advance(Easel& easel) {
-    if (!easel.on_gpu) return easel.cpu.painter->advance(slice_seconds);
-    bool goes_on = false;
-    const std::string fault = fault_of([&] { goes_on = easel.gpu.painter->advance(slice_seconds); });
-    if (fault.empty()) return goes_on;
-    fall_back(easel, fault);
-    return true;
+void SessionRenderer::State::advance(Easel& easel) {
+    if (!easel.on_gpu) {
+        easel.cpu.painter->advance(slice_seconds);
+        return;
+    }
+    const std::string fault = fault_of([&] { easel.gpu.painter->advance(slice_seconds); });
+    if (!fault.empty()) fall_back(easel, fault);
 }
 
 void SessionRenderer::State::publish(std::size_t place) {
@@ -343,12 +344,14 @@ void SessionRenderer::State::publish(std::size_t place) {
     frame->show = easel.show;
     frame->device = painter.device();
     frame->why_cpu = easel.fault;
-    if (easel.show != Aspect::final) frame->image = visible(frame->image, easel.show, *easel.scene);
+    if (!is_visible(easel.show)) frame->image = visible(frame->image, easel.show, *easel.scene);
     if (!frame->on_device) screen_pixels(frame->image, tone_now(), frame->screen);
     {
         const std::lock_guard lock(mutex);
         frames[place] = frame;
     }
+    // Whoever draws this view after a fault, it is not seen to become coarser.
+    easel.coarsest = std::min(easel.coarsest, frame->reached.step);
     if (options.changed) options.changed();
 }
 

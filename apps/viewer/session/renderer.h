@@ -25,7 +25,8 @@ struct Frame {
     std::vector<std::uint32_t> screen;           ///< screen_pixels() of that image
     std::shared_ptr<const GpuPicture> on_device; ///< a picture that a graphics card keeps
     std::string device;                          ///< what drew it; empty: the CPU
-    std::string why_cpu;                         ///< why the CPU drew it though a graphics card was to
+    std::string why_cpu; ///< why the CPU drew it though a graphics card was to, with the
+                         ///< driver's log if there is one
     Aspect show = Aspect::final;
     CameraDescription camera;
     Refinement reached;
@@ -66,8 +67,9 @@ class SessionRenderer {
     /// From where all places are seen, and how large.
     void set_view(const CameraDescription& camera, int width, int height);
     /// Who draws: the graphics card whose painters `gpu` makes, or the CPU. What is shown stays until there
-    /// is something as good. What the card cannot draw, and all after a fault of it, the CPU draws; the card
-    /// is tried again with the next scene or the next call.
+    /// is something not coarser: once every pixel is known, a picture with one ray through each replaces an
+    /// antialiased one. What the card cannot draw, and all after a fault of it, the CPU draws; the card is
+    /// tried again with the next scene or the next call.
     void set_backend(PainterMaker gpu);
 
     /// The latest picture of a place; none before there is any, or where there is no scene.

@@ -138,6 +138,16 @@ void Session::move(const std::function<void(CameraControl&)>& change) {
     state_->renderer.set_view(state_->camera.camera(), state_->width, state_->height);
 }
 
+void Session::aim() {
+    const std::lock_guard lock(state_->mutex);
+    CameraControl& camera = state_->camera;
+    const auto& scene = state_->scenes[0];
+    if (camera.is_aimed() || !scene) return;
+    const Scene seen = with_view(*scene, camera.camera(), state_->width, state_->height);
+    const auto middle = glint::pick(seen, state_->width / 2.0, state_->height / 2.0);
+    camera.aim(middle ? middle->distance : camera.target_distance());
+}
+
 CameraControl Session::camera() const {
     const std::lock_guard lock(state_->mutex);
     return state_->camera;

@@ -83,6 +83,9 @@ class Session {
 
     /// Changes the camera: session.move([](CameraControl& c) { c.orbit(0.1, 0); }).
     void move(const std::function<void(CameraControl&)>& change);
+    /// Before the camera turns: around what the picture's middle shows. Where it was so aimed already, and
+    /// only turned or zoomed since, the target stays; so it does where there is nothing in the middle.
+    void aim();
     CameraControl camera() const;
     void resize(int width, int height);
     int width() const;
