@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "frames.h"
 #include "outputs.h"
+#include "progress.h"
 #include "render_request.h"
 #include "scene_input.h"
 
@@ -10,8 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
+#include <span>
 
 namespace glint::cli {
 namespace {
@@ -20,7 +24,7 @@ constexpr const char* pixel_example = "X,Y such as 320,240";
 
 /// What the page of --format html is made of: the whole picture, and places to ask.
 std::string page_of(const Scene& scene, const Arguments& arguments, const std::string& title,
-                    Backend& backend) {
+                    Backend& backend, Console& console) {
     ExplanationPage page;
     page.scene = title;
     if (const auto grid = arguments.integers("grid", 2, 'x', 1, 4096, "WxH such as 160x90")) {
@@ -39,9 +43,20 @@ std::string page_of(const Scene& scene, const Arguments& arguments, const std::s
     }
     // Lighter rays would not fit into the page anyway.
     constexpr float least_weight = 1.0f / 4096;
-    Explainer explainer(scene);
-    page.explain = [&](int x, int y) { return explainer.pixel(x, y, {1, least_weight}); };
-    return explanation_html(page);
+    ProgressMeter meter(console, progress_style("auto"), "explanations");
+    const auto begin = std::chrono::steady_clock::now();
+    Progress progress;
+    page.explain = [&](std::span<const PixelPlace> row) {
+        auto explained = explain_pixels(scene, row, {1, least_weight}, options.threads);
+        ++progress.tiles_done;
+        progress.tiles = static_cast<std::uint64_t>(std::min(page.rows, page.image.height));
+        progress.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        meter.update(progress);
+        return explained;
+    };
+    std::string text = explanation_html(page);
+    meter.finish();
+    return text;
 }
 
 /// The pixel as the card that --backend asks for renders it.
@@ -101,7 +116,7 @@ int explain_command(const Arguments& arguments, Console& console) {
     const bool color = output == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
     const bool page = arguments.text("format") == "html";
     Backend backend(arguments, console);
-    write_text(output, page ? page_of(scene, arguments, title, backend)
+    write_text(output, page ? page_of(scene, arguments, title, backend, console)
                             : pixel_of(scene, arguments, title, color, backend));
     return exit_code::done;
 }

@@ -67,8 +67,9 @@ void ProgressMeter::show() {
                         last_.tiles, last_.rays, last_.seconds, left));
         return;
     }
-    const std::string state = fmt::format("{:3.0f} %  {}  {} left", std::floor(done * 100),
-                                          ray_rate(last_.rays, last_.seconds), whole_duration(left));
+    const std::string rate = last_.rays > 0 ? ray_rate(last_.rays, last_.seconds) + "  " : "";
+    const std::string state =
+        fmt::format("{:3.0f} %  {}{} left", std::floor(done * 100), rate, whole_duration(left));
     const std::string task = task_.empty() ? "" : task_ + " ";
     if (style_ == ProgressStyle::plain) return console_.line("rendering " + task + state);
     const int filled = static_cast<int>(done * bar_width);

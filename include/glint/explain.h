@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace glint {
 
@@ -43,5 +45,11 @@ class Explainer {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Many pixels, in their order, explained by several threads (0: one for each core). Throws what
+/// Explainer::pixel() does.
+std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelPlace> pixels,
+                                        const ExplainLimits& limits = {}, int threads = 0,
+                                        const CancelFlag* cancel = nullptr);
 
 } // namespace glint

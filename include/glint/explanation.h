@@ -17,6 +17,12 @@
 
 namespace glint {
 
+/// A pixel of a picture: (0, 0) is top left.
+struct PixelPlace {
+    int x = 0; ///< from the left
+    int y = 0; ///< from the top
+};
+
 enum class RayKind { primary, reflected, refracted };
 
 /// Why a ray's way ends where it does.

@@ -168,7 +168,8 @@ struct ExplanationPage {
     Image gpu_image;                     ///< the picture from there, to be compared with
     int columns = 160; ///< the page holds the explanations of so many places, at most one a pixel:
     int rows = 90;     ///< the middles of an even grid
-    std::function<Explanation(int x, int y)> explain; ///< of a pixel; the rays of its first sample are shown
+    /// Asked for the places of one row after the other; of each the rays of its first sample are shown.
+    std::function<std::vector<Explanation>(std::span<const PixelPlace> row)> explain;
     std::size_t most_bytes = 9'900'000; ///< rays that bring least are left out until the page is no larger
 };
 

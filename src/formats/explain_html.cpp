@@ -30,13 +30,12 @@ std::string base64(std::span<const std::byte> bytes) {
     return out;
 }
 
-/// The pixels that the page can be asked for, row by row.
-std::vector<std::pair<int, int>> places(const ExplanationPage& page) {
-    std::vector<std::pair<int, int>> all;
-    for (int row = 0; row < page.rows; ++row)
-        for (int column = 0; column < page.columns; ++column)
-            all.emplace_back((2 * column + 1) * page.image.width / (2 * page.columns),
-                             (2 * row + 1) * page.image.height / (2 * page.rows));
+/// The pixels that the page can be asked for, in one of its rows.
+std::vector<PixelPlace> places(const ExplanationPage& page, int row) {
+    std::vector<PixelPlace> all;
+    for (int column = 0; column < page.columns; ++column)
+        all.push_back({(2 * column + 1) * page.image.width / (2 * page.columns),
+                       (2 * row + 1) * page.image.height / (2 * page.rows)});
     return all;
 }
 
@@ -67,11 +66,12 @@ std::string layers(const std::array<Image, term_count>& terms) {
 std::string backends(const ExplanationPage& page) {
     const std::string own = "The numbers are the CPU's. ";
     if (page.gpu.empty()) return own;
+    const std::size_t pixels = page.image.pixels.size() / 3;
     const Comparison found = compare(page.gpu_image, page.image, 1.0 / 255, 1);
-    char figures[96];
+    char figures[128];
     std::snprintf(figures, sizeof figures,
-                  "%.4g %% of the pixels are within 1/255 of them, the furthest is off by %.3g. ",
-                  100 * (1 - found.share), found.max);
+                  "%.0f of %zu pixels are off by more than 1/255, the furthest by %.3g. ",
+                  found.share * static_cast<double>(pixels), pixels, found.max);
     return own + "On " + escape_markup(page.gpu) + " " + figures;
 }
 
@@ -79,10 +79,11 @@ std::string backends(const ExplanationPage& page) {
 std::string gpu_of(const ExplanationPage& page) {
     if (page.gpu.empty()) return "null";
     nlohmann::json colors = nlohmann::json::array();
-    for (const auto& [x, y] : places(page)) {
-        const float* pixel = page.gpu_image.at(x, y);
-        for (int channel = 0; channel < 3; ++channel) colors.push_back(pixel[channel]);
-    }
+    for (int row = 0; row < page.rows; ++row)
+        for (const auto& [x, y] : places(page, row)) {
+            const float* pixel = page.gpu_image.at(x, y);
+            for (int channel = 0; channel < 3; ++channel) colors.push_back(pixel[channel]);
+        }
     return "{\"device\":" + nlohmann::json(page.gpu).dump() + ",\"colors\":" + colors.dump() + "}";
 }
 
@@ -141,11 +142,11 @@ std::string explanation_html(const ExplanationPage& request) {
     page.rows = std::clamp(page.rows, 1, page.image.height);
     PageData data;
     std::string head;
-    for (const auto& [x, y] : places(page)) {
-        const Explanation e = page.explain(x, y);
-        if (head.empty()) head = head_of(page, e);
-        data.add(e);
-    }
+    for (int row = 0; row < page.rows; ++row)
+        for (const Explanation& e : page.explain(places(page, row))) {
+            if (head.empty()) head = head_of(page, e);
+            data.add(e);
+        }
     std::string out = before_data(page);
     const std::string end = std::string("</script>\n<script>") + page_script + "</script>\n</body></html>\n";
     // Four characters of text hold three bytes.

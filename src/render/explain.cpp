@@ -1,8 +1,12 @@
 #include "glint/explain.h"
 
 #include "imaging/film.h"
+#include "parallel/task_pool.h"
 #include "render/explain_parts.h"
 #include "render/samples.h"
+
+#include <optional>
+#include <vector>
 
 namespace glint {
 
@@ -87,6 +91,19 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     const Terms terms = r.spp == 1 ? Terms{out.samples.front().terms} : sum.value();
     out.terms = terms.value;
     out.color = terms.sum();
+    return out;
+}
+
+std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelPlace> pixels,
+                                        const ExplainLimits& limits, int threads, const CancelFlag* cancel) {
+    std::vector<Explanation> out(pixels.size());
+    TaskPool pool(threads);
+    std::vector<std::optional<Explainer>> explainers(static_cast<std::size_t>(pool.threads()));
+    pool.run(pixels.size(), [&](std::size_t i, int worker) {
+        std::optional<Explainer>& own = explainers[static_cast<std::size_t>(worker)];
+        if (!own) own.emplace(scene, cancel);
+        out[i] = own->pixel(pixels[i].x, pixels[i].y, limits);
+    });
     return out;
 }
 

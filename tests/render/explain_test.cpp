@@ -4,6 +4,7 @@
 #include "scene_kit.h"
 
 #include "glint/explain.h"
+#include "glint/formats.h"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,26 @@ TEST(ExplainedPixel, ItsMakingCanBeCancelled) {
     }
     cancel = false;
     EXPECT_EQ(explainer.pixel(3, 4).color, explain(scene, 3, 4).color);
+}
+
+TEST(ExplainedPixels, AreTheSameOnAnyNumberOfThreads) {
+    SceneDescription description = empty_scene(Vec3(0, -4, 1), Vec3(0, 4, -1));
+    description.render.spp = 3;
+    add(description, SphereShape{Vec3(0), 1}, glass(1.5));
+    add(description, PlaneShape{}, mirror(0.5));
+    add_light(description, Vec3(2, -3, 4), 20);
+    const Scene scene = freeze(description);
+    std::vector<PixelPlace> pixels;
+    for (int i = 0; i < 40; ++i) pixels.push_back({i % 16, i * 7 % 16});
+    for (const int threads : {1, 2, 3, 7}) {
+        const std::vector<Explanation> explained = explain_pixels(scene, pixels, {}, threads);
+        ASSERT_EQ(explained.size(), pixels.size());
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            EXPECT_EQ(explanation_json(explained[i]),
+                      explanation_json(explain(scene, pixels[i].x, pixels[i].y)))
+                << "pixel " << i << ", " << threads << " threads";
+    }
+    EXPECT_THROW(explain_pixels(scene, std::vector<PixelPlace>{{0, 0}, {16, 0}}), Error);
 }
 
 TEST(Labels, CountAllObjectsAndAllLights) {

@@ -316,8 +316,8 @@ TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
     }
     saver.join();
     session.compare(std::nullopt);
-    session.open(path);
     const std::uint64_t before = session.scene()->loads;
+    session.open(path);
     ASSERT_TRUE(is_shown(session, before + 1));
     ASSERT_TRUE(comes_true([&] { return !session.load_status().busy; }));
     EXPECT_TRUE(shows_what_it_should(session));
