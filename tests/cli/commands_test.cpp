@@ -31,12 +31,12 @@ TEST_F(Check, PassesWarnings) {
 }
 
 TEST_F(Check, KeepsQuiet) {
-    const Outcome good = glint("check -q good.toml dark.toml");
-    EXPECT_EQ(good.exit, 0);
-    EXPECT_EQ(good.out + good.err, "");
-    const Outcome bad = glint("check -q bad.toml");
-    EXPECT_EQ(bad.exit, 3);
-    EXPECT_NE(bad.err.find("error: "), std::string::npos) << bad.err;
+    const Outcome sound = glint("check -q good.toml dark.toml");
+    EXPECT_EQ(sound.exit, 0);
+    EXPECT_EQ(sound.out + sound.err, "");
+    const Outcome unsound = glint("check -q bad.toml");
+    EXPECT_EQ(unsound.exit, 3);
+    EXPECT_NE(unsound.err.find("error: "), std::string::npos) << unsound.err;
 }
 
 class Info : public Workplace {};

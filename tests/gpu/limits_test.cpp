@@ -69,7 +69,7 @@ SceneDescription colored_mesh() {
 
 TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
     GLINT_NEEDS_GPU();
-    const Large scenes[] = {
+    const Large parts[] = {
         {"the tree's nodes", 1000, one_mesh()},
         {"the scene's triangles", 80000, one_mesh()},
         {"the scene's objects", 20000, planes(1000)},
@@ -77,7 +77,7 @@ TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
         {"the scene's materials and lights", 50000, spheres(1000, true)},
         {"the scene's shapes and places", 60000, spheres(1500, false)},
     };
-    for (const Large& large : scenes) {
+    for (const Large& large : parts) {
         const auto renderer = renderer_with(large.bytes);
         const Scene scene = freeze(large.scene);
         const std::string said = refusal([&] { renderer->prepare(scene); });

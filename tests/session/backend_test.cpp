@@ -3,6 +3,7 @@
 
 #include "session/renderer.h"
 
+#include "patience.h"
 #include "scene_kit.h"
 
 #include <gtest/gtest.h>
@@ -13,19 +14,6 @@
 
 namespace glint::viewer {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Waits until it is so; false where it never becomes so.
-template <class Condition>
-bool comes_true(const Condition& condition) {
-    const auto patience = Clock::now() + std::chrono::seconds(20);
-    while (!condition()) {
-        if (Clock::now() > patience) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
 
 /// A card that fails when it is told to.
 struct Card {

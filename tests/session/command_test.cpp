@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string ball = R"([camera]
+const std::string moving_ball = R"([camera]
 eye = [0, -6, 0]
 look_at = [0, 0, 0]
 [material.red]
@@ -36,7 +36,7 @@ class ExplainCommandTest : public testing::Test {
     ExplainCommandTest()
         : folder_(fs::temp_directory_path() / ("glint-command-" + std::to_string(getpid()))) {
         fs::create_directories(folder_);
-        std::ofstream(file()) << ball;
+        std::ofstream(file()) << moving_ball;
     }
     ~ExplainCommandTest() override { fs::remove_all(folder_); }
 
@@ -103,7 +103,7 @@ TEST_F(ExplainCommandTest, CarriesTheFrameButNotWhatMovesThere) {
 
 TEST_F(ExplainCommandTest, SaysWhenTheFileIsAnother) {
     const ShownFile before = shown({"sphere.ball.radius=2"});
-    std::ofstream(file()) << ball.substr(0, ball.find("[[animate]]")) << "[[light]]\ntype = \"ambient\"\n";
+    std::ofstream(file()) << moving_ball.substr(0, moving_ball.find("[[animate]]")) << "[[light]]\ntype = \"ambient\"\n";
     EXPECT_NE(checked(before).lacks, "");
     fs::remove(file());
     EXPECT_NE(checked(before).lacks, "");

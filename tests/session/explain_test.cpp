@@ -2,6 +2,7 @@
 
 #include "session/explainer.h"
 
+#include "patience.h"
 #include "scene_kit.h"
 
 #include <gtest/gtest.h>
@@ -15,17 +16,6 @@ namespace glint::viewer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Waits until it is so; false where it never becomes so.
-template <class Condition>
-bool comes_true(const Condition& condition) {
-    const auto patience = Clock::now() + std::chrono::seconds(20);
-    while (!condition()) {
-        if (Clock::now() > patience) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
-}
 
 /// A ball of some colour under a lamp.
 Scene ball(const Vec3& color, int samples = 1) {

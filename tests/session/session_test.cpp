@@ -2,6 +2,7 @@
 
 #include "session/session.h"
 
+#include "patience.h"
 #include "scene_kit.h"
 
 #include <glm/geometric.hpp>
@@ -18,20 +19,7 @@ namespace glint::viewer {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-/// Waits until it is so; false where it never becomes so.
-template <class Condition>
-bool comes_true(const Condition& condition) {
-    const auto patience = Clock::now() + std::chrono::seconds(20);
-    while (!condition()) {
-        if (Clock::now() > patience) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-}
-
-const std::string ball = R"([camera]
+const std::string ball_text = R"([camera]
 eye = [0, -6, 0]
 direction = [0, 1, 0]
 [render]
@@ -109,7 +97,7 @@ TEST_F(SessionTest, OpensAFileAndFinishesThePictureThatRenderGives) {
     Session session(options());
     EXPECT_FALSE(session.scene());
     EXPECT_FALSE(session.frame());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     EXPECT_TRUE(shows_what_it_should(session));
     EXPECT_TRUE(comes_true([&] { return !session.load_status().busy; }));
@@ -118,7 +106,7 @@ TEST_F(SessionTest, OpensAFileAndFinishesThePictureThatRenderGives) {
 
 TEST_F(SessionTest, TurnsAroundWhatThePicturesMiddleShows) {
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     const auto expect_target = [&](const Vec3& target) {
         EXPECT_LT(glm::length(session.camera().target() - target), 1e-5)
@@ -143,7 +131,7 @@ TEST_F(SessionTest, TurnsAroundWhatThePicturesMiddleShows) {
 
 TEST_F(SessionTest, CameraSizeAndWhatIsShownLeadToTheirPictures) {
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     session.move([](CameraControl& c) { c.orbit(0.5, 0.3); });
     EXPECT_TRUE(shows_what_it_should(session));
@@ -157,7 +145,7 @@ TEST_F(SessionTest, CameraSizeAndWhatIsShownLeadToTheirPictures) {
 
 TEST_F(SessionTest, EditsOfMaterialsLightsAndObjectsShow) {
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     SceneDescription edited = session.scene()->scene.description();
     edited.materials[0].transparency = 0.75;
@@ -173,7 +161,7 @@ TEST_F(SessionTest, EditsOfMaterialsLightsAndObjectsShow) {
 
 TEST_F(SessionTest, AnImpossibleEditIsToldAndNothingChanges) {
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     SceneDescription edited = session.scene()->scene.description();
     edited.materials[0].index = -1;
@@ -185,12 +173,12 @@ TEST_F(SessionTest, AnImpossibleEditIsToldAndNothingChanges) {
 
 TEST_F(SessionTest, SavingTheFileShowsItAndKeepsTheCamera) {
     Session session(options());
-    const std::string path = write("ball.toml", ball);
+    const std::string path = write("ball.toml", ball_text);
     session.open(path);
     ASSERT_TRUE(is_shown(session, 1));
     session.move([](CameraControl& c) { c.orbit(1, 0.2); });
     const Vec3 eye = session.camera().camera().eye;
-    std::string blue = ball;
+    std::string blue = ball_text;
     blue.replace(blue.find("[1, 0, 0]"), 9, "[0, 0, 1]");
     write("ball.toml", blue);
     ASSERT_TRUE(is_shown(session, 2));
@@ -203,17 +191,17 @@ TEST_F(SessionTest, SavingTheFileShowsItAndKeepsTheCamera) {
 
 TEST_F(SessionTest, ABrokenFileIsToldWhileTheLastGoodSceneStays) {
     Session session(options());
-    const std::string path = write("ball.toml", ball);
+    const std::string path = write("ball.toml", ball_text);
     session.open(path);
     ASSERT_TRUE(is_shown(session, 1));
     ASSERT_TRUE(finished(session));
     const std::string shown = expected(session);
-    write("ball.toml", ball + "[[sphere]]\ncenter = [0, 0, 0]\nradius = \"large\"\n");
+    write("ball.toml", ball_text + "[[sphere]]\ncenter = [0, 0, 0]\nradius = \"large\"\n");
     ASSERT_TRUE(has_problem(session));
     EXPECT_EQ(session.load_status().problems[0].location.file, path);
     EXPECT_GT(session.load_status().problems[0].location.line, 10);
     EXPECT_EQ(picture_hash(session.frame()->image), shown);
-    write("ball.toml", ball + "# better\n");
+    write("ball.toml", ball_text + "# better\n");
     ASSERT_TRUE(is_shown(session, 2));
     EXPECT_TRUE(comes_true([&] { return session.load_status().problems.empty(); }));
 }
@@ -221,7 +209,7 @@ TEST_F(SessionTest, ABrokenFileIsToldWhileTheLastGoodSceneStays) {
 TEST_F(SessionTest, SavingAMeshShowsItToo) {
     write_ply((folder_ / "shape.ply").string(), kit::box_mesh(Vec3(0), Vec3(1)));
     Session session(options());
-    session.open(write("scene.toml", ball + "[[mesh]]\nfile = \"shape.ply\"\nmaterial = \"red\"\n"));
+    session.open(write("scene.toml", ball_text + "[[mesh]]\nfile = \"shape.ply\"\nmaterial = \"red\"\n"));
     ASSERT_TRUE(is_shown(session, 1));
     EXPECT_EQ(session.scene()->scene.stats().triangles, 12u);
     write_ply((folder_ / "shape.ply").string(), kit::sphere_mesh(1, 8));
@@ -234,13 +222,13 @@ TEST_F(SessionTest, AFileThatIsNotThereIsTold) {
     session.open((folder_ / "nothing.toml").string());
     ASSERT_TRUE(has_problem(session));
     EXPECT_FALSE(session.scene());
-    write("nothing.toml", ball);
+    write("nothing.toml", ball_text);
     EXPECT_TRUE(is_shown(session, 1)) << "it is watched all the same";
 }
 
 TEST_F(SessionTest, ComparingShowsBothFromTheSameCamera) {
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     SceneDescription other = session.scene()->scene.description();
     other.materials[0].color = Vec3(0, 1, 0);
@@ -258,7 +246,7 @@ TEST_F(SessionTest, ComparingShowsBothFromTheSameCamera) {
 
 TEST_F(SessionTest, PickingFindsWhatStandsThere) {
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     const auto found = session.pick(24, 18);
     ASSERT_TRUE(found);
@@ -273,7 +261,7 @@ TEST_F(SessionTest, PickingFindsWhatStandsThere) {
 TEST_F(SessionTest, APictureComesForEveryMovementWhileTheCameraNeverRests) {
     SceneDescription large;
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     std::uint64_t seen = 0;
     for (int i = 0; i < 30; ++i)
@@ -288,12 +276,12 @@ TEST_F(SessionTest, APictureComesForEveryMovementWhileTheCameraNeverRests) {
 
 TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
     Session session(options());
-    const std::string path = write("ball.toml", ball);
+    const std::string path = write("ball.toml", ball_text);
     session.open(path);
     ASSERT_TRUE(is_shown(session, 1));
     std::thread saver([&] {
         for (int i = 0; i < 5; ++i) {
-            write("ball.toml", ball + std::string(static_cast<std::size_t>(i), '\n'));
+            write("ball.toml", ball_text + std::string(static_cast<std::size_t>(i), '\n'));
             std::this_thread::sleep_for(std::chrono::milliseconds(60));
         }
     });
@@ -337,7 +325,7 @@ TEST_F(SessionTest, GivingUpAFileLeavesTheSceneBefore) {
     const std::string large = (folder_ / "large.ply").string();
     write_ply(large, kit::sphere_mesh(1, 150));
     Session session(options());
-    session.open(write("ball.toml", ball));
+    session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     session.open(large);
     session.cancel_loading();

@@ -113,7 +113,7 @@ bool drop_file(const std::string& display, const std::string& path) {
     const Window to = taker(party);
     if (to == 0) return false;
     const auto is = [&](const char* what) {
-        return [&party, name = party.atom(what)](const XEvent& event) {
+        return [name = party.atom(what)](const XEvent& event) {
             return event.type == ClientMessage && event.xclient.message_type == name;
         };
     };

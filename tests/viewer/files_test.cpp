@@ -9,7 +9,7 @@
 namespace glint::test {
 namespace {
 
-constexpr const char* ball = R"([render]
+constexpr const char* bare_ball = R"([render]
 size = [200, 150]
 spp = 1
 [material.red]
@@ -55,10 +55,10 @@ TEST_F(Files, ClosesAtOnceWhileItLoadsAMillionTriangles) {
 
 TEST_F(Files, ALongWayInIsShownAndCanBeCancelled) {
     write_grid("grid.ply", 3000, 1500);
-    write("scene.toml", ball);
+    write("scene.toml", bare_ball);
     open("scene.toml", {"--window", "900x600"});
     const std::string before = finished_picture();
-    write("scene.toml", std::string(ball) + "[[mesh]]\nfile = \"grid.ply\"\nmaterial = \"red\"\n");
+    write("scene.toml", std::string(bare_ball) + "[[mesh]]\nfile = \"grid.ply\"\nmaterial = \"red\"\n");
     ASSERT_TRUE(wait_for_widget("button:cancel")) << map().dump(1);
     EXPECT_EQ(state("status"), "loading");
     click("button:cancel");
@@ -66,7 +66,7 @@ TEST_F(Files, ALongWayInIsShownAndCanBeCancelled) {
     EXPECT_FALSE(has("errors")) << state("error");
     EXPECT_EQ(finished_picture(), before) << "the scene as it was";
     // The file is read again when it changes again.
-    std::string text = ball;
+    std::string text = bare_ball;
     write("scene.toml", text.replace(text.find("0.8, 0.1"), 8, "0.1, 0.8"));
     EXPECT_TRUE(wait_until([&] { return state("picture_hash") != before; }));
 }

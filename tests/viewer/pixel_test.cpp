@@ -10,7 +10,7 @@
 namespace glint::test {
 namespace {
 
-constexpr const char* two_balls = R"(version = 1
+constexpr const char* red_balls = R"(version = 1
 [camera]
 eye = [0, -6, 2]
 look_at = [0, 0, 1]
@@ -92,7 +92,7 @@ class PixelInTheWindow : public Screen {
 };
 
 TEST_F(PixelInTheWindow, IsExplainedAgainWhenTheSceneChanges) {
-    open_scene(two_balls);
+    open_scene(red_balls);
     click(spot("picture", 0.63, 0.4));
     const std::string before = color();
     edit_the_red();
@@ -102,7 +102,7 @@ TEST_F(PixelInTheWindow, IsExplainedAgainWhenTheSceneChanges) {
     press("ctrl+z");
     ASSERT_TRUE(wait_for_state("changed", false));
     EXPECT_EQ(color(), before);
-    std::string other = two_balls;
+    std::string other = red_balls;
     other.replace(other.find("intensity = 40"), 14, "intensity = 20");
     write("scene.toml", other);
     EXPECT_TRUE(wait_until([&] { return state("pixel.color") != before; })) << "another file";
@@ -110,7 +110,7 @@ TEST_F(PixelInTheWindow, IsExplainedAgainWhenTheSceneChanges) {
 }
 
 TEST_F(PixelInTheWindow, StaysAsItWasSeenWhileTheCameraMovesAndSaysSo) {
-    open_scene(two_balls);
+    open_scene(red_balls);
     click(spot("picture", 0.63, 0.4));
     const std::string before = color();
     EXPECT_EQ(state("pixel.elsewhere"), false);
@@ -126,7 +126,7 @@ TEST_F(PixelInTheWindow, StaysAsItWasSeenWhileTheCameraMovesAndSaysSo) {
 }
 
 TEST_F(PixelInTheWindow, ItsCommandCarriesEverything) {
-    open_scene(two_balls, {"-D", "material.floor.color=[0.5, 0.3, 0.2]", "-D", "render.spp=3"},
+    open_scene(red_balls, {"-D", "material.floor.color=[0.5, 0.3, 0.2]", "-D", "render.spp=3"},
                "it's a scene.toml");
     drag(spot("picture"), spot("picture", 0.6, 0.45));
     wheel(spot("picture"), 1);
@@ -138,7 +138,7 @@ TEST_F(PixelInTheWindow, ItsCommandCarriesEverything) {
 }
 
 TEST_F(PixelInTheWindow, ItsCommandCarriesTheFrame) {
-    open_scene(std::string(two_balls) + R"([[animate]]
+    open_scene(std::string(red_balls) + R"([[animate]]
 key = "sphere.right.center"
 frames = [0, 20]
 values = [[1, 0, 1], [1, 0, 3]]
@@ -158,7 +158,7 @@ values = [[1, 0, 1], [1, 0, 3]]
 }
 
 TEST_F(PixelInTheWindow, BelongsToThePictureUnderTheMouse) {
-    open_scene(two_balls);
+    open_scene(red_balls);
     press("k");
     ASSERT_TRUE(wait_for_state("kept", true));
     click(spot("picture", 0.35, 0.4));
@@ -193,7 +193,7 @@ TEST_F(PixelInTheWindow, BelongsToThePictureUnderTheMouse) {
 }
 
 TEST_F(PixelInTheWindow, TakesNoTimeFromClosing) {
-    std::string many = two_balls;
+    std::string many = red_balls;
     many.replace(many.find("spp = 2"), 7, "spp = 4096");
     write("scene.toml", many);
     open("scene.toml", {"--window", "1100x700", "-D", "material.red.transparency=0.7", "-D",
