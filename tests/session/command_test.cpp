@@ -103,7 +103,8 @@ TEST_F(ExplainCommandTest, CarriesTheFrameButNotWhatMovesThere) {
 
 TEST_F(ExplainCommandTest, SaysWhenTheFileIsAnother) {
     const ShownFile before = shown({"sphere.ball.radius=2"});
-    std::ofstream(file()) << moving_ball.substr(0, moving_ball.find("[[animate]]")) << "[[light]]\ntype = \"ambient\"\n";
+    std::ofstream(file()) << moving_ball.substr(0, moving_ball.find("[[animate]]"))
+                          << "[[light]]\ntype = \"ambient\"\n";
     EXPECT_NE(checked(before).lacks, "");
     fs::remove(file());
     EXPECT_NE(checked(before).lacks, "");
