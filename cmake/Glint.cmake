@@ -17,6 +17,9 @@ target_compile_options(glint_flags INTERFACE
 # clang's, and wrong ones.
 target_compile_options(glint_flags INTERFACE
     $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>>)
+# In a unity build g++ takes the sources for headers, in which a type of one's own would be a fault.
+target_compile_options(glint_flags INTERFACE
+    "$<BUILD_INTERFACE:$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>>")
 target_include_directories(glint_flags INTERFACE
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 set(glint_definitions GLM_FORCE_PURE GLM_FORCE_XYZW_ONLY GLM_FORCE_SILENT_WARNINGS)
