@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <stdexcept>
 
 namespace glint::bench {
@@ -22,7 +23,7 @@ std::string read_all(int descriptor) {
 } // namespace
 
 std::string run_self(const std::vector<std::string>& arguments) {
-    std::vector<std::string> words{"glint-bench"};
+    std::vector<std::string> words{program_invocation_short_name};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -44,7 +45,7 @@ std::string run_self(const std::vector<std::string>& arguments) {
     int status = 0;
     waitpid(child, &status, 0);
     if (status != 0) {
-        std::string message = "this failed: glint-bench";
+        std::string message = "this failed: " + std::string(program_invocation_short_name);
         for (const std::string& word : arguments) message += " " + word;
         throw std::runtime_error(message);
     }

@@ -1,6 +1,7 @@
 // Files are read part by part where they are as most are. Whatever the bytes, that gives what reading them
 // from memory gives, the error's text included.
 
+#include "formats/ply_plain.h"
 #include "ply_files.h"
 
 #include <cmath>
@@ -97,6 +98,20 @@ bool expect_same(const TemporaryFile& file, const std::string& bytes) {
     EXPECT_TRUE(same_bytes(a.triangles, b.triangles));
     EXPECT_EQ(parts.loaded.warnings.size(), whole.loaded.warnings.size());
     return true;
+}
+
+TEST(PlyPlain, UsualFilesNeedNoOtherReader) {
+    const std::string file = rich_file(5);
+    const auto bytes = std::as_bytes(std::span(file));
+    const ply::Source source(bytes, "rich.ply");
+    const ply::Header header = ply::parse_header(source);
+    auto body = ply::PlainBody::begin(header, ply::understand(source, header), bytes.size());
+    ASSERT_TRUE(body);
+    EXPECT_EQ(body->take(bytes.subspan(header.body)), bytes.size() - header.body);
+    EXPECT_TRUE(body->complete());
+    const Mesh mesh = body->finish().mesh;
+    EXPECT_EQ(mesh.positions.size(), 25u);
+    EXPECT_EQ(mesh.triangles.size(), 32u);
 }
 
 TEST(PlyPlain, FilesOfManyPartsAreReadAsFromMemory) {

@@ -93,21 +93,6 @@ class WindowOnTheGpu : public Screen {
         return read_picture(file).image;
     }
 
-    /// How many values of a picture are not what the window shows there, among every seventh pixel.
-    int wrong_on_screen(const Image& file) {
-        const Image screen = screenshot();
-        const nlohmann::json area = map()["widgets"]["picture"];
-        int wrong = 0;
-        for (int y = 0; y < file.height; y += 7)
-            for (int x = 0; x < file.width; x += 7) {
-                const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
-                const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
-                const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
-                for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
-            }
-        return wrong;
-    }
-
     void expect_no_complaint() {
         EXPECT_EQ(state("opengl.complaints"), 0);
         EXPECT_GE(seconds_to_close(), 0);

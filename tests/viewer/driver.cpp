@@ -164,6 +164,20 @@ void Screen::wheel(const Spot& where, int notches) const {
             " " + button);
 }
 
+int Screen::wrong_on_screen(const Image& file) {
+    const Image screen = screenshot();
+    const nlohmann::json area = map()["widgets"]["picture"];
+    int wrong = 0;
+    for (int y = 0; y < file.height; y += 7)
+        for (int x = 0; x < file.width; x += 7) {
+            const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
+            const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
+            const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
+            for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
+        }
+    return wrong;
+}
+
 Image Screen::screenshot() {
     press("F12");
     std::string name;

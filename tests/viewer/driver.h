@@ -56,6 +56,8 @@ class Screen : public testing::Test {
     void wheel(const Spot& at, int notches) const;
     /// The pixels of the whole window, by its own F12.
     Image screenshot();
+    /// How many values of a picture are not what the window shows there, among every seventh pixel.
+    int wrong_on_screen(const Image& file);
 
     /// Asks the window to close by its key and returns the seconds until the program ended; −1: it did not.
     double seconds_to_close();

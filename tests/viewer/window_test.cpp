@@ -107,18 +107,7 @@ TEST_F(Window, ShowsThePictureThatTheCommandLineRenders) {
     EXPECT_EQ(picture_hash(read_picture(ours).image), picture_hash(read_picture(path("theirs.png")).image));
 
     // And what stands on the screen is that picture.
-    const Image screen = screenshot();
-    const Image file = read_picture(ours).image;
-    const nlohmann::json area = map()["widgets"]["picture"];
-    int wrong = 0;
-    for (int y = 0; y < file.height; y += 7)
-        for (int x = 0; x < file.width; x += 7) {
-            const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
-            const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
-            const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
-            for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
-        }
-    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(wrong_on_screen(read_picture(ours).image), 0);
     EXPECT_GE(seconds_to_close(), 0);
 }
 
