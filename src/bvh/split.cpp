@@ -34,17 +34,29 @@ void Bins::clear(int bins) {
     }
 }
 
+void Bins::add(const Binning& binning, const Ref& ref) {
+    const QuadInts at = binning(ref.middle());
+    const auto add = [&](std::size_t axis, std::int32_t bin) {
+        boxes[axis][static_cast<std::size_t>(bin)].grow(ref.box());
+        ++counts[axis][static_cast<std::size_t>(bin)];
+    };
+    add(0, at[0]);
+    add(1, at[1]);
+    add(2, at[2]);
+}
+
 void Bins::fill(const Binning& binning, const Ref* begin, const Ref* end) {
-    for (const Ref* ref = begin; ref != end; ++ref) {
-        const QuadInts at = binning(ref->middle());
-        const auto add = [&](std::size_t axis, std::int32_t bin) {
-            boxes[axis][static_cast<std::size_t>(bin)].grow(ref->box());
-            ++counts[axis][static_cast<std::size_t>(bin)];
-        };
-        add(0, at[0]);
-        add(1, at[1]);
-        add(2, at[2]);
+    // Neighbours mostly fall into one bin, and would wait for each other: every second has bins of its own.
+    if (end - begin >= 256) {
+        Bins others;
+        others.clear(binning.bins);
+        for (; end - begin >= 2; begin += 2) {
+            add(binning, begin[0]);
+            others.add(binning, begin[1]);
+        }
+        add(others, binning.bins);
     }
+    for (; begin != end; ++begin) add(binning, *begin);
 }
 
 void Bins::add(const Bins& other, int bins) {

@@ -67,6 +67,9 @@ struct Bins {
     void clear(int bins);
     void fill(const Binning& binning, const Ref* begin, const Ref* end);
     void add(const Bins& other, int bins);
+
+  private:
+    void add(const Binning& binning, const Ref& ref);
 };
 
 /// Where a range would be cut, and what that would cost: the sum of area times elements, both sides.
