@@ -1,7 +1,7 @@
 #include "formats/ply_plain.h"
 
-#include "formats/large_pages.h"
 #include "formats/ply_light.h"
+#include "parallel/large_pages.h"
 
 #include <algorithm>
 #include <bit>

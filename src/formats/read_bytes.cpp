@@ -1,7 +1,7 @@
 #include "formats/read_bytes.h"
 
-#include "formats/large_pages.h"
 #include "glint/error.h"
+#include "parallel/large_pages.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

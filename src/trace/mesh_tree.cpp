@@ -4,6 +4,7 @@
 #include "trace/mesh_tree.h"
 
 #include "math/finite.h"
+#include "parallel/large_pages.h"
 #include "trace/mesh_pack.h"
 #include "trace/mesh_subtree.h"
 #include "trace/mesh_top.h"
@@ -144,7 +145,9 @@ class Assembler {
         if ((root & leaf_bit) != 0) start_with_leaf();
         place();
         link();
+        reserve_large(tree_.nodes, nodes_before_.back());
         tree_.nodes.resize(nodes_before_.back());
+        reserve_large(tree_.leaf_words, words_before_.back() + tail_words);
         tree_.leaf_words.resize(words_before_.back() + tail_words);
         pool.run(subtrees_.size(), [&](std::size_t i, int) { write(i); });
     }
@@ -239,6 +242,7 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
     tree.quality = quality;
     const std::size_t limit = room_for(triangles.size(), quality);
     auto refs = std::make_unique_for_overwrite<Ref[]>(limit);
+    prefer_large_pages(refs.get(), limit * sizeof(Ref));
     Range all = fill_refs(positions, triangles, refs.get(), pool);
     tree.left_out = triangles.size() - all.size();
     tree.bounds = all.box.bounds();

@@ -1,4 +1,4 @@
-#include "formats/large_pages.h"
+#include "parallel/large_pages.h"
 
 #include <sys/mman.h>
 
