@@ -40,8 +40,8 @@ struct QuadBox {
 };
 
 /// Half the surface of a box, its coordinates multiplied by `scale`: a power of two that keeps sides and
-/// products finite. Lane 3 is cleared first: small integers there, as Ref has them, are denormal floats, whose
-/// products take some processors a hundred cycles.
+/// products finite. Lane 3 is cleared first: small integers there, as Ref has them, are denormal floats,
+/// whose products take some processors a hundred cycles.
 inline float half_area(const QuadBox& box, float scale) {
     const Quad d = without_last(box.hi) * quad(scale) - without_last(box.lo) * quad(scale);
     return d[0] * d[1] + (d[0] + d[1]) * d[2];

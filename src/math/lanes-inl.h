@@ -24,7 +24,7 @@ namespace lanes {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using RealTag = hn::CappedTag<float, 8>;
+using RealTag = hn::CappedTag<float, 16>;
 using IntegerTag = hn::Rebind<std::int32_t, RealTag>;
 inline constexpr std::size_t lane_count = hn::MaxLanes(RealTag());
 

@@ -16,10 +16,15 @@ struct Flights {
     /// Ray trees grow without end where glass meets glass: what has no room here is followed by recursion.
     static constexpr std::size_t most = 4096;
     /// Flights of one level begin at a multiple of this, which no vector is longer than.
-    static constexpr std::size_t step = 8;
+    static constexpr std::size_t step = 16;
+
+    /// Behind the last flight: what the last vector may touch. And rows shall not begin at one place of a
+    /// page, where processors take a load from one row to wait for the store to another.
+    static constexpr std::size_t gap = 72;
+    static_assert(gap >= step);
 
     template <class T>
-    using Row = std::array<T, most + step>;
+    using Row = std::array<T, most + gap>;
     using Numbers = Row<float>;
     using Vectors = std::array<Numbers, 3>; ///< x, y, z
 

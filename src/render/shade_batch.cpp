@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/shade_batch.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
@@ -312,7 +312,7 @@ namespace glint {
     }
 const std::array<ShadeKernels, kernel_targets> shade_kernels{
     {GLINT_SHADE_KERNELS(HWY_CHOOSE_FALLBACK), GLINT_SHADE_KERNELS(HWY_CHOOSE_SSE4),
-     GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2), GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2)}};
+     GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2), GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX3)}};
 #undef GLINT_SHADE_KERNELS
 
 } // namespace glint

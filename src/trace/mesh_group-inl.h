@@ -57,10 +57,11 @@ struct alignas(64) Group {
     std::uint64_t axis_rays[3]; ///< by dominant axis: the first of the largest, as in ShearedRay
     std::size_t count = 0;
     bool negative[3] = {false, false, false};
-    float pad = 0;          ///< how far boxes are grown on every side: see bvh/traverse.h
-    float grow[3];          ///< ±pad: off the plane met first, and on to the one met last
-    std::size_t near_at[3]; ///< where a node has the planes that these rays meet first, in floats
-    std::size_t far_at[3];  ///< and last
+    bool reaches_back = false; ///< some tmin are negative: rays begin behind their origins
+    float pad = 0;             ///< how far boxes are grown on every side: see bvh/traverse.h
+    float grow[3];             ///< ±pad: off the plane met first, and on to the one met last
+    std::size_t near_at[3];    ///< where a node has the planes that these rays meet first, in floats
+    std::size_t far_at[3];     ///< and last
 
     std::uint64_t all() const {
         return count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
@@ -176,7 +177,7 @@ HWY_INLINE Signs load_tile(Group& group, const Frame& frame, const Ray* rays, st
         const auto near_enough = hn::And(hn::Le(most, hn::Set(df, frame.greatest_length)),
                                          hn::Le(reach, hn::Set(df, frame.greatest_reach)));
         const auto usual =
-            hn::And(hn::And(long_enough, near_enough), hn::And(hn::Eq(sum, sum), hn::Ge(o[3], hn::Zero(df))));
+            hn::And(hn::And(long_enough, near_enough), hn::And(hn::Eq(sum, sum), hn::Eq(o[3], o[3])));
         signs.odd |= std::uint64_t{~bits_of(usual) & lane_mask} << i;
         const auto x_first = hn::Eq(ax, most);
         signs.axis[0] |= std::uint64_t{bits_of(x_first)} << i;
@@ -214,7 +215,9 @@ HWY_INLINE void set_up(Group& group, const Frame& frame) {
     const hn::RebindToUnsigned<decltype(df)> du;
     std::uint64_t first_axis[2] = {0, 0};
     Floats reaches = hn::Zero(df);
+    Floats starts = hn::Zero(df);
     for (std::size_t i = 0; i < group.count; i += lanes) {
+        starts = hn::Min(starts, hn::Load(df, group.tmin + i));
         Floats d[3], inverse[3], size[3];
         for (std::size_t k = 0; k < 3; ++k) {
             d[k] = hn::Load(df, group.direction[k] + i);
@@ -246,6 +249,7 @@ HWY_INLINE void set_up(Group& group, const Frame& frame) {
         hn::Store(hn::Zero(df), df, group.v + i);
         hn::Store(hn::Set(du, no_triangle), du, group.triangle + i);
     }
+    group.reaches_back = bits_of(hn::Lt(starts, hn::Zero(df))) != 0;
     group.axis_rays[0] = first_axis[0];
     group.axis_rays[1] = first_axis[1];
     group.axis_rays[2] = ~(first_axis[0] | first_axis[1]);

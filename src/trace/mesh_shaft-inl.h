@@ -35,14 +35,7 @@ class Shaft {
         const int axis = static_cast<int>(kz);
         start_ = backward_ ? frame.bounds.hi[axis] : frame.bounds.lo[axis];
         leave_ = backward_ ? frame.bounds.lo[axis] : frame.bounds.hi[axis];
-        // Rays that start inside begin there.
-        Floats first = hn::Set(df, backward_ ? -infinity : infinity);
-        for (std::size_t i = 0; i < end_of_rays_; i += lanes) {
-            const Floats o = hn::Load(df, group.origin[kz] + i);
-            first = backward_ ? hn::Max(first, o) : hn::Min(first, o);
-        }
-        start_ = backward_ ? std::min(start_, hn::GetLane(hn::MaxOfLanes(df, first)))
-                           : std::max(start_, hn::GetLane(hn::MinOfLanes(df, first)));
+        if (!group.reaches_back) start_within(group);
         slack_ = 4.0f * group.pad;
         shorten(group);
         bound_sides(group);
@@ -115,6 +108,17 @@ class Shaft {
     const std::size_t kx, ky, kz;
 
   private:
+    /// Rays that start inside the tree begin there.
+    void start_within(const Group& group) {
+        Floats first = hn::Set(df, backward_ ? -infinity : infinity);
+        for (std::size_t i = 0; i < end_of_rays_; i += lanes) {
+            const Floats o = hn::Load(df, group.origin[kz] + i);
+            first = backward_ ? hn::Max(first, o) : hn::Min(first, o);
+        }
+        start_ = backward_ ? std::min(start_, hn::GetLane(hn::MaxOfLanes(df, first)))
+                           : std::max(start_, hn::GetLane(hn::MinOfLanes(df, first)));
+    }
+
     HWY_INLINE Floats low(std::size_t side, Floats at) const {
         return hn::MulAdd(hn::Set(df, low_slope_[side]), at, hn::Set(df, low_base_[side]));
     }
@@ -184,11 +188,15 @@ class Sweep {
             for (std::size_t i = 0; i < group.count; i += lanes) {
                 const Floats o = hn::Load(df, group.origin[axis] + i);
                 const Floats d = hn::Load(df, group.direction[axis] + i);
-                const Floats way = hn::Mul(d, hn::Load(df, group.limit + i));
-                // Without a limit, what stands still would go NaN far.
-                const Floats end = hn::Add(o, hn::IfThenElse(hn::Eq(way, way), way, hn::Zero(df)));
-                least = hn::Min(least, hn::Min(o, end));
-                most = hn::Max(most, hn::Max(o, end));
+                const auto place = [&](Floats t) {
+                    const Floats way = hn::Mul(d, t);
+                    // Without a limit, what stands still would go NaN far.
+                    return hn::Add(o, hn::IfThenElse(hn::Eq(way, way), way, hn::Zero(df)));
+                };
+                const Floats begin = group.reaches_back ? place(hn::Load(df, group.tmin + i)) : o;
+                const Floats end = place(hn::Load(df, group.limit + i));
+                least = hn::Min(least, hn::Min(begin, end));
+                most = hn::Max(most, hn::Max(begin, end));
             }
             // Beyond the tree there is nothing to be told apart, and floats are coarse.
             const float low = hn::GetLane(hn::MinOfLanes(df, least));

@@ -2,10 +2,12 @@
 // fit into a vector.
 
 #include "trace/surface_batch.h"
+#include "trace/reach.h"
 
+#include <cstring>
 #include <limits>
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/surface_batch.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
@@ -155,15 +157,11 @@ HWY_INLINE void meet_plane(const NumberedPlane& numbered, const Lines& line, Sin
 }
 
 template <class Sink>
-HWY_INLINE void meet_quadrics(const WorldData& world, std::size_t first, std::size_t count, const Lines& line,
-                              Sink& sink) {
-    for (std::size_t i = first; i < first + count && !sink.done(); ++i) {
-        const Quadric& quadric = world.quadrics[i];
-        Inside in;
-        if (!in_quadric(world, quadric, line, in)) continue;
-        sink.add(in.met, in.enter, 2.0 * quadric.surface);
-        sink.add(in.met, in.leave, 2.0 * quadric.surface + 1.0);
-    }
+HWY_INLINE void meet_quadric(const WorldData& world, const Quadric& quadric, const Lines& line, Sink& sink) {
+    Inside in;
+    if (!in_quadric(world, quadric, line, in)) return;
+    sink.add(in.met, in.enter, 2.0 * quadric.surface);
+    sink.add(in.met, in.leave, 2.0 * quadric.surface + 1.0);
 }
 
 /// The quadrics whose boxes any of the rays meets, roughly nearest first: neighbours go nearly the same way.
@@ -177,7 +175,8 @@ void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
     while (size > 0 && !sink.done()) {
         const TreeRef at = stack[--size];
         if (at.count > 0) {
-            meet_quadrics(world, at.first, at.count, rays.line, sink);
+            for (std::size_t i = at.first; i < at.first + at.count && !sink.done(); ++i)
+                meet_quadric(world, world.quadrics[i], rays.line, sink);
             continue;
         }
         const TreeNode& node = tree.nodes[at.first];
@@ -193,17 +192,16 @@ void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
     }
 }
 
-/// Quadrics that are tested one after another rather than through their tree.
-constexpr std::size_t few_quadrics = 8;
-
-/// Every plane, and what quadrics lie in the way of one vector of rays.
+/// The planes ahead, and what quadrics lie in the way of one vector of rays.
 template <class Sink>
-void meet_all(const WorldData& world, const Rays& rays, Sink& sink) {
-    for (const NumberedPlane& plane : world.planes) meet_plane(plane, rays.line, sink);
-    if (world.quadrics.size() <= few_quadrics)
-        meet_quadrics(world, 0, world.quadrics.size(), rays.line, sink);
-    else
-        meet_tree(world, rays, sink);
+HWY_INLINE void meet_all(const WorldData& world, const Ahead& ahead, const Rays& rays, Sink& sink) {
+    if (ahead.planes != 0)
+        for (std::size_t i = 0; i < world.planes.size(); ++i)
+            if (Ahead::has(ahead.planes, i)) meet_plane(world.planes[i], rays.line, sink);
+    if (ahead.quadrics == 0) return;
+    if (world.quadrics.size() > few_quadrics) return meet_tree(world, rays, sink);
+    for (std::size_t i = 0; i < world.quadrics.size() && !sink.done(); ++i)
+        if (Ahead::has(ahead.quadrics, i)) meet_quadric(world, world.quadrics[i], rays.line, sink);
 }
 
 std::uint32_t bits_of(Mask mask) {
@@ -212,10 +210,96 @@ std::uint32_t bits_of(Mask mask) {
     return bits[0];
 }
 
-HWY_INLINE std::uint32_t mesh_ahead_of(const TriangleBounds& bounds, const Rays& rays, Doubles limit) {
-    if (bounds.box.empty()) return 0u;
+HWY_INLINE std::uint32_t mesh_ahead_of(const Ahead& ahead, const TriangleBounds& bounds, const Rays& rays,
+                                       Doubles limit) {
+    if (!ahead.triangles) return 0u;
     Doubles enter;
     return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box.lo, bounds.box.hi, limit, enter));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+template <bool ends>
+RayBoxes boxes_of(const Ray* rays, std::size_t count) {
+    RayBoxes boxes;
+    std::for_each(rays, rays + count, [&](const Ray& ray) { boxes.add(ray); });
+    return boxes;
+}
+#else
+/// The least and the greatest of each lane.
+struct Extremes {
+    Halves lo, hi;
+
+    HWY_INLINE Extremes() {
+        lo = hn::Set(halves, std::numeric_limits<float>::infinity());
+        hi = hn::Neg(lo);
+    }
+    HWY_INLINE void grow(Halves x) {
+        lo = hn::Min(x, lo);
+        hi = hn::Max(x, hi);
+    }
+    HWY_INLINE void grow(hn::Mask<decltype(halves)> where, Halves x) {
+        lo = hn::Min(hn::IfThenElse(where, x, lo), lo);
+        hi = hn::Max(hn::IfThenElse(where, x, hi), hi);
+    }
+    /// What the even lanes, or the odd ones, have found.
+    void give(std::size_t odd, int axis, QuadBox& box) const {
+        alignas(64) float least[hn::MaxLanes(halves)], greatest[hn::MaxLanes(halves)];
+        hn::Store(lo, halves, least);
+        hn::Store(hi, halves, greatest);
+        float a = least[odd];
+        float b = greatest[odd];
+        for (std::size_t k = odd; k < hn::MaxLanes(halves); k += 2) {
+            a = std::min(least[k], a);
+            b = std::max(greatest[k], b);
+        }
+        box.lo[axis] = a;
+        box.hi[axis] = b;
+    }
+};
+
+/// Origins in the even lanes, directions in the odd ones, as LoadedRays finds them.
+template <bool ends>
+RayBoxes boxes_of(const Ray* rays, std::size_t count) {
+    Extremes all[4], last[3];
+    for_vectors(rays, count, [&](std::size_t, std::size_t, const Ray* some) {
+        Halves of[4];
+        hn::LoadInterleaved4(halves, &some->origin.x, of[0], of[1], of[2], of[3]);
+        const Halves tmax = hn::DupOdd(of[3]);
+        const auto live = hn::Lt(hn::DupEven(of[3]), tmax);
+        const bool whole = hn::AllTrue(halves, live);
+        for (std::size_t i = 0; i < 4; ++i) whole ? all[i].grow(of[i]) : all[i].grow(live, of[i]);
+        for (std::size_t i = 0; ends && i < 3; ++i) {
+            const Halves end = hn::Add(of[i], hn::Mul(hn::DupOdd(of[i]), tmax));
+            whole ? last[i].grow(end) : last[i].grow(live, end);
+        }
+    });
+    RayBoxes boxes;
+    for (std::size_t i = 0; i < 4; ++i) {
+        all[i].give(0, static_cast<int>(i), boxes.starts);
+        all[i].give(1, static_cast<int>(i), boxes.directions);
+    }
+    for (std::size_t i = 0; ends && i < 3; ++i) last[i].give(0, static_cast<int>(i), boxes.ends);
+    return boxes;
+}
+#endif
+
+/// Hands each vector of rays to use(first, count, rays, ahead), and those of whose batch nothing is ahead to
+/// none(first, count). `ends` says whether the rays' ends are worth knowing.
+template <bool ends, class None, class Use>
+HWY_INLINE void for_vectors_ahead(const WorldData& world, const TriangleBounds& bounds, const Ray* rays,
+                                  std::size_t count, None&& none, Use&& use) {
+    // A square of 8 x 8 pixels: longer batches reach further, shorter ones are weighed too often.
+    constexpr std::size_t batch = 64;
+    for (std::size_t begin = 0; begin < count; begin += batch) {
+        const std::size_t size = std::min(batch, count - begin);
+        const Ahead ahead = ahead_of(world, bounds, boxes_of<ends>(rays + begin, size));
+        if (ahead.nothing())
+            none(begin, size);
+        else
+            for_vectors(rays + begin, size, [&](std::size_t first, std::size_t n, const Ray* some) {
+                use(begin + first, n, Rays(some), ahead);
+            });
+    }
 }
 
 } // namespace
@@ -224,43 +308,55 @@ HWY_INLINE std::uint32_t mesh_ahead_of(const TriangleBounds& bounds, const Rays&
 void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, Hit* hits,
                         std::uint8_t* mesh_ahead) {
     const TriangleBounds bounds = triangle_bounds(world);
-    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
-        Least sink{vector};
-        meet_all(world, vector, sink);
-        const std::uint32_t ahead = mesh_ahead_of(bounds, vector, sink.limit());
-        alignas(64) double t[lanes], root[lanes];
-        hn::Store(sink.t, dd, t);
-        hn::Store(sink.root, dd, root);
-        for (std::size_t k = 0; k < n; ++k) {
-            mesh_ahead[first + k] = ahead >> k & 1u;
-            hits[first + k] = Hit{};
-            if (!(t[k] < std::numeric_limits<double>::infinity())) continue;
-            const auto number = static_cast<std::size_t>(root[k]);
-            const SurfaceName& name = world.surfaces[number / 2];
-            hits[first + k] = {static_cast<float>(t[k]),
-                               static_cast<float>(number % 2),
-                               0.0f,
-                               name.object,
-                               name.prim,
-                               name.kind,
-                               false};
-        }
-    });
+    const auto none = [&](std::size_t first, std::size_t n) {
+        std::fill_n(hits + first, n, Hit{});
+        std::memset(mesh_ahead + first, 0, n);
+    };
+    for_vectors_ahead<false>(world, bounds, rays, count, none,
+                             [&](std::size_t first, std::size_t n, const Rays& vector, const Ahead& ahead) {
+                                 Least sink{vector};
+                                 meet_all(world, ahead, vector, sink);
+                                 const std::uint32_t meshes =
+                                     mesh_ahead_of(ahead, bounds, vector, sink.limit());
+                                 alignas(64) double t[lanes], root[lanes];
+                                 hn::Store(sink.t, dd, t);
+                                 hn::Store(sink.root, dd, root);
+                                 for (std::size_t k = 0; k < n; ++k) {
+                                     mesh_ahead[first + k] = meshes >> k & 1u;
+                                     hits[first + k] = Hit{};
+                                     if (!(t[k] < std::numeric_limits<double>::infinity())) continue;
+                                     const auto number = static_cast<std::size_t>(root[k]);
+                                     const SurfaceName& name = world.surfaces[number / 2];
+                                     hits[first + k] = {static_cast<float>(t[k]),
+                                                        static_cast<float>(number % 2),
+                                                        0.0f,
+                                                        name.object,
+                                                        name.prim,
+                                                        name.kind,
+                                                        false};
+                                 }
+                             });
 }
 
 void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, std::uint8_t* blocked,
                          std::uint8_t* mesh_ahead) {
     const TriangleBounds bounds = triangle_bounds(world);
-    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
-        AnyHit sink{vector};
-        meet_all(world, vector, sink);
-        const std::uint32_t found = bits_of(sink.found);
-        const std::uint32_t ahead = mesh_ahead_of(bounds, vector, sink.limit());
-        for (std::size_t k = 0; k < n; ++k) {
-            blocked[first + k] = found >> k & 1u;
-            mesh_ahead[first + k] = ahead >> k & 1u;
-        }
-    });
+    const auto none = [&](std::size_t first, std::size_t n) {
+        std::memset(blocked + first, 0, n);
+        std::memset(mesh_ahead + first, 0, n);
+    };
+    for_vectors_ahead<true>(world, bounds, rays, count, none,
+                            [&](std::size_t first, std::size_t n, const Rays& vector, const Ahead& ahead) {
+                                AnyHit sink{vector};
+                                meet_all(world, ahead, vector, sink);
+                                const std::uint32_t found = bits_of(sink.found);
+                                const std::uint32_t meshes =
+                                    mesh_ahead_of(ahead, bounds, vector, sink.limit());
+                                for (std::size_t k = 0; k < n; ++k) {
+                                    blocked[first + k] = found >> k & 1u;
+                                    mesh_ahead[first + k] = meshes >> k & 1u;
+                                }
+                            });
 }
 
 } // namespace HWY_NAMESPACE
@@ -274,8 +370,7 @@ const std::array<SurfaceKernels, kernel_targets> surface_kernels{{
     {HWY_CHOOSE_FALLBACK(closest_in_vectors), HWY_CHOOSE_FALLBACK(occluded_in_vectors)},
     {HWY_CHOOSE_SSE4(closest_in_vectors), HWY_CHOOSE_SSE4(occluded_in_vectors)},
     {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
-    // Wider vectors would gain nothing here.
-    {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
+    {HWY_CHOOSE_AVX3(closest_in_vectors), HWY_CHOOSE_AVX3(occluded_in_vectors)},
 }};
 
 } // namespace glint

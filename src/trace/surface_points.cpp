@@ -3,7 +3,9 @@
 
 #include "trace/surface_batch.h"
 
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL)
+#include <algorithm>
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/surface_points.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
@@ -59,7 +61,38 @@ HWY_INLINE Points on_surface(const WorldData& world, std::uint32_t number, const
 }
 
 HWY_INLINE bool same_primitive(const Hit& a, const Hit& b) {
-    return a.object == b.object && a.prim == b.prim && a.kind == b.kind;
+    return ((a.object ^ b.object) | (a.prim ^ b.prim)) == 0 && a.kind == b.kind;
+}
+
+/// Do as many hits as lanes lie on one primitive?
+HWY_INLINE bool same_primitive(const Hit* hits) {
+    std::uint32_t different = 0;
+    for (std::size_t k = 1; k < lanes; ++k)
+        different |= (hits[k].object ^ hits[0].object) | (hits[k].prim ^ hits[0].prim) |
+                     (static_cast<std::uint32_t>(hits[k].kind) ^ static_cast<std::uint32_t>(hits[0].kind));
+    return different == 0;
+}
+
+HWY_INLINE Mask leaving(const Hit* hits) {
+    alignas(64) double root[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) root[k] = double(hits[k].u);
+    return hn::Ne(hn::Load(dd, root), hn::Zero(dd));
+}
+
+/// Surface by surface: `numbers` are those of the hits, no_surface where there is none.
+Points on_surfaces(const WorldData& world, const std::uint32_t* numbers, const Lines& line, Mask leaving) {
+    alignas(64) double number[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) number[k] = double(numbers[k]);
+    const Doubles wanted = hn::Load(dd, number);
+    Points points{line.origin, line.origin, hn::Zero(dd)};
+    for (std::size_t k = 0; k < lanes; ++k) {
+        if (std::find(numbers, numbers + k, numbers[k]) != numbers + k || numbers[k] == no_surface) continue;
+        const Points found = on_surface(world, numbers[k], line, leaving);
+        const Mask same = hn::Eq(wanted, all(number[k]));
+        points = {chosen(same, found.p, points.p), chosen(same, found.n, points.n),
+                  hn::IfThenElse(same, found.slack, points.slack)};
+    }
+    return points;
 }
 
 /// Rounds to float, with half a float's spacing and the slack as the error.
@@ -80,34 +113,30 @@ HWY_INLINE void store(const Points& points, const SurfaceRows& rows, std::size_t
 
 void surfaces_in_vectors(const WorldData& world, const Ray* rays, const Hit* hits, std::size_t count,
                          const SurfaceRows& rows, std::uint8_t* done) {
-    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Rays& vector) {
-        alignas(64) double number[lanes];
-        alignas(64) double root[lanes];
-        // Neighbours mostly hit the same: few searches, and few rounds, one for each of the surfaces hit.
-        const Hit* last = nullptr;
-        std::uint32_t surface = no_surface;
-        for (std::size_t k = 0; k < lanes; ++k) {
-            const Hit& hit = hits[first + std::min(k, n - 1)];
-            if (last == nullptr || !same_primitive(*last, hit)) surface = plain_surface(world, hit);
-            last = &hit;
-            root[k] = double(hit.u);
-            number[k] = double(surface);
-            if (k < n) done[first + k] = surface != no_surface ? 1 : 0;
+    Hit last;
+    std::uint32_t surface = plain_surface(world, last);
+    // Neighbours mostly hit the same.
+    const auto surface_of = [&](const Hit& hit) {
+        if (!same_primitive(hit, last)) surface = plain_surface(world, hit);
+        last = hit;
+        return surface;
+    };
+    for_vectors(rays, count, [&](std::size_t first, std::size_t n, const Ray* some) {
+        const Lines line = LoadedRays(some).line;
+        Hit padded[lanes];
+        const Hit* hit = hits + first;
+        if (n < lanes) {
+            for (std::size_t k = 0; k < lanes; ++k) padded[k] = hit[std::min(k, n - 1)];
+            hit = padded;
         }
-        const Doubles numbers = hn::Load(dd, number);
-        const Mask leaving = hn::Ne(hn::Load(dd, root), hn::Zero(dd));
-        Points points{vector.line.origin, vector.line.origin, hn::Zero(dd)};
-        for (std::size_t k = 0; k < lanes; ++k) {
-            if (!(number[k] < double(no_surface))) continue;
-            const Points found =
-                on_surface(world, static_cast<std::uint32_t>(number[k]), vector.line, leaving);
-            const Mask same = hn::Eq(numbers, all(number[k]));
-            points = {chosen(same, found.p, points.p), chosen(same, found.n, points.n),
-                      hn::IfThenElse(same, found.slack, points.slack)};
-            for (std::size_t i = lanes; i-- > k;)
-                if (number[i] == number[k]) number[i] = double(no_surface);
+        if (same_primitive(hit) && surface_of(*hit) != no_surface) {
+            for (std::size_t k = 0; k < n; ++k) done[first + k] = 1;
+            return store(on_surface(world, surface, line, leaving(hit)), rows, first);
         }
-        store(points, rows, first);
+        std::uint32_t numbers[lanes];
+        for (std::size_t k = 0; k < lanes; ++k) numbers[k] = surface_of(hit[k]);
+        for (std::size_t k = 0; k < n; ++k) done[first + k] = numbers[k] != no_surface ? 1 : 0;
+        store(on_surfaces(world, numbers, line, leaving(hit)), rows, first);
     });
 }
 
@@ -120,7 +149,7 @@ namespace glint {
 
 const std::array<PointKernel, kernel_targets> point_kernels{
     {HWY_CHOOSE_FALLBACK(surfaces_in_vectors), HWY_CHOOSE_SSE4(surfaces_in_vectors),
-     HWY_CHOOSE_AVX2(surfaces_in_vectors), HWY_CHOOSE_AVX2(surfaces_in_vectors)}};
+     HWY_CHOOSE_AVX2(surfaces_in_vectors), HWY_CHOOSE_AVX3(surfaces_in_vectors)}};
 
 } // namespace glint
 #endif

@@ -70,13 +70,47 @@ struct Lines {
     Vec origin, direction;
 };
 
-/// Rays side by side. One that can hit nothing has an empty interval.
-struct Rays {
-    Lines line;
-    Doubles tmin, tmax; ///< a hit has tmin < t, and t < tmax when it is rounded
+#if HWY_TARGET != HWY_SCALAR
+/// Two floats of each ray.
+const hn::Twice<decltype(df)> halves;
+using Halves = hn::Vec<decltype(halves)>;
+#endif
 
-    HWY_INLINE explicit Rays(const Ray* rays) {
-        load(rays);
+/// Rays side by side, as they are.
+struct LoadedRays {
+    Lines line;
+    Doubles tmin, tmax;
+
+#if HWY_TARGET == HWY_SCALAR
+    HWY_INLINE explicit LoadedRays(const Ray* ray) {
+        line = {all(dvec3(ray->origin)), all(dvec3(ray->direction))};
+        tmin = all(double(ray->tmin));
+        tmax = all(double(ray->tmax));
+    }
+#else
+    // Of each ray there are two groups of four numbers: origin and tmin, direction and tmax.
+    HWY_INLINE explicit LoadedRays(const Ray* rays) {
+        Halves x, y, z, t;
+        hn::LoadInterleaved4(halves, &rays->origin.x, x, y, z, t);
+        line = {{first(x), first(y), first(z)}, {second(x), second(y), second(z)}};
+        tmin = first(t);
+        tmax = second(t);
+    }
+
+  private:
+    static HWY_INLINE Doubles first(Halves v) {
+        return hn::PromoteTo(dd, hn::LowerHalf(df, hn::ConcatEven(halves, v, v)));
+    }
+    static HWY_INLINE Doubles second(Halves v) {
+        return hn::PromoteTo(dd, hn::LowerHalf(df, hn::ConcatOdd(halves, v, v)));
+    }
+#endif
+};
+
+/// Rays side by side, to be traced. One that can hit nothing has an empty interval.
+struct Rays : LoadedRays {
+    // A hit has tmin < t, and t < tmax when it is rounded.
+    HWY_INLINE explicit Rays(const Ray* rays) : LoadedRays(rays) {
         // Each product is 0, or NaN where a value is not finite.
         const Doubles zero = hn::Zero(dd);
         const Vec none = line.origin * zero + line.direction * zero;
@@ -86,31 +120,6 @@ struct Rays {
             hn::And(hn::Eq(hn::Add(none.x, hn::Add(none.y, none.z)), zero), hn::Gt(most, zero));
         tmax = hn::IfThenElse(traceable, tmax, all(-std::numeric_limits<double>::infinity()));
     }
-
-  private:
-#if HWY_TARGET == HWY_SCALAR
-    HWY_INLINE void load(const Ray* ray) {
-        line = {all(dvec3(ray->origin)), all(dvec3(ray->direction))};
-        tmin = all(double(ray->tmin));
-        tmax = all(double(ray->tmax));
-    }
-#else
-    // Of each ray there are two groups of four numbers: origin and tmin, direction and tmax.
-    HWY_INLINE void load(const Ray* rays) {
-        hn::Vec<decltype(halves)> x, y, z, t;
-        hn::LoadInterleaved4(halves, &rays->origin.x, x, y, z, t);
-        line = {{first(x), first(y), first(z)}, {second(x), second(y), second(z)}};
-        tmin = first(t);
-        tmax = second(t);
-    }
-    static constexpr hn::Twice<hn::Rebind<float, hn::CappedTag<double, 8>>> halves{};
-    static HWY_INLINE Doubles first(hn::Vec<decltype(halves)> v) {
-        return hn::PromoteTo(dd, hn::LowerHalf(df, hn::ConcatEven(halves, v, v)));
-    }
-    static HWY_INLINE Doubles second(hn::Vec<decltype(halves)> v) {
-        return hn::PromoteTo(dd, hn::LowerHalf(df, hn::ConcatOdd(halves, v, v)));
-    }
-#endif
 };
 
 /// Where lines are inside a convex solid, and which are.
@@ -143,16 +152,15 @@ HWY_INLINE bool in_ball(const Vec& f, const Vec& d, double radius, Inside& in) {
     return true;
 }
 
-/// Hands each vector of rays to `use(first, count, rays)`; the last ray fills what is left of the last
-/// vector.
+/// Calls use(first, count, rays) for each vector of rays; the last ray fills what is left of the last vector.
 template <class Use>
 HWY_INLINE void for_vectors(const Ray* rays, std::size_t count, Use&& use) {
     std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) use(i, lanes, Rays(rays + i));
+    for (; i + lanes <= count; i += lanes) use(i, lanes, rays + i);
     if (i == count) return;
     Ray last[lanes];
     for (std::size_t k = 0; k < lanes; ++k) last[k] = rays[std::min(i + k, count - 1)];
-    use(i, count - i, Rays(last));
+    use(i, count - i, last);
 }
 
 } // namespace

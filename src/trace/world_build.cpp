@@ -82,13 +82,14 @@ std::vector<Quadric> collect_quadrics(const WorldInput& input) {
 }
 
 void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
-    const std::vector<Quadric> quadrics = collect_quadrics(input);
+    std::vector<Quadric> quadrics = collect_quadrics(input);
     std::vector<BoxRef> boxes;
-    for (const Quadric& quadric : quadrics) {
+    for (Quadric& quadric : quadrics) {
         const BoxRef box = box_of(world, quadric, static_cast<std::uint32_t>(boxes.size()));
         if (!is_finite(box.lo) || !is_finite(box.hi))
             throw std::invalid_argument("a quadric has no finite bounds");
         boxes.push_back(box);
+        quadric.box = {box.lo, box.hi};
     }
     world.quadric_tree = build_tree(std::move(boxes), quadrics_a_leaf, pool);
     for (const std::uint32_t id : std::exchange(world.quadric_tree.order, {}))

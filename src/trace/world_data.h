@@ -26,6 +26,7 @@ struct Quadric {
     std::uint32_t prim = 0;
     std::uint32_t surface = 0; ///< index into WorldData::surfaces
     Cylinder shape;            ///< a sphere has base = centre and its radius
+    Bounds box{};              ///< around it, in the world
 
     Sphere sphere() const { return {shape.base, shape.radius}; }
 };

@@ -65,8 +65,8 @@ Triangles ball(uint rings) {
     return s;
 }
 
-/// Parallel and scattered rays, along axes too, short and long, NaN and infinite ones, those without
-/// direction.
+/// Parallel and scattered rays, along axes too, short and long, from before their origins, NaN and infinite
+/// ones, those without direction.
 std::vector<Ray> scattered_rays(uint seed, std::size_t count, float scale) {
     std::vector<Ray> rays;
     for (uint i = 0; i < count; ++i) {
@@ -85,6 +85,8 @@ std::vector<Ray> scattered_rays(uint seed, std::size_t count, float scale) {
         if (i % 128 == 10) ray.tmin = std::numeric_limits<float>::quiet_NaN();
         if (i % 128 == 11) ray.direction *= std::numeric_limits<float>::max();
         if (i % 128 == 12) ray.tmax = -1.0f;
+        if (i % 16 == 13) ray.tmin = -std::numeric_limits<float>::infinity();
+        if (i % 16 == 14) ray.tmin = -0.7f * scale;
         rays.push_back(ray);
     }
     return rays;
@@ -173,6 +175,22 @@ TEST(Kernels, LetNoRayOutOfAClosedBall) {
             for (std::size_t i = 0; i < rays.size(); ++i)
                 if (records[i].triangle == no_triangle || blocked[i] == 0) ++leaks;
             EXPECT_EQ(leaks, 0u) << named.name << ", kernel " << int(named.choice.kernel);
+        }
+    }
+}
+
+TEST(Kernels, FollowTheWholeLineWhereRaysBeginBeforeTheirOrigins) {
+    const Triangles mesh = ball(24);
+    const MeshTree tree = mesh.tree();
+    for (const float tmin : {-std::numeric_limits<float>::infinity(), -1.5f, -0.25f}) {
+        // From within, from beyond the ball, and each way with one ray in 64 that begins at its origin.
+        for (const vec3& from : {vec3(0.25f, -0.125f, 0.0625f), vec3(2.0f, 3.0f, -4.0f)}) {
+            std::vector<Ray> rays = aimed_rays(mesh, from, 5);
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                if (i % 64 != 7) rays[i].tmin = tmin;
+            expect_agreement(tree, rays);
+            for (Ray& ray : rays) ray.origin += ray.direction * 1.25f;
+            expect_agreement(tree, rays);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "describe.h"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace glint::stress {
@@ -40,6 +41,9 @@ class TroubleRays {
             ray.direction *= std::ldexp(1.0f, random_.between(-20, 20));
         else if (random_.one_in(2))
             ray.direction = vec3(glm::normalize(dvec3(ray.direction)));
+        if (random_.one_in(16))
+            ray.tmin = random_.one_in(2) ? -std::numeric_limits<float>::infinity()
+                                         : -static_cast<float>(random_.power_of_ten(-3, 3));
         return ray;
     }
 
