@@ -103,15 +103,19 @@ HWY_INLINE Integers corner_words(const Leaf& leaf, std::size_t first) {
     return hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners) + first));
 }
 
-/// A leaf's vertices, eight at once, in the order of a ray's axes. Lanes beyond the last hold anything.
+/// A leaf's vertices, eight at once, in the order of a ray's axes. Beyond the last, x and y hold anything, and z
+/// is 0: it is multiplied, and triangles' numbers, which may stand there, are denormal floats, whose products take
+/// some processors a hundred cycles.
 struct LeafVectors {
     Floats x[parts], y[parts], z[parts];
 
     HWY_INLINE LeafVectors(const Leaf& leaf, std::size_t kx, std::size_t ky, std::size_t kz) {
         for (std::size_t i = 0; i < parts; ++i) {
-            x[i] = hn::LoadU(df, leaf.axis[kx] + i * lanes);
-            y[i] = hn::LoadU(df, leaf.axis[ky] + i * lanes);
-            z[i] = hn::LoadU(df, leaf.axis[kz] + i * lanes);
+            const std::size_t at = i * lanes;
+            x[i] = hn::LoadU(df, leaf.axis[kx] + at);
+            y[i] = hn::LoadU(df, leaf.axis[ky] + at);
+            z[i] = hn::IfThenElseZero(hn::FirstN(df, leaf.vertices > at ? leaf.vertices - at : 0),
+                                      hn::LoadU(df, leaf.axis[kz] + at));
         }
     }
 };
