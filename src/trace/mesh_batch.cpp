@@ -56,7 +56,7 @@ HWY_INLINE void prefetch(const MeshTree& tree, std::uint32_t code) {
     const char* const at = (code & leaf_bit) != 0
                                ? reinterpret_cast<const char*>(tree.leaf_words.data() + LeafCode{code}.word())
                                : reinterpret_cast<const char*>(tree.nodes.data() + code);
-    for (std::size_t line = 0; line < 192; line += 64) hwy::Prefetch(at + line);
+    for (std::size_t line = 0; line < 256; line += 64) hwy::Prefetch(at + line);
 }
 
 /// Puts the children that rays enter on the stack, the nearest on top.

@@ -53,7 +53,7 @@ HWY_INLINE Floats exit_of(const GrownPlanes& planes, const Floats (&inverse)[3],
 struct Entered {
     std::uint32_t children = 0; ///< a bit for each with a ray
     alignas(32) float key[wide_children];
-    std::uint64_t mask[wide_children]; ///< only of those children
+    alignas(64) std::uint64_t mask[wide_children]; ///< only of those children
 };
 
 /// A bit of each of 64 bytes.
@@ -87,9 +87,14 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 /// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
 template <bool with_keys>
 HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_t mask, Entered& entered) {
-    alignas(64) std::uint8_t rows[group_rays] = {};
     tally(&TraceCounters::ray_nodes, static_cast<std::uint64_t>(std::popcount(mask)));
+#if HWY_TARGET == HWY_AVX3
+    // What a ray enters is a mask of lanes already: it sets the ray's bit in the mask of each child.
+    __m512i masks = _mm512_setzero_si512();
+#else
+    alignas(64) std::uint8_t rows[group_rays] = {};
     std::uint32_t children = 0;
+#endif
     for (std::size_t i = 0; i < 8; i += lanes) {
         const Floats near[3] = {hn::Load(df, node + group.near_at[0] + i),
                                 hn::Load(df, node + group.near_at[1] + i),
@@ -109,17 +114,27 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
             const Floats exit = exit_of(planes, inverse, offset, hn::Set(df, group.limit[r]));
             const auto hit = hn::Le(entry, exit);
             if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
+#if HWY_TARGET == HWY_AVX3
+            const __m512i bit = _mm512_set1_epi64(static_cast<long long>(rest & (0 - rest)));
+            masks = _mm512_mask_or_epi64(masks, hit.raw, masks, bit);
+#else
             const std::uint32_t bits = bits_of(hit) << i;
             children |= bits;
             rows[r] = static_cast<std::uint8_t>(lanes == 8 ? bits : rows[r] | bits);
+#endif
         }
         if (with_keys) hn::Store(key, df, entered.key + i);
     }
+#if HWY_TARGET == HWY_AVX3
+    entered.children = _mm512_test_epi64_mask(masks, masks);
+    _mm512_store_si512(entered.mask, masks);
+#else
     entered.children = children;
     for (; children != 0; children &= children - 1) {
         const auto child = static_cast<std::uint32_t>(std::countr_zero(children));
         entered.mask[child] = column(rows, child);
     }
+#endif
 }
 
 /// The rays that enter one box, of those vectors that have a bit. `with_key` asks for the nearest entry.
