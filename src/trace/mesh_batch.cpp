@@ -79,7 +79,7 @@ HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float k
     std::uint64_t wants = 0;
     for (std::uint64_t rest = vectors_of(mask); rest != 0; rest &= rest - 1) {
         const std::size_t i = first_bit(rest);
-        wants |= std::uint64_t{bits_of(hn::Ge(hn::Load(df, group.limit + i), hn::Set(df, key)))} << i;
+        wants |= std::uint64_t{bits_of(dr, hn::Ge(hn::Load(dr, group.limit + i), hn::Set(dr, key)))} << i;
     }
     return wants & mask;
 }

@@ -23,27 +23,28 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// One vector of each of the six planes, grown by the group's pad.
+template <class V>
 struct GrownPlanes {
-    Floats near[3];
-    Floats far[3];
+    V near[3];
+    V far[3];
 
-    HWY_INLINE GrownPlanes(const Group& group, const Floats (&n)[3], const Floats (&f)[3]) {
+    HWY_INLINE GrownPlanes(const Group& group, const V (&n)[3], const V (&f)[3]) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Floats grow = hn::Set(df, group.grow[axis]);
+            const V grow = hn::Set(hn::DFromV<V>(), group.grow[axis]);
             near[axis] = hn::Sub(n[axis], grow);
             far[axis] = hn::Add(f[axis], grow);
         }
     }
 };
 
-HWY_INLINE Floats entry_of(const GrownPlanes& planes, const Floats (&inverse)[3], const Floats (&offset)[3],
-                           Floats tmin) {
+template <class V>
+HWY_INLINE V entry_of(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3], V tmin) {
     return hn::Max(hn::Max(hn::MulAdd(planes.near[0], inverse[0], offset[0]),
                            hn::MulAdd(planes.near[1], inverse[1], offset[1])),
                    hn::Max(hn::MulAdd(planes.near[2], inverse[2], offset[2]), tmin));
 }
-HWY_INLINE Floats exit_of(const GrownPlanes& planes, const Floats (&inverse)[3], const Floats (&offset)[3],
-                          Floats limit) {
+template <class V>
+HWY_INLINE V exit_of(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3], V limit) {
     return hn::Min(hn::Min(hn::MulAdd(planes.far[0], inverse[0], offset[0]),
                            hn::MulAdd(planes.far[1], inverse[1], offset[1])),
                    hn::Min(hn::MulAdd(planes.far[2], inverse[2], offset[2]), limit));
@@ -102,7 +103,7 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
         const Floats far[3] = {hn::Load(df, node + group.far_at[0] + i),
                                hn::Load(df, node + group.far_at[1] + i),
                                hn::Load(df, node + group.far_at[2] + i)};
-        const GrownPlanes planes(group, near, far);
+        const GrownPlanes<Floats> planes(group, near, far);
         Floats key = hn::Set(df, infinity);
         for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
             const std::size_t r = first_bit(rest);
@@ -141,29 +142,29 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
 template <bool with_key>
 HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const Group& group,
                                    std::uint64_t vectors, float& key) {
-    const Floats near[3] = {hn::Set(df, node[group.near_at[0] + child]),
-                            hn::Set(df, node[group.near_at[1] + child]),
-                            hn::Set(df, node[group.near_at[2] + child])};
-    const Floats far[3] = {hn::Set(df, node[group.far_at[0] + child]),
-                           hn::Set(df, node[group.far_at[1] + child]),
-                           hn::Set(df, node[group.far_at[2] + child])};
-    const GrownPlanes planes(group, near, far);
+    const RayFloats near[3] = {hn::Set(dr, node[group.near_at[0] + child]),
+                               hn::Set(dr, node[group.near_at[1] + child]),
+                               hn::Set(dr, node[group.near_at[2] + child])};
+    const RayFloats far[3] = {hn::Set(dr, node[group.far_at[0] + child]),
+                              hn::Set(dr, node[group.far_at[1] + child]),
+                              hn::Set(dr, node[group.far_at[2] + child])};
+    const GrownPlanes<RayFloats> planes(group, near, far);
     std::uint64_t inside = 0;
-    Floats least = hn::Set(df, infinity);
+    RayFloats least = hn::Set(dr, infinity);
     for (; vectors != 0; vectors &= vectors - 1) {
         const std::size_t i = first_bit(vectors);
         tally(&TraceCounters::boxes, 1);
-        const Floats inverse[3] = {hn::Load(df, group.inverse[0] + i), hn::Load(df, group.inverse[1] + i),
-                                   hn::Load(df, group.inverse[2] + i)};
-        const Floats offset[3] = {hn::Load(df, group.offset[0] + i), hn::Load(df, group.offset[1] + i),
-                                  hn::Load(df, group.offset[2] + i)};
-        const Floats entry = entry_of(planes, inverse, offset, hn::Load(df, group.tmin + i));
-        const Floats exit = exit_of(planes, inverse, offset, hn::Load(df, group.limit + i));
+        const RayFloats inverse[3] = {hn::Load(dr, group.inverse[0] + i), hn::Load(dr, group.inverse[1] + i),
+                                      hn::Load(dr, group.inverse[2] + i)};
+        const RayFloats offset[3] = {hn::Load(dr, group.offset[0] + i), hn::Load(dr, group.offset[1] + i),
+                                     hn::Load(dr, group.offset[2] + i)};
+        const RayFloats entry = entry_of(planes, inverse, offset, hn::Load(dr, group.tmin + i));
+        const RayFloats exit = exit_of(planes, inverse, offset, hn::Load(dr, group.limit + i));
         const auto hit = hn::Le(entry, exit);
-        if (with_key) least = hn::Min(least, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
-        inside |= std::uint64_t{bits_of(hit)} << i;
+        if (with_key) least = hn::Min(least, hn::IfThenElse(hit, entry, hn::Set(dr, infinity)));
+        inside |= std::uint64_t{bits_of(dr, hit)} << i;
     }
-    if (with_key) key = hn::GetLane(hn::MinOfLanes(df, least));
+    if (with_key) key = hn::GetLane(hn::MinOfLanes(dr, least));
     return inside;
 }
 

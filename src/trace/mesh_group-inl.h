@@ -29,6 +29,15 @@ namespace {
 constexpr std::size_t group_rays = 64;
 constexpr std::uint32_t lane_mask = (1u << lanes) - 1u;
 
+/// As many rays of a group as a vector holds, which may be more than the eight boxes of a node.
+const hn::CappedTag<float, 16> dr;
+using RayFloats = hn::Vec<decltype(dr)>;
+constexpr std::size_t ray_lanes = hn::MaxLanes(dr);
+constexpr std::uint32_t ray_lane_mask = (1u << ray_lanes) - 1u;
+
+/// Where the last vector of so many rays ends.
+constexpr std::size_t in_vectors(std::size_t rays) { return (rays + ray_lanes - 1) / ray_lanes * ray_lanes; }
+
 /// Places in a node, in floats.
 constexpr std::size_t low_planes(std::size_t axis) { return axis * wide_children; }
 constexpr std::size_t between_planes = 3 * wide_children;
@@ -36,11 +45,13 @@ static_assert(offsetof(WideNode, lo) == 0 && offsetof(WideNode, hi) == between_p
 
 /// The vectors of a group that hold rays of a mask: a bit at the first place of each.
 HWY_INLINE std::uint64_t vectors_of(std::uint64_t mask) {
-    for (std::size_t i = 1; i < lanes; i *= 2) mask |= mask >> i;
-    return mask & (lanes == 8 ? 0x0101010101010101u : 0x1111111111111111u);
+    for (std::size_t i = 1; i < ray_lanes; i *= 2) mask |= mask >> i;
+    return mask & (ray_lanes == 16  ? 0x0001000100010001u
+                   : ray_lanes == 8 ? 0x0101010101010101u
+                                    : 0x1111111111111111u);
 }
 
-/// Up to 64 rays of one octant, side by side. Places beyond the last repeat it.
+/// Up to 64 rays of one octant, side by side. Places beyond the last, in its vector, repeat it.
 struct alignas(64) Group {
     float origin[3][group_rays];
     float direction[3][group_rays];
@@ -141,7 +152,10 @@ HWY_INLINE void load_four(const Ray* const* rays, std::size_t part, Floats (&out
 static_assert(sizeof(Ray) == 32 && offsetof(Ray, tmin) == 12 && offsetof(Ray, direction) == 16 &&
               offsetof(Ray, tmax) == 28);
 
-HWY_INLINE Floats greatest(Floats x, Floats y, Floats z) { return hn::Max(x, hn::Max(y, z)); }
+template <class V>
+HWY_INLINE V greatest(V x, V y, V z) {
+    return hn::Max(x, hn::Max(y, z));
+}
 
 /// Copies one vector of rays into a group as they are.
 HWY_INLINE void load(Group& group, std::size_t i, const Ray* const (&from)[lanes], Floats (&o)[4],
@@ -160,7 +174,7 @@ HWY_INLINE void load(Group& group, std::size_t i, const Ray* const (&from)[lanes
 HWY_INLINE Signs load_tile(Group& group, const Frame& frame, const Ray* rays, std::size_t count) {
     Signs signs;
     group.count = count;
-    for (std::size_t i = 0; i < count; i += lanes) {
+    for (std::size_t i = 0; i < in_vectors(count); i += lanes) {
         const Ray* from[lanes];
         for (std::size_t k = 0; k < lanes; ++k) from[k] = rays + (i + k < count ? i + k : count - 1);
         Floats o[4], d[4];
@@ -194,7 +208,7 @@ HWY_INLINE Signs load_tile(Group& group, const Frame& frame, const Ray* rays, st
 HWY_INLINE void load_numbered(Group& group, const Ray* rays, const std::uint32_t* numbers,
                               std::size_t count) {
     group.count = count;
-    for (std::size_t i = 0; i < count; i += lanes) {
+    for (std::size_t i = 0; i < in_vectors(count); i += lanes) {
         const Ray* from[lanes];
         for (std::size_t k = 0; k < lanes; ++k) from[k] = rays + numbers[i + k < count ? i + k : count - 1];
         Floats o[4], d[4];
@@ -203,57 +217,58 @@ HWY_INLINE void load_numbered(Group& group, const Ray* rays, const std::uint32_t
 }
 
 /// One float below each, as next_float() steps.
-HWY_INLINE Floats one_below(Floats x) {
-    const auto bits = hn::BitCast(di, x);
-    const auto step = hn::Or(hn::BroadcastSignBit(hn::Not(bits)), hn::Set(di, 1));
-    const auto below_zero = hn::BitCast(df, hn::Set(di, static_cast<std::int32_t>(0x80000001u)));
-    return hn::IfThenElse(hn::Eq(x, hn::Zero(df)), below_zero, hn::BitCast(df, hn::Add(bits, step)));
+HWY_INLINE RayFloats one_below(RayFloats x) {
+    const hn::RebindToSigned<decltype(dr)> dri;
+    const auto bits = hn::BitCast(dri, x);
+    const auto step = hn::Or(hn::BroadcastSignBit(hn::Not(bits)), hn::Set(dri, 1));
+    const auto below_zero = hn::BitCast(dr, hn::Set(dri, static_cast<std::int32_t>(0x80000001u)));
+    return hn::IfThenElse(hn::Eq(x, hn::Zero(dr)), below_zero, hn::BitCast(dr, hn::Add(bits, step)));
 }
 
 /// Completes a loaded group whose rays are of one octant and none of them odd.
 HWY_INLINE void set_up(Group& group, const Frame& frame) {
-    const hn::RebindToUnsigned<decltype(df)> du;
+    const hn::RebindToUnsigned<decltype(dr)> du;
     std::uint64_t first_axis[2] = {0, 0};
-    Floats reaches = hn::Zero(df);
-    Floats starts = hn::Zero(df);
-    for (std::size_t i = 0; i < group.count; i += lanes) {
-        starts = hn::Min(starts, hn::Load(df, group.tmin + i));
-        Floats d[3], inverse[3], size[3];
+    RayFloats reaches = hn::Zero(dr);
+    RayFloats starts = hn::Zero(dr);
+    for (std::size_t i = 0; i < group.count; i += ray_lanes) {
+        starts = hn::Min(starts, hn::Load(dr, group.tmin + i));
+        RayFloats d[3], inverse[3], size[3];
         for (std::size_t k = 0; k < 3; ++k) {
-            d[k] = hn::Load(df, group.direction[k] + i);
+            d[k] = hn::Load(dr, group.direction[k] + i);
             size[k] = hn::Abs(d[k]);
         }
-        const Floats most = greatest(size[0], size[1], size[2]);
-        const Floats least = hn::Mul(most, hn::Set(df, least_direction));
+        const RayFloats most = greatest(size[0], size[1], size[2]);
+        const RayFloats least = hn::Mul(most, hn::Set(dr, least_direction));
         for (std::size_t k = 0; k < 3; ++k) {
-            const Floats o = hn::Load(df, group.origin[k] + i);
+            const RayFloats o = hn::Load(dr, group.origin[k] + i);
             reaches = hn::Max(reaches, hn::Abs(o));
-            inverse[k] = hn::Div(hn::Set(df, 1.0f), hn::CopySignToAbs(hn::Max(size[k], least), d[k]));
-            hn::Store(inverse[k], df, group.inverse[k] + i);
-            hn::Store(hn::Neg(hn::Mul(o, inverse[k])), df, group.offset[k] + i);
+            inverse[k] = hn::Div(hn::Set(dr, 1.0f), hn::CopySignToAbs(hn::Max(size[k], least), d[k]));
+            hn::Store(inverse[k], dr, group.inverse[k] + i);
+            hn::Store(hn::Neg(hn::Mul(o, inverse[k])), dr, group.offset[k] + i);
         }
         const auto x_first = hn::Eq(size[0], most);
         const auto y_first = hn::AndNot(x_first, hn::Eq(size[1], most));
-        const auto cycle = [&](Floats for_x, Floats for_y, Floats for_z) {
+        const auto cycle = [&](RayFloats for_x, RayFloats for_y, RayFloats for_z) {
             return hn::IfThenElse(x_first, for_x, hn::IfThenElse(y_first, for_y, for_z));
         };
-        const Floats dz = cycle(d[0], d[1], d[2]);
-        hn::Store(hn::Div(cycle(d[1], d[2], d[0]), dz), df, group.shear_x + i);
-        hn::Store(hn::Div(cycle(d[2], d[0], d[1]), dz), df, group.shear_y + i);
+        const RayFloats dz = cycle(d[0], d[1], d[2]);
+        hn::Store(hn::Div(cycle(d[1], d[2], d[0]), dz), dr, group.shear_x + i);
+        hn::Store(hn::Div(cycle(d[2], d[0], d[1]), dz), dr, group.shear_y + i);
         // The largest component is never clamped: this is 1/dz.
-        hn::Store(cycle(inverse[0], inverse[1], inverse[2]), df, group.shear_z + i);
-        first_axis[0] |= std::uint64_t{bits_of(x_first)} << i;
-        first_axis[1] |= std::uint64_t{bits_of(y_first)} << i;
-        hn::Store(one_below(hn::Load(df, group.limit + i)), df, group.limit + i);
-        hn::Store(hn::Zero(df), df, group.u + i);
-        hn::Store(hn::Zero(df), df, group.v + i);
+        hn::Store(cycle(inverse[0], inverse[1], inverse[2]), dr, group.shear_z + i);
+        first_axis[0] |= std::uint64_t{bits_of(dr, x_first)} << i;
+        first_axis[1] |= std::uint64_t{bits_of(dr, y_first)} << i;
+        hn::Store(one_below(hn::Load(dr, group.limit + i)), dr, group.limit + i);
+        hn::Store(hn::Zero(dr), dr, group.u + i);
+        hn::Store(hn::Zero(dr), dr, group.v + i);
         hn::Store(hn::Set(du, no_triangle), du, group.triangle + i);
     }
-    group.reaches_back = bits_of(hn::Lt(starts, hn::Zero(df))) != 0;
+    group.reaches_back = bits_of(dr, hn::Lt(starts, hn::Zero(dr))) != 0;
     group.axis_rays[0] = first_axis[0];
     group.axis_rays[1] = first_axis[1];
     group.axis_rays[2] = ~(first_axis[0] | first_axis[1]);
-    group.pad = 0x1p-20f * (hn::GetLane(hn::MaxOfLanes(df, reaches)) + frame.corner);
+    group.pad = 0x1p-20f * (hn::GetLane(hn::MaxOfLanes(dr, reaches)) + frame.corner);
     for (std::size_t k = 0; k < 3; ++k) {
         group.negative[k] = std::signbit(group.direction[k][0]);
         group.grow[k] = group.negative[k] ? -group.pad : group.pad;

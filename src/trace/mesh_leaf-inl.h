@@ -52,8 +52,13 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
 #if HWY_TARGET == HWY_AVX3
     // Left to itself, g++ 12 keeps one byte of the mask in memory and reads four.
     std::uint32_t bits;
-    asm("kmovb %1, %0" : "=r"(bits) : "k"(mask.raw));
-    return hn::MaxLanes(D()) == 8 ? bits : bits & ((1u << hn::MaxLanes(d)) - 1u);
+    if constexpr (hn::MaxLanes(D()) == 16) {
+        asm("kmovw %1, %0" : "=r"(bits) : "k"(mask.raw));
+        return bits;
+    } else {
+        asm("kmovb %1, %0" : "=r"(bits) : "k"(mask.raw));
+        return hn::MaxLanes(D()) == 8 ? bits : bits & ((1u << hn::MaxLanes(d)) - 1u);
+    }
 #elif HWY_TARGET == HWY_AVX2
     if constexpr (hn::MaxLanes(D()) == 8) {
         return static_cast<std::uint32_t>(_mm256_movemask_ps(mask.raw));
@@ -103,9 +108,9 @@ HWY_INLINE Integers corner_words(const Leaf& leaf, std::size_t first) {
     return hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners) + first));
 }
 
-/// A leaf's vertices, eight at once, in the order of a ray's axes. Beyond the last, x and y hold anything, and z
-/// is 0: it is multiplied, and triangles' numbers, which may stand there, are denormal floats, whose products take
-/// some processors a hundred cycles.
+/// A leaf's vertices, eight at once, in the order of a ray's axes. Beyond the last, x and y hold anything,
+/// and z is 0: it is multiplied, and triangles' numbers, which may stand there, are denormal floats, whose
+/// products take some processors a hundred cycles.
 struct LeafVectors {
     Floats x[parts], y[parts], z[parts];
 
@@ -122,10 +127,11 @@ struct LeafVectors {
 
 /// Where three edges' values rule a triangle out, as in surely_outside(): the product of the least and the
 /// greatest is negative, or vanishes, where both signs occur.
-HWY_INLINE Lanes outside(Floats u, Floats v, Floats w) {
-    const Floats least = hn::Min(u, hn::Min(v, w));
-    const Floats most = hn::Max(u, hn::Max(v, w));
-    return hn::Lt(hn::Mul(least, most), hn::Zero(df));
+template <class V>
+HWY_INLINE hn::Mask<hn::DFromV<V>> outside(V u, V v, V w) {
+    const V least = hn::Min(u, hn::Min(v, w));
+    const V most = hn::Max(u, hn::Max(v, w));
+    return hn::Lt(hn::Mul(least, most), hn::Zero(hn::DFromV<V>()));
 }
 HWY_INLINE std::uint32_t not_outside(Floats u, Floats v, Floats w) { return ~bits_of(outside(u, v, w)); }
 

@@ -43,15 +43,15 @@ class Shaft {
 
     /// Moves the far end to the farthest place that any ray still wants.
     void shorten(const Group& group) {
-        Floats most = hn::Set(df, backward_ ? infinity : -infinity);
-        for (std::size_t i = 0; i < end_of_rays_; i += lanes) {
-            const Floats place =
-                hn::MulAdd(hn::Load(df, group.limit + i), hn::Load(df, group.direction[kz] + i),
-                           hn::Load(df, group.origin[kz] + i));
+        RayFloats most = hn::Set(dr, backward_ ? infinity : -infinity);
+        for (std::size_t i = 0; i < end_of_rays_; i += ray_lanes) {
+            const RayFloats place =
+                hn::MulAdd(hn::Load(dr, group.limit + i), hn::Load(dr, group.direction[kz] + i),
+                           hn::Load(dr, group.origin[kz] + i));
             most = backward_ ? hn::Min(most, place) : hn::Max(most, place);
         }
-        end_ = backward_ ? std::max(leave_, hn::GetLane(hn::MinOfLanes(df, most)))
-                         : std::min(leave_, hn::GetLane(hn::MaxOfLanes(df, most)));
+        end_ = backward_ ? std::max(leave_, hn::GetLane(hn::MinOfLanes(dr, most)))
+                         : std::min(leave_, hn::GetLane(hn::MaxOfLanes(dr, most)));
     }
 
     /// The children of a node that the shaft meets, as bits, and where they begin.
@@ -110,13 +110,13 @@ class Shaft {
   private:
     /// Rays that start inside the tree begin there.
     void start_within(const Group& group) {
-        Floats first = hn::Set(df, backward_ ? -infinity : infinity);
-        for (std::size_t i = 0; i < end_of_rays_; i += lanes) {
-            const Floats o = hn::Load(df, group.origin[kz] + i);
+        RayFloats first = hn::Set(dr, backward_ ? -infinity : infinity);
+        for (std::size_t i = 0; i < end_of_rays_; i += ray_lanes) {
+            const RayFloats o = hn::Load(dr, group.origin[kz] + i);
             first = backward_ ? hn::Max(first, o) : hn::Min(first, o);
         }
-        start_ = backward_ ? std::min(start_, hn::GetLane(hn::MaxOfLanes(df, first)))
-                           : std::max(start_, hn::GetLane(hn::MinOfLanes(df, first)));
+        start_ = backward_ ? std::min(start_, hn::GetLane(hn::MaxOfLanes(dr, first)))
+                           : std::max(start_, hn::GetLane(hn::MinOfLanes(dr, first)));
     }
 
     HWY_INLINE Floats low(std::size_t side, Floats at) const {
@@ -150,19 +150,19 @@ class Shaft {
     void reach(const Group& group, std::size_t side, float (&low)[2], float (&high)[2]) const {
         const float* slope = side == 0 ? group.shear_x : group.shear_y;
         const float* origin = group.origin[side == 0 ? kx : ky];
-        const Floats planes[2] = {hn::Set(df, start_), hn::Set(df, end_)};
-        Floats least[2] = {hn::Set(df, infinity), hn::Set(df, infinity)};
-        Floats most[2] = {hn::Set(df, -infinity), hn::Set(df, -infinity)};
-        for (std::size_t i = 0; i < end_of_rays_; i += lanes)
+        const RayFloats planes[2] = {hn::Set(dr, start_), hn::Set(dr, end_)};
+        RayFloats least[2] = {hn::Set(dr, infinity), hn::Set(dr, infinity)};
+        RayFloats most[2] = {hn::Set(dr, -infinity), hn::Set(dr, -infinity)};
+        for (std::size_t i = 0; i < end_of_rays_; i += ray_lanes)
             for (std::size_t at = 0; at < 2; ++at) {
-                const Floats way = hn::Sub(planes[at], hn::Load(df, group.origin[kz] + i));
-                const Floats place = hn::MulAdd(way, hn::Load(df, slope + i), hn::Load(df, origin + i));
+                const RayFloats way = hn::Sub(planes[at], hn::Load(dr, group.origin[kz] + i));
+                const RayFloats place = hn::MulAdd(way, hn::Load(dr, slope + i), hn::Load(dr, origin + i));
                 least[at] = hn::Min(least[at], place);
                 most[at] = hn::Max(most[at], place);
             }
         for (std::size_t at = 0; at < 2; ++at) {
-            low[at] = hn::GetLane(hn::MinOfLanes(df, least[at]));
-            high[at] = hn::GetLane(hn::MaxOfLanes(df, most[at]));
+            low[at] = hn::GetLane(hn::MinOfLanes(dr, least[at]));
+            high[at] = hn::GetLane(hn::MaxOfLanes(dr, most[at]));
         }
     }
 
@@ -183,24 +183,24 @@ class Sweep {
     Sweep(const Group& group, const Frame& frame) {
         const float slack = 4.0f * group.pad;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            Floats least = hn::Set(df, infinity);
-            Floats most = hn::Set(df, -infinity);
-            for (std::size_t i = 0; i < group.count; i += lanes) {
-                const Floats o = hn::Load(df, group.origin[axis] + i);
-                const Floats d = hn::Load(df, group.direction[axis] + i);
-                const auto place = [&](Floats t) {
-                    const Floats way = hn::Mul(d, t);
+            RayFloats least = hn::Set(dr, infinity);
+            RayFloats most = hn::Set(dr, -infinity);
+            for (std::size_t i = 0; i < group.count; i += ray_lanes) {
+                const RayFloats o = hn::Load(dr, group.origin[axis] + i);
+                const RayFloats d = hn::Load(dr, group.direction[axis] + i);
+                const auto place = [&](RayFloats t) {
+                    const RayFloats way = hn::Mul(d, t);
                     // Without a limit, what stands still would go NaN far.
-                    return hn::Add(o, hn::IfThenElse(hn::Eq(way, way), way, hn::Zero(df)));
+                    return hn::Add(o, hn::IfThenElse(hn::Eq(way, way), way, hn::Zero(dr)));
                 };
-                const Floats begin = group.reaches_back ? place(hn::Load(df, group.tmin + i)) : o;
-                const Floats end = place(hn::Load(df, group.limit + i));
+                const RayFloats begin = group.reaches_back ? place(hn::Load(dr, group.tmin + i)) : o;
+                const RayFloats end = place(hn::Load(dr, group.limit + i));
                 least = hn::Min(least, hn::Min(begin, end));
                 most = hn::Max(most, hn::Max(begin, end));
             }
             // Beyond the tree there is nothing to be told apart, and floats are coarse.
-            const float low = hn::GetLane(hn::MinOfLanes(df, least));
-            const float high = hn::GetLane(hn::MaxOfLanes(df, most));
+            const float low = hn::GetLane(hn::MinOfLanes(dr, least));
+            const float high = hn::GetLane(hn::MaxOfLanes(dr, most));
             low_[axis] = low >= frame.bounds.lo[static_cast<int>(axis)] ? low - slack : -infinity;
             high_[axis] = high <= frame.bounds.hi[static_cast<int>(axis)] ? high + slack : infinity;
         }

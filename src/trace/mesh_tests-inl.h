@@ -55,22 +55,22 @@ HWY_INLINE std::uint32_t intersect(const Exact& exact, std::uint32_t triangle, G
 template <bool any>
 HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::uint32_t wanted,
                                      std::uint32_t used, Group& group, std::size_t first) {
-    alignas(32) float x[8][lanes], y[8][lanes], z[8][lanes];
-    const Floats ox = hn::Load(df, group.origin[shaft.kx] + first);
-    const Floats oy = hn::Load(df, group.origin[shaft.ky] + first);
-    const Floats oz = hn::Load(df, group.origin[shaft.kz] + first);
-    const Floats sx = hn::Load(df, group.shear_x + first);
-    const Floats sy = hn::Load(df, group.shear_y + first);
-    const Floats sz = hn::Load(df, group.shear_z + first);
+    alignas(64) float x[8][ray_lanes], y[8][ray_lanes], z[8][ray_lanes];
+    const RayFloats ox = hn::Load(dr, group.origin[shaft.kx] + first);
+    const RayFloats oy = hn::Load(dr, group.origin[shaft.ky] + first);
+    const RayFloats oz = hn::Load(dr, group.origin[shaft.kz] + first);
+    const RayFloats sx = hn::Load(dr, group.shear_x + first);
+    const RayFloats sy = hn::Load(dr, group.shear_y + first);
+    const RayFloats sz = hn::Load(dr, group.shear_z + first);
     const float* const px = leaf.axis[shaft.kx];
     const float* const py = leaf.axis[shaft.ky];
     const float* const pz = leaf.axis[shaft.kz];
     for (; used != 0; used &= used - 1) {
         const std::size_t i = first_bit(used);
-        const Floats vz = hn::Sub(hn::Set(df, pz[i]), oz);
-        hn::Store(hn::Sub(hn::Sub(hn::Set(df, px[i]), ox), hn::Mul(sx, vz)), df, x[i]);
-        hn::Store(hn::Sub(hn::Sub(hn::Set(df, py[i]), oy), hn::Mul(sy, vz)), df, y[i]);
-        hn::Store(hn::Mul(sz, vz), df, z[i]);
+        const RayFloats vz = hn::Sub(hn::Set(dr, pz[i]), oz);
+        hn::Store(hn::Sub(hn::Sub(hn::Set(dr, px[i]), ox), hn::Mul(sx, vz)), dr, x[i]);
+        hn::Store(hn::Sub(hn::Sub(hn::Set(dr, py[i]), oy), hn::Mul(sy, vz)), dr, y[i]);
+        hn::Store(hn::Mul(sz, vz), dr, z[i]);
     }
     std::uint32_t hits = 0;
     for (; wanted != 0; wanted &= wanted - 1) {
@@ -78,15 +78,15 @@ HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::
         tally(&TraceCounters::vectors, 1);
         const std::uint32_t word = leaf.corner_word(i);
         const std::uint32_t ka = word & 7u, kb = word >> 3 & 7u, kc = word >> 6 & 7u;
-        const Floats ax = hn::Load(df, x[ka]), ay = hn::Load(df, y[ka]);
-        const Floats bx = hn::Load(df, x[kb]), by = hn::Load(df, y[kb]);
-        const Floats cx = hn::Load(df, x[kc]), cy = hn::Load(df, y[kc]);
-        const std::uint32_t candidates =
-            not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)), hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
-                        hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax))) &
-            lane_mask;
+        const RayFloats ax = hn::Load(dr, x[ka]), ay = hn::Load(dr, y[ka]);
+        const RayFloats bx = hn::Load(dr, x[kb]), by = hn::Load(dr, y[kb]);
+        const RayFloats cx = hn::Load(dr, x[kc]), cy = hn::Load(dr, y[kc]);
+        const std::uint32_t candidates = ~bits_of(dr, outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)),
+                                                              hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
+                                                              hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)))) &
+                                         ray_lane_mask;
         if (candidates == 0) continue;
-        for (std::size_t h = 0; h < lanes; h += exact_lanes) {
+        for (std::size_t h = 0; h < ray_lanes; h += exact_lanes) {
             if ((candidates >> h & exact_mask) == 0) continue;
             tally(&TraceCounters::exact, 1);
             const auto vertex = [&](std::size_t k) {
@@ -121,7 +121,7 @@ HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Gro
     std::uint64_t sparse = 0;
     for (std::uint64_t rest = vectors_of(mask); rest != 0; rest &= rest - 1) {
         const std::size_t first = first_bit(rest);
-        const auto live = static_cast<std::uint32_t>(mask >> first) & lane_mask;
+        const auto live = static_cast<std::uint32_t>(mask >> first) & ray_lane_mask;
         // A vector costs about as much as three lone rays.
         if (std::popcount(live) <= 2) {
             sparse |= std::uint64_t{live} << first;
