@@ -86,6 +86,8 @@ HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float k
 
 /// Fewer rays than this are not worth a look at the box that they sweep.
 constexpr int least_swept = 16;
+/// What a vector of rays against one box costs, in rays against eight boxes.
+constexpr int vector_price = ray_lanes > lanes ? 2 : 1;
 
 /// The rays that enter each child which the sweep meets, box by box; false where ray by ray is cheaper.
 HWY_INLINE bool enter_swept(const float* node, const Sweep* sweep, const Group& group, std::uint64_t mask,
@@ -94,7 +96,7 @@ HWY_INLINE bool enter_swept(const float* node, const Sweep* sweep, const Group& 
     if (sweep == nullptr || rays < least_swept) return false;
     const std::uint32_t met = sweep->meets(node);
     const std::uint64_t vectors = vectors_of(mask);
-    if (std::popcount(met) * std::popcount(vectors) >= rays) return false;
+    if (vector_price * std::popcount(met) * std::popcount(vectors) >= rays) return false;
     enter_boxes<true>(node, met, group, vectors, mask, entered);
     return true;
 }
