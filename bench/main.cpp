@@ -35,11 +35,19 @@ std::vector<BuildResult> measure_builds(const Model& model, int rounds) {
     return results;
 }
 
+tracing::SimdTarget target_named(const std::string& name) {
+    using tracing::SimdTarget;
+    if (name == "plain") return SimdTarget::plain;
+    if (name == "sse4") return SimdTarget::sse4;
+    if (name == "avx2") return SimdTarget::avx2;
+    return name == "avx512" ? SimdTarget::avx512 : SimdTarget::best;
+}
+
 ModelResult measure(const Model& model, const Options& options) {
     std::cerr << model.name << ": " << model.mesh->triangles.size() << " triangles\n";
     ModelResult result{model.name, model.mesh->triangles.size(), {}, {}};
     const tracing::Mesh mesh = build_ours(model, tracing::BuildQuality::high, 1);
-    std::vector<Peer> peers{our_peer(mesh)};
+    std::vector<Peer> peers{our_peer(mesh, target_named(options.simd))};
     for (const Group group : {Group::embree, Group::robust}) {
         if (group == Group::robust && !options.robust) continue;
         for (Peer& peer : embree_peers(model, group, options.isa)) peers.push_back(std::move(peer));

@@ -42,6 +42,8 @@ Request parse_command_line(int count, const char* const* words) {
     app.add_option("--threads", options.threads, "2: glint on two threads against one, too")
         ->check(CLI::Range(1, 2))
         ->capture_default_str();
+    app.add_option("--simd", options.simd, "let glint use no more than plain, sse4, avx2 or avx512")
+        ->check(CLI::IsMember({"plain", "sse4", "avx2", "avx512"}));
     app.add_option("--embree-isa", options.isa, "let Embree use no more than sse4.2, avx, avx2 or avx512")
         ->check(CLI::IsMember({"sse4.2", "avx", "avx2", "avx512"}));
     app.add_flag("!--no-robust", options.robust, "leave Embree's robust scenes out");

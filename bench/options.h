@@ -14,7 +14,8 @@ struct Options {
     JobOptions jobs;
     int rounds = 9;
     int threads = 1;
-    std::string isa; ///< what Embree may use, as "avx2"; empty: all that the machine has
+    std::string simd; ///< what glint may use, as "avx2"; empty: all that the machine has
+    std::string isa;  ///< what Embree may use, likewise
     bool robust = true;
     bool builds = true;
     std::string json; ///< file; empty: none

@@ -22,7 +22,9 @@ tracing::Mesh build_ours(const Model& model, tracing::BuildQuality quality, int 
             {quality, threads}};
 }
 
-Peer our_peer(const tracing::Mesh& mesh) { return way("glint", mesh, {}); }
+Peer our_peer(const tracing::Mesh& mesh, tracing::SimdTarget target) {
+    return way("glint", mesh, {tracing::Kernel::automatic, target});
+}
 
 std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh) {
     using tracing::Kernel;

@@ -31,7 +31,7 @@ struct Peer {
 
 tracing::Mesh build_ours(const Model& model, tracing::BuildQuality quality, int threads);
 
-Peer our_peer(const tracing::Mesh& mesh);
+Peer our_peer(const tracing::Mesh& mesh, tracing::SimdTarget target = tracing::SimdTarget::best);
 
 /// The other ways to the same answers, to be compared bit by bit and not measured: each kernel, each SIMD
 /// target that the machine has, and a tree of the other quality.

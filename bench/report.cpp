@@ -114,8 +114,9 @@ std::string tables(const Report& report) {
     const bool peers = has_group(report, Group::embree);
     if (has_sets(report)) {
         text += fmt::format("Mrays a CPU second, one thread, {} × {} pixels, {} rays a call (frame: 64), "
-                            "medians of {} rounds{}:\n\n",
+                            "medians of {} rounds{}{}:\n\n",
                             options.jobs.size, options.jobs.size, options.jobs.batch, options.rounds,
+                            options.simd.empty() ? "" : "; glint with no more than " + options.simd,
                             peers ? "; against " + embree_version() + ", HIGH" +
                                         (options.isa.empty() ? "" : ", no more than " + options.isa)
                                   : "");

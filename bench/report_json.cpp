@@ -52,6 +52,7 @@ Json build_json(const ModelResult& model, std::size_t builder) {
 std::string json(const Report& report) {
     Json json{{"machine", machine()},
               {"peer", embree_version()},
+              {"simd", report.options.simd},
               {"embree_isa", report.options.isa},
               {"size", report.options.jobs.size},
               {"batch", report.options.jobs.batch},

@@ -1,0 +1,137 @@
+// glint-bench-picture-rays: the rays of a picture alone. All that its samples send, as the explanation of
+// each pixel tells, in the batches that the renderer makes of them, traced once more without shading.
+
+#include "rounds.h"
+
+#include "glint/formats.h"
+#include "render/samples.h"
+#include "render/whitted.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glint::bench {
+namespace {
+
+/// Side of the squares of pixels that are traced together.
+constexpr int block = 16;
+
+struct Batch {
+    bool any = false; ///< shadow rays: anything in the way counts
+    std::vector<glint::Ray> rays;
+};
+
+/// The batches of one square: level by level of bounces the rays, and light by light their shadow rays.
+class Square {
+  public:
+    explicit Square(const FrozenScene& scene) : scene_(scene) {}
+
+    void add(const RayTree& tree) {
+        for (const RayNode& node : tree.nodes) {
+            glint::Ray ray;
+            ray.origin = node.origin;
+            ray.direction = node.direction;
+            batches_[{node.depth, -1}].rays.push_back(ray);
+            for (std::size_t i = 0; i < node.shadows.size(); ++i)
+                if (node.shadows[i].asked) add(node.depth, static_cast<int>(i), node.shadows[i]);
+        }
+    }
+    void move_to(std::vector<Batch>& all) {
+        for (auto& [place, batch] : batches_) all.push_back(std::move(batch));
+        batches_.clear();
+    }
+
+  private:
+    void add(int depth, int light, const ShadowNode& shadow) {
+        glint::Ray ray;
+        ray.origin = shadow.origin;
+        ray.direction = shadow.direction;
+        if (scene_.lights[static_cast<std::size_t>(light)].kind != LightKind::directional) ray.tmax = 1.0f;
+        Batch& batch = batches_[{depth, light}];
+        batch.any = true;
+        batch.rays.push_back(ray);
+    }
+
+    const FrozenScene& scene_;
+    std::map<std::pair<int, int>, Batch> batches_; ///< by depth and light
+};
+
+std::vector<Batch> batches_of(const FrozenScene& scene) {
+    const RenderSettings& settings = scene.description.render;
+    const SamplePlaces places(scene.description);
+    WhittedTracer tracer(scene);
+    Square square(scene);
+    std::vector<Batch> all;
+    for (int y = 0; y < settings.height; y += block)
+        for (int x = 0; x < settings.width; x += block) {
+            for (std::uint32_t i = 0; i < block * block; ++i) {
+                const int px = x + morton_x(i);
+                const int py = y + morton_y(i);
+                if (px >= settings.width || py >= settings.height) continue;
+                Sample sample;
+                places.aim_at_centre(px, py, sample);
+                RayTree tree;
+                tracer.trace(sample.origin, sample.direction, &tree);
+                square.add(tree);
+            }
+            square.move_to(all);
+        }
+    return all;
+}
+
+double seconds_of(const World& world, const std::vector<Batch>& batches) {
+    World::Scratch scratch;
+    std::vector<glint::Hit> hits(block * block);
+    std::vector<std::uint8_t> blocked(block * block);
+    const double start = thread_seconds();
+    for (const Batch& batch : batches) {
+        const std::size_t count = batch.rays.size();
+        hits.resize(std::max(hits.size(), count));
+        blocked.resize(std::max(blocked.size(), count));
+        if (batch.any)
+            world.occluded(batch.rays, {blocked.data(), count}, glint::RayHint::coherent, scratch, {});
+        else
+            world.closest(batch.rays, {hits.data(), count}, glint::RayHint::coherent, scratch, {});
+    }
+    return thread_seconds() - start;
+}
+
+void run(const std::string& file, int rounds) {
+    FreezeOptions options;
+    options.threads = 1;
+    const Scene scene = freeze(load_scene(file).description, options);
+    if (scene.render_settings().spp != 1) throw std::invalid_argument("the scene needs spp = 1 in [render]");
+    const std::vector<Batch> batches = batches_of(scene.frozen());
+    std::size_t rays = 0;
+    for (const Batch& batch : batches) rays += batch.rays.size();
+    std::vector<double> seconds;
+    for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(scene.frozen().world, batches));
+    fmt::print("{} rays, {:.4f} CPU s\n", rays, median(seconds));
+}
+
+} // namespace
+} // namespace glint::bench
+
+int main(int count, char** words) {
+    const std::vector<std::string> arguments(words + 1, words + count);
+    if (arguments.empty() || arguments.size() > 2 || arguments[0].starts_with('-')) {
+        std::cerr
+            << "usage: glint-bench-picture-rays SCENE [ROUNDS]   (one sample a pixel; the median of 5)\n";
+        return !arguments.empty() && (arguments[0] == "--help" || arguments[0] == "-h") ? 0 : 2;
+    }
+    try {
+        glint::bench::run(arguments[0], arguments.size() == 2 ? std::max(1, std::stoi(arguments[1])) : 5);
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << "glint-bench-picture-rays: " << error.what() << '\n';
+        return 3;
+    }
+}
