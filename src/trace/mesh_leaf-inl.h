@@ -45,6 +45,9 @@ using Lanes = hn::Mask<decltype(df)>;
 constexpr std::size_t lanes = hn::MaxLanes(df);
 /// Vectors that hold eight floats.
 constexpr std::size_t parts = 8 / lanes;
+/// x, y, z, x …: a remainder would be computed by long products.
+constexpr std::size_t axis_after[3] = {1, 2, 0};
+constexpr std::size_t axis_before[3] = {2, 0, 1};
 
 /// A mask's lanes as bits; Highway's own way leads through memory.
 template <class D, class M>

@@ -75,7 +75,7 @@ struct Exact {
 template <bool any>
 HWY_INLINE std::uint64_t test_each(const Leaf& leaf, Group& group, std::size_t kz, std::uint64_t mask,
                                    const LeafVectors& vertices, std::uint32_t wanted) {
-    const std::size_t kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+    const std::size_t kx = axis_after[kz], ky = axis_before[kz];
     std::uint64_t hits = 0;
     for (; mask != 0; mask &= mask - 1) {
         const std::size_t r = first_bit(mask);
@@ -153,7 +153,7 @@ HWY_INLINE std::uint64_t test_pairs(Pairs& pairs, Group& group) {
 template <bool any>
 HWY_INLINE std::uint64_t test_together(const Leaf& leaf, Group& group, std::size_t kz, std::uint64_t mask,
                                        const LeafVectors& vertices, std::uint32_t wanted) {
-    const std::size_t kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+    const std::size_t kx = axis_after[kz], ky = axis_before[kz];
     const Lanes asked = Lanes{static_cast<__mmask8>(wanted)};
     const Integers seven = hn::Set(di, 7);
     // Behind a triangle's corners stands its place in the leaf.

@@ -30,7 +30,7 @@ namespace {
 class Shaft {
   public:
     Shaft(const Group& group, const Frame& frame, std::size_t kz)
-        : kx((kz + 1) % 3), ky((kz + 2) % 3), kz(kz), end_of_rays_(group.count),
+        : kx(axis_after[kz]), ky(axis_before[kz]), kz(kz), end_of_rays_(group.count),
           backward_(group.negative[kz]) {
         const int axis = static_cast<int>(kz);
         start_ = backward_ ? frame.bounds.hi[axis] : frame.bounds.lo[axis];

@@ -139,7 +139,7 @@ HWY_INLINE std::uint64_t test_one_by_one(const Leaf& leaf, Group& group, std::ui
     for (std::size_t kz = 0; kz < 3; ++kz) {
         const std::uint64_t rays = mask & group.axis_rays[kz];
         if (rays == 0) continue;
-        const LeafVectors vertices(leaf, (kz + 1) % 3, (kz + 2) % 3, kz);
+        const LeafVectors vertices(leaf, axis_after[kz], axis_before[kz], kz);
         hits |= test_rays<any>(leaf, group, kz, rays, vertices, leaf.all());
     }
     return hits;

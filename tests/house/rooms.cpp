@@ -18,7 +18,7 @@ const std::vector<Room>& rooms() {
         {"shading", 2, {"math", "geometry", "imaging"}},
         {"scene", 3, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading"}},
         {"render", 4, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
-        {"formats", 4, {"math", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
+        {"formats", 4, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
         {"gpu", 5, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene", "render"}},
     };
     return table;
