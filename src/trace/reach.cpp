@@ -25,11 +25,10 @@ double size_of(const QuadBox& box) {
     return most;
 }
 
-/// The values of normal · p for p in a box, and the largest sum of |products|.
+/// The values of normal · p for p in a box.
 struct Dots {
     double lo = 0;
     double hi = 0;
-    double size = 0;
 
     Dots(const dvec3& normal, const QuadBox& box) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -37,11 +36,8 @@ struct Dots {
             const double b = normal[axis] * double(box.hi[axis]);
             lo += std::min(a, b);
             hi += std::max(a, b);
-            size += std::max(std::abs(a), std::abs(b));
         }
     }
-    bool above(double offset) const { return lo - offset > lost * (size + std::abs(offset)); }
-    bool below(double offset) const { return offset - hi > lost * (size + std::abs(offset)); }
 };
 
 } // namespace
@@ -56,7 +52,8 @@ void RayBoxes::add(const Ray& ray) {
 }
 
 Reach::Reach(const RayBoxes& boxes)
-    : starts_(boxes.starts), directions_(boxes.directions), ends_(boxes.ends), start_size_(size_of(starts_)) {
+    : starts_(boxes.starts), directions_(boxes.directions), ends_(boxes.ends), start_size_(size_of(starts_)),
+      direction_size_(size_of(directions_)) {
     const double end_size = size_of(ends_);
     end_pad_ = 0x1p-20 * (start_size_ + end_size) + 0x1p-140;
     empty_ = starts_.lo[3] > starts_.hi[3];
@@ -68,17 +65,20 @@ Reach::Reach(const RayBoxes& boxes)
 // exact t is outside the interval by far more than its computation loses; the same where all rays lead away.
 bool Reach::misses(const NumberedPlane& numbered) const {
     if (!forward_) return false;
-    const Plane& plane = numbered.plane;
-    const Dots starts(plane.normal, starts_);
-    const bool above = starts.above(plane.offset);
-    if (!above && !starts.below(plane.offset)) return false;
-    const Dots slopes(plane.normal, directions_);
-    if (above ? slopes.above(0.0) : slopes.below(0.0)) return true;
+    const dvec3& normal = numbered.plane.normal;
+    const double offset = numbered.plane.offset;
+    const double length = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+    const double margin = lost * (length * start_size_ + std::abs(offset));
+    const Dots starts(normal, starts_);
+    const bool above = starts.lo - offset > margin;
+    if (!above && !(offset - starts.hi > margin)) return false;
+    const Dots slopes(normal, directions_);
+    const double flat = lost * length * direction_size_;
+    if (above ? slopes.lo > flat : -slopes.hi > flat) return true;
     if (!bounded_) return false;
-    const Dots ends(plane.normal, ends_);
-    const double pad =
-        end_pad_ * (std::abs(plane.normal.x) + std::abs(plane.normal.y) + std::abs(plane.normal.z));
-    return above ? ends.above(plane.offset + pad) : ends.below(plane.offset - pad);
+    const Dots ends(normal, ends_);
+    const double pad = length * end_pad_ + lost * std::abs(offset);
+    return above ? ends.lo - offset > pad : offset - ends.hi > pad;
 }
 
 bool Reach::misses(const Bounds& box, float slack) const {

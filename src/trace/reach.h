@@ -39,7 +39,8 @@ class Reach {
     bool passes_by(const Bounds& box, double pad) const;
 
     QuadBox starts_, directions_, ends_;
-    double start_size_;
+    double start_size_; ///< the largest |coordinate|
+    double direction_size_;
     double end_pad_; ///< what `ends_` may have lost by rounding
     bool empty_;
     bool forward_; ///< no tmin is negative
