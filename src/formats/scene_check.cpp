@@ -1,6 +1,7 @@
 #include "formats/scene_check.h"
 
 #include "formats/scene_words.h"
+#include "math/vec.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace glint {
 namespace {
 
 constexpr std::size_t enough_candidates = 2000;
-
-double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // A box around a shape before its transform; empty where the shape is endless or known elsewhere.
 struct Extent {

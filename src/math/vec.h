@@ -10,6 +10,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace glint {
 
 using glm::dmat3;
@@ -23,5 +26,14 @@ using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+
+/// The largest |coordinate|.
+inline double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// The matrix norm that goes with it.
+inline double norm(const dmat3& m) {
+    const dvec3 rows = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]);
+    return std::max({rows.x, rows.y, rows.z});
+}
 
 } // namespace glint

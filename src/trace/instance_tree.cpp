@@ -14,14 +14,6 @@ namespace {
 constexpr double unit = 0x1p-20; ///< 16 u
 constexpr double most_squeezed = 0x1p20;
 
-/// The matrix norm that goes with the largest |coordinate| of vectors.
-double norm(const dmat3& m) {
-    const dvec3 rows = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]);
-    return std::max({rows.x, rows.y, rows.z});
-}
-
-double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 float below(double x) {
     return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
 }

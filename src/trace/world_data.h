@@ -196,8 +196,6 @@ inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
 /// Errors of the arithmetic in double, relative to the largest number in it, with a wide margin.
 inline constexpr double surface_error = 0x1p-45;
 
-inline double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 /// The largest number that a point on it is computed from.
 inline double size_of(const Quadric& quadric) {
     return largest(quadric.shape.base) + quadric.shape.radius + quadric.shape.height;

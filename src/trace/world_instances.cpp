@@ -13,14 +13,6 @@ namespace {
 /// Eight roundings in double and more.
 constexpr double double_error = 0x1p-48;
 
-double largest(const vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// The matrix norm that goes with the largest |coordinate| of vectors.
-double norm(const dmat3& m) {
-    const dvec3 rows = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]);
-    return std::max({rows.x, rows.y, rows.z});
-}
-
 MeshInstance inner(const WorldData& world, const WorldInput::Instance& instance) {
     return {&world.shared_meshes[instance.mesh].tree, dmat3(instance.world_from_mesh),
             dvec3(instance.world_from_mesh[3])};
@@ -42,7 +34,7 @@ WorldInput::Triangles baked(const WorldInput::SharedMesh& mesh, const WorldInput
 double slack_of(const MeshInstance& at, const dmat3& inverse) {
     const Bounds& box = at.mesh->bounds;
     if (box.empty()) return 0;
-    const double reach = std::max(largest(box.lo), largest(box.hi));
+    const double reach = std::max(largest(dvec3(box.lo)), largest(dvec3(box.hi)));
     const double residual = norm(inverse * at.linear - dmat3(1.0));
     const double stretch = norm(at.linear) * norm(inverse);
     const dvec3 t = glm::abs(at.translation);
