@@ -13,7 +13,7 @@
 namespace glint {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float endless = std::numeric_limits<float>::infinity();
 
 dvec3 snapped(Numbers& numbers, double size) {
     // Halves, so that planes pass exactly through points and boxes touch.
@@ -46,7 +46,7 @@ std::vector<Ray> beam(Numbers& numbers, double size, std::size_t count) {
     const dvec3 to = snapped(numbers, size) + dvec3(0.01 * size, 0.0, 0.0);
     const double spread = numbers.below(4) == 0 ? 0.0 : 0.2 * std::abs(numbers()) * size;
     const double narrow = numbers.below(4) == 0 ? 0.0 : 0.2 * std::abs(numbers()) * size;
-    const float tmax = numbers.below(2) == 0 ? 1.0f : (numbers.below(2) == 0 ? infinity : 0.25f);
+    const float tmax = numbers.below(2) == 0 ? 1.0f : (numbers.below(2) == 0 ? endless : 0.25f);
     const bool backward = numbers.below(8) == 0;
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count; ++i) {
@@ -56,21 +56,21 @@ std::vector<Ray> beam(Numbers& numbers, double size, std::size_t count) {
         ray.tmax = tmax;
         if (backward) ray.tmin = -0.5f;
         if (numbers.below(32) == 0) ray.tmax = -1.0f;
-        if (numbers.below(64) == 0) ray.tmax = infinity;
+        if (numbers.below(64) == 0) ray.tmax = endless;
         if (numbers.below(128) == 0) ray.origin.y = std::numeric_limits<float>::quiet_NaN();
-        if (numbers.below(128) == 0) ray.direction.x = -infinity;
+        if (numbers.below(128) == 0) ray.direction.x = -endless;
         if (numbers.below(64) == 0) ray.direction = vec3(0.0f, 0.0f, ray.direction.z);
         rays.push_back(ray);
     }
     return rays;
 }
 
-bool same(const Hit& a, const Hit& b) {
+bool same_hits(const Hit& a, const Hit& b) {
     return a.t == b.t && a.u == b.u && a.v == b.v && a.object == b.object && a.prim == b.prim &&
            a.kind == b.kind && a.on_edge == b.on_edge;
 }
 
-std::vector<SimdTarget> targets() {
+std::vector<SimdTarget> all_targets() {
     std::vector<SimdTarget> all;
     for (const SimdTarget target :
          {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512})
@@ -90,13 +90,13 @@ TEST_P(BatchesOfRays, HitWhatEachRayHitsAlone) {
         const std::vector<Ray> rays = beam(numbers, size, 1 + numbers.below(150));
         std::vector<Hit> hits(rays.size());
         std::vector<std::uint8_t> blocked(rays.size());
-        for (const SimdTarget target : targets()) {
+        for (const SimdTarget target : all_targets()) {
             const KernelChoice choice{Kernel::automatic, target};
             world.closest(rays, hits, RayHint::coherent, scratch, choice);
             world.occluded(rays, blocked, RayHint::coherent, scratch, choice);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const Hit alone = world.closest_brute_force(rays[i]);
-                ASSERT_TRUE(same(hits[i], alone))
+                ASSERT_TRUE(same_hits(hits[i], alone))
                     << "round " << round << ", ray " << i << ", target " << int(target);
                 ASSERT_EQ(blocked[i] != 0, world.occluded_brute_force(rays[i]))
                     << "round " << round << ", ray " << i;
@@ -161,7 +161,7 @@ TEST(Reach, LeavesOutBoxesBesideBehindAndBeyond) {
         EXPECT_FALSE(misses({4, 0.02f, 1}, {5, 1, 2})) << "touched";
         EXPECT_FALSE(misses({-1, -1, 0}, {1, 1, 2})) << "around the start";
         // Without an end, directions alone tell.
-        for (Ray& ray : rays) ray.tmax = infinity;
+        for (Ray& ray : rays) ray.tmax = endless;
     }
 }
 
