@@ -73,7 +73,8 @@ HWY_INLINE bool same_primitive(const Hit* hits) {
     return different == 0;
 }
 
-HWY_INLINE Mask leaving(const Hit* hits) {
+/// Which hits are on their ray's way out.
+HWY_INLINE Mask on_way_out(const Hit* hits) {
     alignas(64) double root[lanes];
     for (std::size_t k = 0; k < lanes; ++k) root[k] = double(hits[k].u);
     return hn::Ne(hn::Load(dd, root), hn::Zero(dd));
@@ -131,12 +132,12 @@ void surfaces_in_vectors(const WorldData& world, const Ray* rays, const Hit* hit
         }
         if (same_primitive(hit) && surface_of(*hit) != no_surface) {
             for (std::size_t k = 0; k < n; ++k) done[first + k] = 1;
-            return store(on_surface(world, surface, line, leaving(hit)), rows, first);
+            return store(on_surface(world, surface, line, on_way_out(hit)), rows, first);
         }
         std::uint32_t numbers[lanes];
         for (std::size_t k = 0; k < lanes; ++k) numbers[k] = surface_of(hit[k]);
         for (std::size_t k = 0; k < n; ++k) done[first + k] = numbers[k] != no_surface ? 1 : 0;
-        store(on_surfaces(world, numbers, line, leaving(hit)), rows, first);
+        store(on_surfaces(world, numbers, line, on_way_out(hit)), rows, first);
     });
 }
 
