@@ -34,7 +34,7 @@ void Bins::clear(int bins) {
     }
 }
 
-void Bins::add(const Binning& binning, const Ref& ref) {
+inline void Bins::add(const Binning& binning, const Ref& ref) {
     const QuadInts at = binning(ref.middle());
     const auto add = [&](std::size_t axis, std::int32_t bin) {
         boxes[axis][static_cast<std::size_t>(bin)].grow(ref.box());
@@ -46,17 +46,15 @@ void Bins::add(const Binning& binning, const Ref& ref) {
 }
 
 void Bins::fill(const Binning& binning, const Ref* begin, const Ref* end) {
-    // Neighbours mostly fall into one bin, and would wait for each other: every second has bins of its own.
-    if (end - begin >= 256) {
-        Bins others;
-        others.clear(binning.bins);
-        for (; end - begin >= 2; begin += 2) {
-            add(binning, begin[0]);
-            others.add(binning, begin[1]);
-        }
-        add(others, binning.bins);
+    // Neighbours mostly fall into one bin, and would wait for each other: four runs take turns.
+    const std::ptrdiff_t part = (end - begin) / 4;
+    for (const Ref* last = begin + part; begin != last; ++begin) {
+        add(binning, begin[0]);
+        add(binning, begin[part]);
+        add(binning, begin[2 * part]);
+        add(binning, begin[3 * part]);
     }
-    for (; begin != end; ++begin) add(binning, *begin);
+    for (begin += 3 * part; begin != end; ++begin) add(binning, *begin);
 }
 
 void Bins::add(const Bins& other, int bins) {
@@ -130,24 +128,67 @@ void share_room(Range& left, Range& right, std::size_t limit, Ref* refs) {
 
 namespace {
 
+/// Which side of a cut a centre is on: by the same arithmetic as in the bins, as what is below the cut's
+/// number is below its bin.
+template <int axis>
+struct SideOf {
+    float lo;
+    float scale;
+    float bound;
+
+    SideOf(const Binning& binning, int bin)
+        : lo(binning.lo[axis]), scale(binning.scale[axis]), bound(static_cast<float>(bin)) {}
+    bool is_left(Quad middle) const { return (middle[axis] - lo) * scale < bound; }
+};
+
+/// Ranges of at most this many references are sorted without branches.
+constexpr std::size_t few = 256;
+
+/// The same as partition(), keeping the order. Which side a reference goes to cannot be foretold, so each is
+/// written to both, and only the right one's end moves.
+template <int axis>
+Ref* partition_few(Ref* begin, Ref* end, SideOf<axis> side, QuadBox& left, QuadBox& right) {
+    const Quad none = quad(std::numeric_limits<float>::infinity());
+    QuadBox left_middles;
+    QuadBox right_middles;
+    std::array<Ref, few> rest;
+    Ref* to_rest = rest.data();
+    Ref* to = begin;
+    for (const Ref* from = begin; from != end; ++from) {
+        const Ref ref = *from;
+        const Quad middle = ref.middle();
+        const bool is_left = side.is_left(middle);
+        const std::int32_t bits = is_left ? -1 : 0;
+        const QuadInts mask{bits, bits, bits, bits};
+        left_middles.grow({mask ? middle : none, mask ? middle : -none});
+        right_middles.grow({mask ? none : middle, mask ? -none : middle});
+        *to = ref;
+        *to_rest = ref;
+        to += is_left ? 1 : 0;
+        to_rest += is_left ? 0 : 1;
+    }
+    std::copy(rest.data(), to_rest, to);
+    left = left_middles;
+    right = right_middles;
+    return to;
+}
+
 /// Sorts [begin, end) to either side of a cut, bounds the centres of both, returns where the right begins.
 template <int axis>
 Ref* partition(Ref* begin, Ref* end, const Binning& binning, int bin, QuadBox& left, QuadBox& right) {
-    // The same arithmetic as in the bins: below the cut's number is below its bin.
-    const float lo = binning.lo[axis];
-    const float scale = binning.scale[axis];
-    const auto bound = static_cast<float>(bin);
+    const SideOf<axis> side(binning, bin);
+    if (static_cast<std::size_t>(end - begin) <= few) return partition_few(begin, end, side, left, right);
     QuadBox left_middles;
     QuadBox right_middles;
     for (;;) {
         for (; begin < end; ++begin) {
             const Quad middle = begin->middle();
-            if (!((middle[axis] - lo) * scale < bound)) break;
+            if (!side.is_left(middle)) break;
             left_middles.grow(middle);
         }
         for (; begin < end; --end) {
             const Quad middle = end[-1].middle();
-            if ((middle[axis] - lo) * scale < bound) break;
+            if (side.is_left(middle)) break;
             right_middles.grow(middle);
         }
         if (begin >= end) break;

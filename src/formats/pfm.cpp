@@ -1,9 +1,9 @@
 #include "formats/picture_codecs.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 namespace glint {
@@ -83,26 +83,18 @@ float float_from_bytes(const std::byte* bytes, bool little_endian) {
 
 } // namespace
 
-std::vector<std::byte> encode_pfm(const Image& image) {
-    const std::string header =
-        "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
-    const std::size_t row_values = 3 * static_cast<std::size_t>(image.width);
-    std::vector<std::byte> bytes(header.size() + 4 * image.pixels.size());
-    for (std::size_t i = 0; i < header.size(); ++i) bytes[i] = static_cast<std::byte>(header[i]);
-
-    for (int y = 0; y < image.height; ++y) {
-        const float* from = image.at(0, y);
-        std::byte* to = bytes.data() + header.size() + 4 * row_values * file_row(y, image.height);
-        if constexpr (std::endian::native == std::endian::little) {
-            std::memcpy(to, from, 4 * row_values);
-            continue;
-        }
-        for (std::size_t i = 0; i < row_values; ++i) {
-            const auto bits = std::bit_cast<std::uint32_t>(from[i]);
-            for (unsigned k = 0; k < 4; ++k) to[4 * i + k] = static_cast<std::byte>(bits >> (8 * k) & 255U);
-        }
+PfmFile::PfmFile(const Image& image)
+    : header_("PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n") {
+    std::span<const std::byte> pixels = std::as_bytes(std::span(image.pixels));
+    if constexpr (std::endian::native != std::endian::little) {
+        turned_.assign(pixels.begin(), pixels.end());
+        for (std::size_t i = 0; i < turned_.size(); i += 4) std::reverse(&turned_[i], &turned_[i] + 4);
+        pixels = turned_;
     }
-    return bytes;
+    const std::size_t row = 3 * sizeof(float) * static_cast<std::size_t>(image.width);
+    pieces_.push_back(std::as_bytes(std::span(header_)));
+    for (int y = 0; y < image.height; ++y)
+        pieces_.push_back(pixels.subspan(row * file_row(y, image.height), row));
 }
 
 LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& name) {

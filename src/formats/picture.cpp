@@ -78,18 +78,6 @@ void check_options(const Image& image, const PictureOptions& options) {
             refuse_arguments("a piece of metadata has no name ('" + value + "')", "name every piece");
 }
 
-std::vector<std::byte> encode(PictureFormat format, const Image& image, const PictureOptions& options) {
-    switch (format) {
-    case PictureFormat::exr:
-        return encode_exr(image, options);
-    case PictureFormat::pfm:
-        return encode_pfm(image);
-    case PictureFormat::png:
-        break;
-    }
-    return encode_png(image, options);
-}
-
 } // namespace
 
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
@@ -119,7 +107,15 @@ void check_picture_target(const std::string& path, bool with_alpha, bool with_la
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options) {
     check_options(image, options);
     check_picture_target(path, !options.alpha.empty(), !options.layers.empty());
-    const std::vector<std::byte> bytes = encode(format_of(path), image, options);
+    switch (format_of(path)) {
+    case PictureFormat::pfm:
+        return write_pieces(path, PfmFile(image).pieces());
+    case PictureFormat::exr:
+        return write_file(path, encode_exr(image, options));
+    case PictureFormat::png:
+        break;
+    }
+    const std::vector<std::byte> bytes = encode_png(image, options);
     if (path == "-")
         write_stdout(bytes);
     else

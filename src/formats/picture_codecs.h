@@ -1,6 +1,7 @@
 #pragma once
-// Between pictures and the bytes of their files, one pair of functions a format; picture.cpp chooses.
+// Between pictures and the bytes of their files, a way in and a way out for each format; picture.cpp chooses.
 
+#include "formats/write_file.h"
 #include "glint/formats.h"
 
 #include <cstddef>
@@ -15,8 +16,21 @@ namespace glint {
 /// The bytes of a whole file. The arguments are those of write_picture(), already checked by it.
 std::vector<std::byte> encode_png(const Image& image, const PictureOptions& options);
 std::vector<std::byte> encode_exr(const Image& image, const PictureOptions& options);
-/// "PF", little endian, rows from the bottom; holds nothing but RGB.
-std::vector<std::byte> encode_pfm(const Image& image);
+
+/// An image as a PFM file: "PF", little endian, rows from the bottom; holds nothing but RGB. Its pieces are
+/// the image's own rows, so the image must stay.
+class PfmFile {
+  public:
+    explicit PfmFile(const Image& image);
+    PfmFile(const PfmFile&) = delete;
+    PfmFile& operator=(const PfmFile&) = delete;
+    Pieces pieces() const { return pieces_; }
+
+  private:
+    std::string header_;
+    std::vector<std::byte> turned_; ///< the pixels, where the machine's floats begin at their other end
+    std::vector<std::span<const std::byte>> pieces_;
+};
 
 /// The picture in the bytes of a whole file; `name` stands for the file in messages. Throws Error(input) for
 /// bytes that are cut, lie or cannot be understood. Memory is taken only as far as the number of bytes can

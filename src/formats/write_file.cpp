@@ -4,8 +4,11 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -85,12 +88,22 @@ class Temporary {
 };
 
 /// 0, or the system's reason.
-int write_all(int fd, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(fd, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
+int write_all(int fd, Pieces pieces) {
+    std::array<iovec, 256> some;
+    std::size_t written = 0; // of the first piece
+    while (!pieces.empty()) {
+        const std::size_t count = std::min(some.size(), pieces.size());
+        for (std::size_t i = 0; i < count; ++i)
+            some[i] = {const_cast<std::byte*>(pieces[i].data()), pieces[i].size()};
+        some[0] = {const_cast<std::byte*>(pieces[0].data()) + written, pieces[0].size() - written};
+        const ssize_t taken = ::writev(fd, some.data(), static_cast<int>(count));
+        if (taken < 0 && errno == EINTR) continue;
+        if (taken < 0) return errno;
+        written += static_cast<std::size_t>(taken);
+        while (!pieces.empty() && written >= pieces[0].size()) {
+            written -= pieces[0].size();
+            pieces = pieces.subspan(1);
+        }
     }
     return 0;
 }
@@ -145,10 +158,10 @@ int open_temporary(const fs::path& folder, fs::path& name) {
     }
 }
 
-void write_in_place(const fs::path& path, const Target& target, std::span<const std::byte> bytes) {
+void write_in_place(const fs::path& path, const Target& target, Pieces pieces) {
     Descriptor file(::open(target.place.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.fd() < 0) fail_at(path, errno);
-    if (const int code = write_all(file.fd(), bytes); code != 0) fail_at(path, code);
+    if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
     if (file.close() != 0) fail_at(path, errno);
 }
 
@@ -170,8 +183,12 @@ void check_writable(const std::string& path) {
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
+    write_pieces(path, Pieces(&bytes, 1));
+}
+
+void write_pieces(const std::string& path, Pieces pieces) {
     const Target target = find_target(path);
-    if (!target.regular) return write_in_place(path, target, bytes);
+    if (!target.regular) return write_in_place(path, target, pieces);
 
     const fs::path folder = folder_of(target.place);
     fs::path name;
@@ -181,7 +198,7 @@ void write_file(const std::string& path, std::span<const std::byte> bytes) {
 
     // The new file takes the permissions of the one it replaces.
     if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail_at(path, errno);
-    if (const int code = write_all(file.fd(), bytes); code != 0) fail_at(path, code);
+    if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
     if (::fsync(file.fd()) != 0 && errno != EINVAL) fail_at(path, errno);
     if (file.close() != 0) fail_at(path, errno);
     if (std::rename(temporary.path().c_str(), target.place.c_str()) != 0) fail_at(path, errno);
@@ -190,7 +207,7 @@ void write_file(const std::string& path, std::span<const std::byte> bytes) {
 }
 
 void write_stdout(std::span<const std::byte> bytes) {
-    if (const int code = write_all(STDOUT_FILENO, bytes); code != 0) fail_at("<stdout>", code);
+    if (const int code = write_all(STDOUT_FILENO, Pieces(&bytes, 1)); code != 0) fail_at("<stdout>", code);
 }
 
 } // namespace glint

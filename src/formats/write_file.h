@@ -11,6 +11,12 @@ namespace glint {
 /// place of a file, no permission. Writes nothing.
 void check_writable(const std::string& path);
 
+/// Pieces of a file, one behind the other.
+using Pieces = std::span<const std::span<const std::byte>>;
+
+/// write_file() of all pieces as one file.
+void write_pieces(const std::string& path, Pieces pieces);
+
 /// Writes all bytes to standard output, unchanged. Throws Error(output).
 void write_stdout(std::span<const std::byte> bytes);
 

@@ -1,6 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <memory_resource>
+#include <new>
+#include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -15,5 +22,69 @@ void reserve_large(std::vector<Value>& values, std::size_t count) {
     values.reserve(count);
     prefer_large_pages(values.data(), values.capacity() * sizeof(Value));
 }
+
+/// Memory in large pages, where a piece is long enough for one.
+class LargePages : public std::pmr::memory_resource {
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override;
+    void do_deallocate(void* at, std::size_t bytes, std::size_t alignment) override;
+    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
+        return dynamic_cast<const LargePages*>(&other) != nullptr;
+    }
+};
+
+/// Puts a vector in large pages. resize() leaves new values of simple types unset.
+template <class Value>
+struct LargePageAllocator {
+    using value_type = Value;
+    using is_always_equal = std::true_type;
+
+    LargePageAllocator() = default;
+    template <class Other>
+    LargePageAllocator(const LargePageAllocator<Other>&) {} // NOLINT(google-explicit-constructor)
+
+    Value* allocate(std::size_t count) {
+        return static_cast<Value*>(LargePages().allocate(count * sizeof(Value), alignof(Value)));
+    }
+    void deallocate(Value* at, std::size_t count) {
+        LargePages().deallocate(at, count * sizeof(Value), alignof(Value));
+    }
+    template <class Made>
+    void construct(Made* at) {
+        ::new (static_cast<void*>(at)) Made;
+    }
+    template <class Made, class... From>
+    void construct(Made* at, From&&... from) {
+        ::new (static_cast<void*>(at)) Made(std::forward<From>(from)...);
+    }
+    bool operator==(const LargePageAllocator&) const = default;
+};
+
+template <class Value>
+using LargeVector = std::vector<Value, LargePageAllocator<Value>>;
+
+/// Arrays that are made one by one and freed all at once, in large pages. For one thread.
+class PageArena {
+  public:
+    /// `expected` bytes in all, about: so much is asked of the system first.
+    explicit PageArena(std::size_t expected) : memory_(std::max<std::size_t>(expected, 1), &pages_) {}
+
+    /// A copy of values of a simple type.
+    template <class Values>
+    auto copy(const Values& values) {
+        using Value = typename Values::value_type;
+        static_assert(std::is_trivially_copyable_v<Value>);
+        auto* const at =
+            static_cast<Value*>(memory_.allocate(values.size() * sizeof(Value), alignof(Value)));
+        std::uninitialized_copy(values.begin(), values.end(), at);
+        return std::span<const Value>(at, values.size());
+    }
+
+    /// Frees all arrays.
+    void clear() { memory_.release(); }
+
+  private:
+    LargePages pages_;
+    std::pmr::monotonic_buffer_resource memory_;
+};
 
 } // namespace glint

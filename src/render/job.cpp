@@ -1,6 +1,7 @@
 #include "glint/render.h"
 
 #include "imaging/film.h"
+#include "parallel/large_pages.h"
 #include "render/aspect.h"
 #include "render/samples.h"
 #include "render/whitted.h"
@@ -23,6 +24,17 @@ double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// A black image, in large pages.
+Image black(int width, int height) {
+    const std::size_t values = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    Image image;
+    image.width = width;
+    image.height = height;
+    reserve_large(image.pixels, values);
+    image.pixels.resize(values);
+    return image;
+}
+
 /// One rendering: tiles over threads, each tile's pixels written by one thread alone.
 class Job {
   public:
@@ -35,9 +47,9 @@ class Job {
             block_pixels_.push_back({morton_x(i), morton_y(i)});
         columns_ = (area_.width + tile_ - 1) / tile_;
         rows_ = (area_.height + tile_ - 1) / tile_;
-        picture_.image = Image(area_.width, area_.height);
+        picture_.image = black(area_.width, area_.height);
         if (options.terms)
-            for (Image& term : picture_.terms) term = Image(area_.width, area_.height);
+            for (Image& term : picture_.terms) term = black(area_.width, area_.height);
         if (options.coverage)
             picture_.coverage.resize(static_cast<std::size_t>(area_.width) *
                                      static_cast<std::size_t>(area_.height));

@@ -2,16 +2,46 @@
 
 #include <stdexcept>
 
-#include <hwy/targets.h>
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
 
 namespace glint {
 namespace {
 
-/// Asked of the machine once, as that may take longer than many rays; a function's static costs one branch.
+/// How many rows of the table the processor and the system have the instructions for, as Highway assumes them
+/// for its targets. Highway can tell as well, but its library measures the clock for milliseconds when it is
+/// loaded: longer than a small picture takes.
+std::size_t count_rows() {
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+    const auto has_bit = [](unsigned leaf, unsigned bit) {
+        unsigned a = 0, b = 0, c = 0, d = 0;
+        return __get_cpuid(leaf, &a, &b, &c, &d) != 0 && (c & bit) != 0;
+    };
+    const bool sse4 = __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("sse4.1") &&
+                      __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
+                      __builtin_cpu_supports("aes");
+    if (!sse4) return 1;
+    // clang++ 14 does not know the last two by name.
+    const bool avx2 = __builtin_cpu_supports("avx") && __builtin_cpu_supports("avx2") &&
+                      __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+                      __builtin_cpu_supports("fma") && has_bit(0x80000001u, bit_LZCNT) &&
+                      has_bit(1u, bit_F16C);
+    if (!avx2) return 2;
+    const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512cd");
+    return avx512 ? 4 : 3;
+#else
+    return 1;
+#endif
+}
+
+/// Asked of the machine once; a function's static costs one branch.
 bool has(std::size_t row) {
-    constexpr std::int64_t needs[kernel_targets] = {0, HWY_SSE4, HWY_AVX2, HWY_AVX3};
-    static const std::int64_t machine = hwy::SupportedTargets();
-    return batch_kernels[row].closest != nullptr && (machine & needs[row]) == needs[row];
+    static const std::size_t rows = count_rows();
+    return batch_kernels[row].closest != nullptr && row < rows;
 }
 
 /// The table's row of the widest target.

@@ -234,12 +234,23 @@ class Batch {
     void tile(std::size_t at, std::size_t count) {
         const Signs signs = load_tile(group_, frame_, rays_ + at, count);
         const std::uint64_t live = count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-        if ((live & ~signs.alike(0, by_axis_)) == 0 && (signs.odd & live) == 0) {
+        const std::uint64_t odd = signs.odd & live;
+        const std::uint64_t usual = live & ~odd;
+        if (std::popcount(odd) < std::popcount(usual) &&
+            (usual & ~signs.alike(first_bit(usual), by_axis_)) == 0) {
+            // A usual ray stands in for each odd one, so that a few of these leave the others together.
+            for (std::uint64_t r = signs.odd; r != 0; r &= r - 1)
+                stand_in(group_, first_bit(usual), first_bit(r));
             trace_tile(at, count);
-            return;
+        } else {
+            sort(at, usual, signs);
         }
-        for (std::uint64_t odd = signs.odd & live; odd != 0; odd &= odd - 1) trace_lone(at + first_bit(odd));
-        for (std::uint64_t rest = live & ~signs.odd; rest != 0;) {
+        for (std::uint64_t r = odd; r != 0; r &= r - 1) trace_lone(at + first_bit(r));
+    }
+
+    /// Puts rays of a tile in the queues of their classes, and traces those that fill.
+    void sort(std::size_t at, std::uint64_t rays, const Signs& signs) {
+        for (std::uint64_t rest = rays; rest != 0;) {
             const std::size_t first = first_bit(rest);
             Queue& queue = queues_[signs.octant(first) + (by_axis_ ? octants * signs.dominant(first) : 0)];
             const std::uint64_t same = rest & signs.alike(first, by_axis_);

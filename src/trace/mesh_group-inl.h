@@ -102,7 +102,7 @@ constexpr float least_length = 1e-19f;
 struct Signs {
     std::uint64_t negative[3] = {};
     std::uint64_t axis[2] = {}; ///< whether x, or y, is the dominant axis
-    std::uint64_t odd = 0;      ///< rays that groups do not take
+    std::uint64_t odd = 0;      ///< rays that groups do not take, and places that repeat such a ray
 
     /// The rays of the class of ray i. `by_axis` parts octants by dominant axis.
     std::uint64_t alike(std::size_t i, bool by_axis) const {
@@ -214,6 +214,16 @@ HWY_INLINE void load_numbered(Group& group, const Ray* rays, const std::uint32_t
         Floats o[4], d[4];
         load(group, i, from, o, d);
     }
+}
+
+/// Puts a ray that is loaded in another's place too.
+HWY_INLINE void stand_in(Group& group, std::size_t ray, std::size_t place) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        group.origin[k][place] = group.origin[k][ray];
+        group.direction[k][place] = group.direction[k][ray];
+    }
+    group.tmin[place] = group.tmin[ray];
+    group.limit[place] = group.limit[ray];
 }
 
 /// One float below each, as next_float() steps.

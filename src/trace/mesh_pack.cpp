@@ -123,10 +123,10 @@ LeafDraft part_of(const LeafDraft& whole, std::span<const std::uint8_t> triangle
     return part;
 }
 
-std::uint32_t append_leaf(const LeafDraft& leaf, std::vector<std::uint32_t>& words) {
+std::uint32_t append_leaf(const LeafDraft& leaf, LargeVector<std::uint32_t>& words) {
     const std::size_t offset = words.size() / 4;
     if (offset >= most_leaf_blocks) throw_too_many_leaves();
-    words.resize(words.size() + (4 + 3 * leaf.vertices + leaf.triangles + 3) / 4 * 4);
+    words.resize(words.size() + (4 + 3 * leaf.vertices + leaf.triangles + 3) / 4 * 4, 0);
     std::uint32_t* out = words.data() + 4 * offset;
     for (std::size_t i = 0; i < leaf.triangles; ++i) {
         const std::uint8_t* corners = leaf.corners.data() + 3 * i;

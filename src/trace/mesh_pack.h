@@ -53,6 +53,6 @@ LeafDraft part_of(const LeafDraft& whole, std::span<const std::uint8_t> triangle
 
 /// Writes a leaf that fits behind the others; returns its code for a node. Throws std::length_error beyond
 /// what a code can address.
-std::uint32_t append_leaf(const LeafDraft& leaf, std::vector<std::uint32_t>& words);
+std::uint32_t append_leaf(const LeafDraft& leaf, LargeVector<std::uint32_t>& words);
 
 } // namespace glint

@@ -78,7 +78,8 @@ LeafDraft draft_of(const MeshBuild& build, const Ref* refs, std::uint32_t count)
 
 } // namespace
 
-Subtree SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uint32_t root) {
+Subtree SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uint32_t root,
+                            PageArena& arena) {
     build_ = &build;
     nodes_.clear();
     wide_.clear();
@@ -96,8 +97,8 @@ Subtree SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uin
     subtree.root = writer.run();
     subtree.depth = writer.depth();
     subtree.cost = nodes_[0].costs[0];
-    subtree.nodes.assign(wide_.begin(), wide_.end());
-    subtree.words.assign(words_.begin(), words_.end());
+    subtree.nodes = arena.copy(wide_);
+    subtree.words = arena.copy(words_);
     return subtree;
 }
 

@@ -2,6 +2,7 @@
 // Parts of a MeshTree that are built for themselves, each by one thread. Private to this room.
 
 #include "bvh/wide.h"
+#include "parallel/large_pages.h"
 #include "trace/mesh_pack.h"
 #include "trace/mesh_split.h"
 #include "trace/mesh_top.h"
@@ -13,10 +14,10 @@
 
 namespace glint {
 
-/// A part of a tree. Its codes count from its own nodes and words.
+/// A part of a tree, somewhere in an arena. Its codes count from its own nodes and words.
 struct Subtree {
-    std::vector<WideNode> nodes;      ///< none where the root is a leaf
-    std::vector<std::uint32_t> words; ///< of leaves
+    std::span<const WideNode> nodes;      ///< none where the root is a leaf
+    std::span<const std::uint32_t> words; ///< of leaves
     std::uint32_t root = no_child;    ///< node or leaf
     float cost = 0;                   ///< of the root, by areas in the measure of MeshBuild::scale
     int depth = 0;                    ///< nodes on the longest way to a leaf
@@ -27,7 +28,7 @@ struct Subtree {
 template <class Leaf>
 class WideWriter {
   public:
-    WideWriter(std::span<const BinaryNode> tree, std::vector<WideNode>& out, Leaf leaf)
+    WideWriter(std::span<const BinaryNode> tree, LargeVector<WideNode>& out, Leaf leaf)
         : tree_(tree), out_(out), leaf_(leaf) {}
 
     /// Returns the root's code.
@@ -57,7 +58,7 @@ class WideWriter {
     }
 
     std::span<const BinaryNode> tree_;
-    std::vector<WideNode>& out_;
+    LargeVector<WideNode>& out_;
     Leaf leaf_;
     int depth_ = 0;
 };
@@ -65,8 +66,8 @@ class WideWriter {
 /// Builds subtrees one after another in the same scratch memory.
 class SubtreeBuilder {
   public:
-    /// The part of the tree below a node of the top.
-    Subtree run(const MeshBuild& build, const MeshTop& top, std::uint32_t root);
+    /// The part of the tree below a node of the top, put in an arena.
+    Subtree run(const MeshBuild& build, const MeshTop& top, std::uint32_t root, PageArena& arena);
 
   private:
     void inherit(const MeshTop& top, std::uint32_t from, std::uint32_t at);
@@ -79,8 +80,8 @@ class SubtreeBuilder {
 
     const MeshBuild* build_ = nullptr;
     std::vector<BinaryNode> nodes_;
-    std::vector<WideNode> wide_;
-    std::vector<std::uint32_t> words_;
+    LargeVector<WideNode> wide_;
+    LargeVector<std::uint32_t> words_;
     Bins bins_;
 
     // The block being cut: a run of a few references, the place of each in the draft, and its vertices as

@@ -3,6 +3,7 @@
 // to this room.
 
 #include "bvh/wide.h"
+#include "parallel/large_pages.h"
 #include "parallel/task_pool.h"
 #include "trace/mesh_split.h"
 
@@ -17,8 +18,8 @@ inline constexpr std::size_t top_grain = 64;
 /// Binary nodes, parents before children, and the ranges that its leaves stand for: a leaf's `first` is an
 /// index into them.
 struct MeshTop {
-    std::vector<BinaryNode> nodes;
-    std::vector<Range> ranges;
+    LargeVector<BinaryNode> nodes;
+    LargeVector<Range> ranges;
 };
 
 MeshTop build_top(const MeshBuild& build, const Range& root, TaskPool& pool);

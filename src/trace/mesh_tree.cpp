@@ -66,6 +66,8 @@ bool is_sampled(std::size_t part) { return (static_cast<std::uint32_t>(part) * 0
 /// Bytes a triangle that a tree may take: over shared vertices, and else.
 constexpr double budget_shared = 47.5;
 constexpr double budget_apart = 71.5;
+/// And hardly ever more than so many.
+constexpr std::size_t expected_bytes = 48;
 /// How thrifty leaves may have to be for that, see MeshBuild::thrift.
 constexpr std::array<float, 5> thrifts{0.0f, 0.25f, 1.0f, 8.0f, 30000.0f};
 
@@ -75,9 +77,10 @@ class PartBuilder {
     PartBuilder(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
                 TaskPool& pool)
         : build_(build), top_(top), parts_(parts), pool_(pool), subtrees_(parts.size()),
-          builders_(static_cast<std::size_t>(pool.threads())) {}
+          workers_(static_cast<std::size_t>(pool.threads())) {}
 
-    std::vector<Subtree> run() {
+    /// They stay this builder's.
+    std::span<const Subtree> run() {
         std::vector<std::size_t> sample;
         std::vector<std::size_t> others;
         for (std::size_t i = 0; i < parts_.size(); ++i)
@@ -85,14 +88,22 @@ class PartBuilder {
         const bool shared = build_.positions.size() < 2 * build_.triangles.size();
         if (!shared || !fit(sample, budget_shared)) fit(sample, budget_apart);
         grow(others);
-        return std::move(subtrees_);
+        return subtrees_;
     }
 
   private:
+    struct Worker {
+        explicit Worker(std::size_t expected) : arena(expected) {}
+        SubtreeBuilder builder;
+        PageArena arena;
+    };
+
     /// Builds the sample with the least thrift that keeps to a budget; false if none does.
     bool fit(const std::vector<std::size_t>& sample, double budget) {
         for (const float thrift : thrifts) {
             build_.thrift = thrift;
+            for (const auto& worker : workers_)
+                if (worker) worker->arena.clear(); // of what took too much
             grow(sample);
             if (bytes_a_reference(sample) * references_a_triangle() <= budget) return true;
         }
@@ -101,9 +112,10 @@ class PartBuilder {
 
     void grow(const std::vector<std::size_t>& which) {
         pool_.run(which.size(), [&](std::size_t task, int worker) {
-            auto& builder = builders_[static_cast<std::size_t>(worker)];
-            if (!builder) builder = std::make_unique<SubtreeBuilder>();
-            subtrees_[which[task]] = builder->run(build_, top_, parts_[which[task]]);
+            auto& own = workers_[static_cast<std::size_t>(worker)];
+            if (!own)
+                own = std::make_unique<Worker>(expected_bytes * build_.triangles.size() / workers_.size());
+            subtrees_[which[task]] = own->builder.run(build_, top_, parts_[which[task]], own->arena);
         });
     }
 
@@ -127,13 +139,13 @@ class PartBuilder {
     const std::vector<std::uint32_t>& parts_;
     TaskPool& pool_;
     std::vector<Subtree> subtrees_;
-    std::vector<std::unique_ptr<SubtreeBuilder>> builders_; ///< by worker
+    std::vector<std::unique_ptr<Worker>> workers_;
 };
 
 /// Writes the top, then all subtrees behind it.
 class Assembler {
   public:
-    Assembler(MeshTop& top, const std::vector<std::uint32_t>& parts, std::vector<Subtree>& subtrees,
+    Assembler(MeshTop& top, const std::vector<std::uint32_t>& parts, std::span<const Subtree> subtrees,
               MeshTree& tree)
         : top_(top), parts_(parts), subtrees_(subtrees), tree_(tree) {}
 
@@ -145,10 +157,9 @@ class Assembler {
         if ((root & leaf_bit) != 0) start_with_leaf();
         place();
         link();
-        reserve_large(tree_.nodes, nodes_before_.back());
         tree_.nodes.resize(nodes_before_.back());
-        reserve_large(tree_.leaf_words, words_before_.back() + tail_words);
         tree_.leaf_words.resize(words_before_.back() + tail_words);
+        std::fill_n(tree_.leaf_words.end() - tail_words, tail_words, 0u);
         pool.run(subtrees_.size(), [&](std::size_t i, int) { write(i); });
     }
 
@@ -215,19 +226,19 @@ class Assembler {
     }
 
     void write(std::size_t i) {
-        Subtree& subtree = subtrees_[i];
+        const Subtree& subtree = subtrees_[i];
         WideNode* out = tree_.nodes.data() + nodes_before_[i];
-        for (WideNode& node : subtree.nodes) {
-            for (std::uint32_t& child : node.child) child = moved(child, i);
-            *out++ = node;
+        for (const WideNode& node : subtree.nodes) {
+            *out = node;
+            for (std::uint32_t& child : out->child) child = moved(child, i);
+            ++out;
         }
         std::copy(subtree.words.begin(), subtree.words.end(), tree_.leaf_words.data() + words_before_[i]);
-        subtree = {};
     }
 
     MeshTop& top_;
     const std::vector<std::uint32_t>& parts_;
-    std::vector<Subtree>& subtrees_;
+    std::span<const Subtree> subtrees_;
     MeshTree& tree_;
     std::vector<std::size_t> nodes_before_;
     std::vector<std::size_t> words_before_;
@@ -241,20 +252,20 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
     tree.triangles = triangles.size();
     tree.quality = quality;
     const std::size_t limit = room_for(triangles.size(), quality);
-    auto refs = std::make_unique_for_overwrite<Ref[]>(limit);
-    prefer_large_pages(refs.get(), limit * sizeof(Ref));
-    Range all = fill_refs(positions, triangles, refs.get(), pool);
+    LargeVector<Ref> refs(limit);
+    Range all = fill_refs(positions, triangles, refs.data(), pool);
     tree.left_out = triangles.size() - all.size();
     tree.bounds = all.box.bounds();
     if (all.size() == 0) return tree;
 
     all.limit = limit;
     const float scale = area_scale(all.box);
-    const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.get()};
+    const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.data()};
     MeshTop top = build_top(build, all, pool);
     const std::vector<std::uint32_t> parts = choose_parts(top, build.scale);
-    std::vector<Subtree> subtrees = PartBuilder(build, top, parts, pool).run();
-    refs.reset();
+    PartBuilder builder(build, top, parts, pool);
+    const std::span<const Subtree> subtrees = builder.run();
+    LargeVector<Ref>().swap(refs);
     Assembler(top, parts, subtrees, tree).run(build.scale, pool);
     return tree;
 }

@@ -7,12 +7,12 @@
 #include "math/bounds.h"
 #include "math/ray.h"
 #include "math/vec.h"
+#include "parallel/large_pages.h"
 #include "parallel/task_pool.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace glint {
 
@@ -52,8 +52,8 @@ struct LeafCode {
 /// bits), then x, y and z of all its vertices, then the numbers of its triangles. Vertices that triangles of
 /// the leaf share are stored once.
 struct MeshTree {
-    std::vector<WideNode> nodes;           ///< children: a node, or a LeafCode
-    std::vector<std::uint32_t> leaf_words; ///< with a tail that vector loads may read
+    LargeVector<WideNode> nodes;           ///< children: a node, or a LeafCode
+    LargeVector<std::uint32_t> leaf_words; ///< with a tail that vector loads may read
     Bounds bounds;
     int depth = 0;
     std::size_t triangles = 0; ///< as given

@@ -14,6 +14,12 @@ TEST_F(Pfm, WritesAndReadsTheSameBits) {
     EXPECT_TRUE(same_bits(read.image, image));
 }
 
+TEST_F(Pfm, MayHaveMoreRowsThanTheSystemWritesAtOnce) {
+    const Image image = varied_image(3, 5000);
+    write_picture(file("a.pfm"), image);
+    EXPECT_TRUE(same_bits(read_picture(file("a.pfm")).image, image));
+}
+
 TEST_F(Pfm, IsLittleEndianFromTheBottomAndNothingMore) {
     Image image(1, 2);
     image.pixels = {1, 2, 3, -1, 0.5f, 0};

@@ -36,6 +36,7 @@ struct Foreign {
 const std::vector<Foreign>& foreign_headers() {
     static const std::vector<Foreign> table = {
         {"glm/", {}, true},
+        {"cpuid.h", {"trace"}, false},
         {"dlfcn.h", {"gpu"}, false},
         {"hwy/", {"math", "trace", "shading", "render"}, true},
         {"fmt/", {"scene", "render", "formats", "apps"}, false},

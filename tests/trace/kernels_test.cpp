@@ -108,6 +108,26 @@ std::vector<Ray> aimed_rays(const Triangles& mesh, vec3 from, uint seed) {
     return rays;
 }
 
+/// A narrow bundle of rays of one octant and axis, of which some, the last often among them, make no sense.
+std::vector<Ray> bundle_with_odd_rays(uint seed, std::size_t count) {
+    std::vector<Ray> rays;
+    for (uint i = 0; i < count; ++i) {
+        Ray ray;
+        ray.origin = vec3(0.1f, 0.1f, -1.0f) + 0.5f * draw_point(seed, 2 * i);
+        ray.direction = vec3(0.05f, 0.05f, 1.0f) + 0.1f * draw_point(seed, 2 * i + 1);
+        const bool is_last = i + 1 == count;
+        if (draw(seed + 1, i) < (is_last ? 0.5f : 0.125f)) {
+            const auto axis = static_cast<int>(3.0f * draw(seed + 2, i));
+            if (draw(seed + 3, i) < 0.5f)
+                ray.origin[axis] = std::numeric_limits<float>::quiet_NaN();
+            else
+                ray.direction[axis] = std::numeric_limits<float>::infinity();
+        }
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
 struct NamedChoice {
     const char* name;
     KernelChoice choice;
@@ -154,6 +174,11 @@ TEST_P(KernelsAtScale, GiveTheBitsOfThePlainWalk) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scales, KernelsAtScale, testing::Values(1e-12f, 1.0f, 1e12f));
+
+TEST(Kernels, AgreeOnBundlesWithAFewOddRays) {
+    const MeshTree tree = soup(5, 3000, 1.0f).tree();
+    for (uint count = 1; count <= 130; ++count) expect_agreement(tree, bundle_with_odd_rays(10 * count, count));
+}
 
 TEST(Kernels, AgreeOnRaysThroughVerticesAndEdges) {
     const Triangles mesh = ball(12);
