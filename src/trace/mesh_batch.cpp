@@ -7,9 +7,9 @@
 // "Dynamic Ray Stream Traversal", 2014). The answer is the least (t, triangle), so neither order nor kernel
 // nor vector width shows in it.
 
+#include "trace/flags.h"
 #include "trace/kernel_table.h"
 
-#include <cstring>
 #include <type_traits>
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
@@ -198,12 +198,6 @@ void write_records(const Group& group, TriangleRecord* records) {
 }
 static_assert(sizeof(TriangleRecord) == 16);
 
-/// Eight bits to eight bytes.
-HWY_INLINE std::uint64_t spread(std::uint64_t bits) {
-    const std::uint64_t one_each = (bits & 255u) * 0x0101010101010101u & 0x8040201008040201u;
-    return (one_each + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
-}
-
 constexpr std::size_t octants = 8;
 constexpr std::size_t class_count = 3 * octants; ///< octant × dominant axis
 /// Fewer rays than this make no packet, and three times fewer than this fit in a group.
@@ -294,10 +288,7 @@ class Batch {
         set_up(group_, frame_);
         const std::uint64_t hits = trace_group(by_axis_ && count >= least_packet);
         if constexpr (any) {
-            for (std::size_t i = 0; i < count; i += 8) {
-                const std::uint64_t bytes = spread(hits >> i);
-                std::memcpy(answers_ + at + i, &bytes, std::min<std::size_t>(8, count - i));
-            }
+            write_flags(hits, answers_ + at, count);
         } else if (count == group_rays) {
             write_records(group_, answers_ + at);
         } else {

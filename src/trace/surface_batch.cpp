@@ -2,6 +2,7 @@
 // fit into a vector.
 
 #include "trace/surface_batch.h"
+#include "trace/flags.h"
 #include "trace/reach.h"
 
 #include <cstring>
@@ -283,6 +284,38 @@ RayBoxes boxes_of(const Ray* rays, std::size_t count) {
 }
 #endif
 
+Hit hit_of(const WorldData& world, std::size_t root) {
+    const SurfaceName& name = world.surfaces[root / 2];
+    return {0.0f, static_cast<float>(root % 2), 0.0f, name.object, name.prim, name.kind, false};
+}
+
+/// The hits that a vector of rays has found.
+HWY_INLINE void write_hits(const WorldData& world, const Least& least, Hit* hits, std::size_t count) {
+    const Mask any = hn::Lt(least.t, all(std::numeric_limits<double>::infinity()));
+    if (hn::AllFalse(dd, any)) {
+        std::fill_n(hits, count, Hit{});
+        return;
+    }
+    alignas(64) double t[lanes], root[lanes];
+    hn::Store(least.t, dd, t);
+    hn::Store(least.root, dd, root);
+    // Neighbours mostly hit the same.
+    if (hn::AllTrue(dd, hn::And(any, hn::Eq(least.root, all(root[0]))))) {
+        const Hit hit = hit_of(world, static_cast<std::size_t>(root[0]));
+        for (std::size_t k = 0; k < count; ++k) {
+            hits[k] = hit;
+            hits[k].t = static_cast<float>(t[k]);
+        }
+        return;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        hits[k] = Hit{};
+        if (!(t[k] < std::numeric_limits<double>::infinity())) continue;
+        hits[k] = hit_of(world, static_cast<std::size_t>(root[k]));
+        hits[k].t = static_cast<float>(t[k]);
+    }
+}
+
 /// Hands each vector of rays to use(first, count, rays, ahead), and those of whose batch nothing is ahead to
 /// none(first, count). `ends` says whether the rays' ends are worth knowing.
 template <bool ends, class None, class Use>
@@ -318,23 +351,8 @@ void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t cou
                                  meet_all(world, ahead, vector, sink);
                                  const std::uint32_t meshes =
                                      mesh_ahead_of(ahead, bounds, vector, sink.limit());
-                                 alignas(64) double t[lanes], root[lanes];
-                                 hn::Store(sink.t, dd, t);
-                                 hn::Store(sink.root, dd, root);
-                                 for (std::size_t k = 0; k < n; ++k) {
-                                     mesh_ahead[first + k] = meshes >> k & 1u;
-                                     hits[first + k] = Hit{};
-                                     if (!(t[k] < std::numeric_limits<double>::infinity())) continue;
-                                     const auto number = static_cast<std::size_t>(root[k]);
-                                     const SurfaceName& name = world.surfaces[number / 2];
-                                     hits[first + k] = {static_cast<float>(t[k]),
-                                                        static_cast<float>(number % 2),
-                                                        0.0f,
-                                                        name.object,
-                                                        name.prim,
-                                                        name.kind,
-                                                        false};
-                                 }
+                                 write_flags(meshes, mesh_ahead + first, n);
+                                 write_hits(world, sink, hits + first, n);
                              });
 }
 
@@ -352,10 +370,8 @@ void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t co
                                 const std::uint32_t found = bits_of(sink.found);
                                 const std::uint32_t meshes =
                                     mesh_ahead_of(ahead, bounds, vector, sink.limit());
-                                for (std::size_t k = 0; k < n; ++k) {
-                                    blocked[first + k] = found >> k & 1u;
-                                    mesh_ahead[first + k] = meshes >> k & 1u;
-                                }
+                                write_flags(found, blocked + first, n);
+                                write_flags(meshes, mesh_ahead + first, n);
                             });
 }
 
