@@ -73,8 +73,7 @@ class PageArena {
     auto copy(const Values& values) {
         using Value = typename Values::value_type;
         static_assert(std::is_trivially_copyable_v<Value>);
-        auto* const at =
-            static_cast<Value*>(memory_.allocate(values.size() * sizeof(Value), alignof(Value)));
+        auto* const at = static_cast<Value*>(memory_.allocate(values.size() * sizeof(Value), alignof(Value)));
         std::uninitialized_copy(values.begin(), values.end(), at);
         return std::span<const Value>(at, values.size());
     }

@@ -18,9 +18,9 @@ namespace glint {
 struct Subtree {
     std::span<const WideNode> nodes;      ///< none where the root is a leaf
     std::span<const std::uint32_t> words; ///< of leaves
-    std::uint32_t root = no_child;    ///< node or leaf
-    float cost = 0;                   ///< of the root, by areas in the measure of MeshBuild::scale
-    int depth = 0;                    ///< nodes on the longest way to a leaf
+    std::uint32_t root = no_child;        ///< node or leaf
+    float cost = 0;                       ///< of the root, by areas in the measure of MeshBuild::scale
+    int depth = 0;                        ///< nodes on the longest way to a leaf
 };
 
 /// Cuts wide nodes out of a binary tree, depth first, siblings side by side. Leaf is called with a binary

@@ -177,7 +177,8 @@ INSTANTIATE_TEST_SUITE_P(Scales, KernelsAtScale, testing::Values(1e-12f, 1.0f, 1
 
 TEST(Kernels, AgreeOnBundlesWithAFewOddRays) {
     const MeshTree tree = soup(5, 3000, 1.0f).tree();
-    for (uint count = 1; count <= 130; ++count) expect_agreement(tree, bundle_with_odd_rays(10 * count, count));
+    for (uint count = 1; count <= 130; ++count)
+        expect_agreement(tree, bundle_with_odd_rays(10 * count, count));
 }
 
 TEST(Kernels, AgreeOnRaysThroughVerticesAndEdges) {
