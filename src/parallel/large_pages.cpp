@@ -37,7 +37,7 @@ void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {
 }
 
 void LargePages::do_deallocate(void* at, std::size_t bytes, std::size_t alignment) {
-    ::operator delete(at, bytes, aligned(bytes, alignment));
+    ::operator delete(at, aligned(bytes, alignment));
 }
 
 } // namespace glint
