@@ -10,8 +10,8 @@ namespace glint {
 namespace {
 
 /// How many rows of the table the processor and the system have the instructions for, as Highway assumes them
-/// for its targets. Highway can tell as well, but its library measures the clock for milliseconds when it is
-/// loaded: longer than a small picture takes.
+/// for its targets. Highway can tell as well, but its library measures the clock for two milliseconds or
+/// three when it is loaded.
 std::size_t count_rows() {
 #if defined(__x86_64__)
     __builtin_cpu_init();

@@ -165,15 +165,6 @@ void Screen::wheel(const Spot& where, int notches) const {
 }
 
 int Screen::wrong_on_screen(const Image& file) {
-    int wrong = 0;
-    (void)wait_until([&] {
-        wrong = count_wrong(file);
-        return wrong == 0;
-    });
-    return wrong;
-}
-
-int Screen::count_wrong(const Image& file) {
     const Image screen = screenshot();
     const nlohmann::json area = map()["widgets"]["picture"];
     int wrong = 0;

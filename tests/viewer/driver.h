@@ -56,8 +56,7 @@ class Screen : public testing::Test {
     void wheel(const Spot& at, int notches) const;
     /// The pixels of the whole window, by its own F12.
     Image screenshot();
-    /// How many values of a picture are not what the window shows there, among every seventh pixel; waits for
-    /// it to show all of them, as messages stand before the picture for a while.
+    /// How many values of a picture are not what the window shows there, among every seventh pixel.
     int wrong_on_screen(const Image& file);
 
     /// Asks the window to close by its key and returns the seconds until the program ended; −1: it did not.
@@ -68,7 +67,6 @@ class Screen : public testing::Test {
     std::string log() const { return content("log"); }
 
   private:
-    int count_wrong(const Image& file);
     std::vector<std::string> display_setting() const;
     void xdotool(const std::string& line) const;
 
