@@ -31,7 +31,7 @@ bool split(const Build& build, const Range& range, std::pair<Range, Range>& halv
     if (range.depth < deepest_search) {
         const Binning binning(range.middles, range.size() > 256 ? most_bins : range.size() > 16 ? 16 : 8);
         Bins bins;
-        bins.clear(binning);
+        bins.clear(binning.bins);
         bins.fill(binning, build.refs + range.begin, build.refs + range.end);
         const Cut cut = cheapest_cut(bins, binning, build.scale);
         const float area = half_area(range.box, build.scale);

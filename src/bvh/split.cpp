@@ -27,26 +27,10 @@ Binning::Binning(const QuadBox& middles, int count) : lo(quad(0.0f)), scale(quad
     }
 }
 
-namespace {
-
-int longest_axis(const QuadBox& box) {
-    const Quad d = box.hi - box.lo;
-    return d[0] >= d[1] ? (d[0] >= d[2] ? 0 : 2) : (d[1] >= d[2] ? 1 : 2);
-}
-
-} // namespace
-
-Binning Binning::along_longest(const QuadBox& middles, int count) {
-    Binning binning(middles, count);
-    binning.only = longest_axis(middles);
-    return binning;
-}
-
-void Bins::clear(const Binning& binning) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!binning.looks_along(axis)) continue;
-        std::fill_n(boxes[static_cast<std::size_t>(axis)].begin(), binning.bins, QuadBox{});
-        std::fill_n(counts[static_cast<std::size_t>(axis)].begin(), binning.bins, 0u);
+void Bins::clear(int bins) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::fill_n(boxes[axis].begin(), bins, QuadBox{});
+        std::fill_n(counts[axis].begin(), bins, 0u);
     }
 }
 
@@ -61,20 +45,7 @@ inline void Bins::add(const Binning& binning, const Ref& ref) {
     add(2, at[2]);
 }
 
-inline void Bins::add_along(std::size_t axis, const Binning& binning, const Ref& ref) {
-    const auto k = static_cast<int>(axis);
-    const float at = (ref.middle()[k] - binning.lo[k]) * binning.scale[k];
-    const auto bin = static_cast<std::size_t>(static_cast<std::int32_t>(at));
-    boxes[axis][bin].grow(ref.box());
-    ++counts[axis][bin];
-}
-
 void Bins::fill(const Binning& binning, const Ref* begin, const Ref* end) {
-    if (binning.only >= 0) {
-        const auto axis = static_cast<std::size_t>(binning.only);
-        for (; begin != end; ++begin) add_along(axis, binning, *begin);
-        return;
-    }
     // Neighbours mostly fall into one bin, and would wait for each other: four runs take turns.
     const std::ptrdiff_t part = (end - begin) / 4;
     for (const Ref* last = begin + part; begin != last; ++begin) {
@@ -126,7 +97,7 @@ void sweep(const std::array<QuadBox, most_bins>& boxes, const std::array<std::ui
 Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale, bool pairs) {
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (binning.looks_along(static_cast<int>(axis)) && binning.scale[axis] > 0.0f)
+        if (binning.scale[axis] > 0.0f)
             sweep(bins.boxes[axis], bins.counts[axis], binning.bins, scale, pairs, static_cast<int>(axis),
                   best);
     return best;
@@ -249,9 +220,10 @@ std::pair<Range, Range> split_by(const Range& range, const Bins& bins, const Bin
 }
 
 std::pair<Range, Range> split_in_half(const Range& range, Ref* refs) {
-    const int axis = longest_axis(range.middles);
+    const Quad d = range.middles.hi - range.middles.lo;
+    const int axis = d[0] >= d[1] ? (d[0] >= d[2] ? 0 : 2) : (d[1] >= d[2] ? 1 : 2);
     const std::size_t half = range.begin + range.size() / 2;
-    if (range.middles.hi[axis] > range.middles.lo[axis])
+    if (d[axis] > 0.0f)
         std::nth_element(refs + range.begin, refs + half, refs + range.end,
                          [axis](const Ref& a, const Ref& b) {
                              const float x = a.lo[axis] * 0.5f + a.hi[axis] * 0.5f;

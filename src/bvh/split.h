@@ -55,12 +55,8 @@ struct Binning {
     Quad lo;    ///< 0 along an axis without (finite) extent
     Quad scale; ///< 0 likewise
     int bins;
-    int only = -1; ///< the one axis that is looked along; −1: all three
 
     Binning(const QuadBox& middles, int count);
-    /// Along the axis alone where the centres reach farthest.
-    static Binning along_longest(const QuadBox& middles, int count);
-    bool looks_along(int axis) const { return only < 0 || axis == only; }
     QuadInts operator()(Quad p) const { return __builtin_convertvector((p - lo) * scale, QuadInts); }
 };
 
@@ -68,13 +64,12 @@ struct Bins {
     std::array<std::array<QuadBox, most_bins>, 3> boxes;
     std::array<std::array<std::uint32_t, most_bins>, 3> counts;
 
-    void clear(const Binning& binning);
+    void clear(int bins);
     void fill(const Binning& binning, const Ref* begin, const Ref* end);
     void add(const Bins& other, int bins);
 
   private:
     void add(const Binning& binning, const Ref& ref);
-    void add_along(std::size_t axis, const Binning& binning, const Ref& ref);
 };
 
 /// Where a range would be cut, and what that would cost: the sum of area times elements, both sides.

@@ -48,7 +48,7 @@ std::pair<Range, Range> split(const MeshBuild& build, const Range& whole, const 
     Range range = whole;
     if (range.depth >= deepest_search) return split_in_half(range, build.refs);
     if (!filled) {
-        bins.clear(binning);
+        bins.clear(binning.bins);
         bins.fill(binning, build.refs + range.begin, build.refs + range.end);
     }
     const Cut cut = cheapest_cut(bins, binning, build.scale, build.thrift >= 1.0f);

@@ -120,7 +120,7 @@ class TopBuilder {
             Bins& bins = pending.bins[tasks[task].second];
             const Binning binning = binning_of(build_, pending.range);
             const std::size_t begin = pending.range.begin + tasks[task].second * piece;
-            bins.clear(binning);
+            bins.clear(binning.bins);
             bins.fill(binning, build_.refs + begin, build_.refs + std::min(begin + piece, pending.range.end));
         });
     }
