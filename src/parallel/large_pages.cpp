@@ -1,6 +1,7 @@
 #include "parallel/large_pages.h"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <new>
@@ -8,7 +9,13 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t large_page = std::size_t{1} << 21U;
+/// Advice for all whole pages in a piece of memory. A system may not know it, which changes nothing.
+void advise(void* begin, std::size_t bytes, std::size_t page, int advice) {
+    const auto first = reinterpret_cast<std::uintptr_t>(begin);
+    const std::uintptr_t from = (first + page - 1) / page * page;
+    const std::uintptr_t to = (first + bytes) / page * page;
+    if (from < to) (void)::madvise(reinterpret_cast<void*>(from), to - from, advice);
+}
 
 /// Memory of at least a large page begins with one.
 std::align_val_t aligned(std::size_t bytes, std::size_t alignment) {
@@ -19,15 +26,15 @@ std::align_val_t aligned(std::size_t bytes, std::size_t alignment) {
 
 void prefer_large_pages(void* begin, std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
-    const auto first = reinterpret_cast<std::uintptr_t>(begin);
-    const std::uintptr_t from = (first + large_page - 1) / large_page * large_page;
-    const std::uintptr_t to = (first + bytes) / large_page * large_page;
-    // A system without large pages refuses, which changes nothing.
-    if (from < to) (void)::madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
+    advise(begin, bytes, large_page, MADV_HUGEPAGE);
 #else
     (void)begin;
     (void)bytes;
 #endif
+}
+
+void return_pages(void* begin, std::size_t bytes) {
+    advise(begin, bytes, static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)), MADV_DONTNEED);
 }
 
 void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {

@@ -1,20 +1,22 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <memory_resource>
 #include <new>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace glint {
 
+inline constexpr std::size_t large_page = std::size_t{1} << 21U;
+
 /// Asks the system for large pages behind fresh memory, where it has them: much fewer faults while large
 /// arrays are filled. Only advice; short arrays are left alone.
 void prefer_large_pages(void* begin, std::size_t bytes);
+
+/// Gives memory back to the system until it is written to again. What it held is lost.
+void return_pages(void* begin, std::size_t bytes);
 
 /// reserve(), in large pages.
 template <class Value>
@@ -62,28 +64,11 @@ struct LargePageAllocator {
 template <class Value>
 using LargeVector = std::vector<Value, LargePageAllocator<Value>>;
 
-/// Arrays that are made one by one and freed all at once, in large pages. For one thread.
-class PageArena {
-  public:
-    /// `expected` bytes in all, about: so much is asked of the system first.
-    explicit PageArena(std::size_t expected) : memory_(std::max<std::size_t>(expected, 1), &pages_) {}
-
-    /// A copy of values of a simple type.
-    template <class Values>
-    auto copy(const Values& values) {
-        using Value = typename Values::value_type;
-        static_assert(std::is_trivially_copyable_v<Value>);
-        auto* const at = static_cast<Value*>(memory_.allocate(values.size() * sizeof(Value), alignof(Value)));
-        std::uninitialized_copy(values.begin(), values.end(), at);
-        return std::span<const Value>(at, values.size());
-    }
-
-    /// Frees all arrays.
-    void clear() { memory_.release(); }
-
-  private:
-    LargePages pages_;
-    std::pmr::monotonic_buffer_resource memory_;
-};
+/// Gives what lies behind a vector's last value back to the system, which may have put a large page there.
+/// The capacity stays.
+template <class Value>
+void return_room(LargeVector<Value>& values) {
+    return_pages(values.data() + values.size(), (values.capacity() - values.size()) * sizeof(Value));
+}
 
 } // namespace glint

@@ -78,28 +78,23 @@ LeafDraft draft_of(const MeshBuild& build, const Ref* refs, std::uint32_t count)
 
 } // namespace
 
-Subtree SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uint32_t root,
-                            PageArena& arena) {
+void SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uint32_t root, Subtree& subtree) {
     build_ = &build;
+    words_ = &subtree.words;
     nodes_.clear();
-    wide_.clear();
-    words_.clear();
+    subtree.nodes.clear();
+    subtree.words.clear();
     nodes_.emplace_back();
     nodes_[0].box = top.nodes[root].box;
     inherit(top, root, 0);
 
     const auto write_leaf = [&](const BinaryNode& node) {
         if (build.quality == BuildQuality::fast) return node.first;
-        return append_leaf(draft_of(build, build.refs + node.first, node.count), words_);
+        return append_leaf(draft_of(build, build.refs + node.first, node.count), subtree.words);
     };
-    WideWriter writer(nodes_, wide_, write_leaf);
-    Subtree subtree;
+    WideWriter writer(nodes_, subtree.nodes, write_leaf);
     subtree.root = writer.run();
     subtree.depth = writer.depth();
-    subtree.cost = nodes_[0].costs[0];
-    subtree.nodes = arena.copy(wide_);
-    subtree.words = arena.copy(words_);
-    return subtree;
 }
 
 std::uint32_t SubtreeBuilder::add_children(const QuadBox& left, const QuadBox& right) {
@@ -180,7 +175,7 @@ void SubtreeBuilder::cut_block(std::uint32_t at) {
         nodes_[at].first = append_leaf(
             count == draft_.triangles ? draft_
                                       : part_of(draft_, std::span(order_).subspan(first - block_, count)),
-            words_);
+            *words_);
         return price_leaf(nodes_[at], as_leaf);
     }
     if (count == 1) return price_leaf(nodes_[at], as_leaf);

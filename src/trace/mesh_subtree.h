@@ -14,13 +14,12 @@
 
 namespace glint {
 
-/// A part of a tree, somewhere in an arena. Its codes count from its own nodes and words.
+/// A part of a tree. Its codes count from its own nodes and words.
 struct Subtree {
-    std::span<const WideNode> nodes;      ///< none where the root is a leaf
-    std::span<const std::uint32_t> words; ///< of leaves
-    std::uint32_t root = no_child;        ///< node or leaf
-    float cost = 0;                       ///< of the root, by areas in the measure of MeshBuild::scale
-    int depth = 0;                        ///< nodes on the longest way to a leaf
+    LargeVector<WideNode> nodes;      ///< none where the root is a leaf
+    LargeVector<std::uint32_t> words; ///< of leaves
+    std::uint32_t root = no_child;    ///< node or leaf
+    int depth = 0;                    ///< nodes on the longest way to a leaf
 };
 
 /// Cuts wide nodes out of a binary tree, depth first, siblings side by side. Leaf is called with a binary
@@ -66,8 +65,8 @@ class WideWriter {
 /// Builds subtrees one after another in the same scratch memory.
 class SubtreeBuilder {
   public:
-    /// The part of the tree below a node of the top, put in an arena.
-    Subtree run(const MeshBuild& build, const MeshTop& top, std::uint32_t root, PageArena& arena);
+    /// Makes the part of the tree below a node of the top, in the place of what `subtree` was.
+    void run(const MeshBuild& build, const MeshTop& top, std::uint32_t root, Subtree& subtree);
 
   private:
     void inherit(const MeshTop& top, std::uint32_t from, std::uint32_t at);
@@ -79,9 +78,8 @@ class SubtreeBuilder {
     std::uint32_t add_children(const QuadBox& left, const QuadBox& right);
 
     const MeshBuild* build_ = nullptr;
+    LargeVector<std::uint32_t>* words_ = nullptr; ///< of the subtree's leaves
     std::vector<BinaryNode> nodes_;
-    LargeVector<WideNode> wide_;
-    LargeVector<std::uint32_t> words_;
     Bins bins_;
 
     // The block being cut: a run of a few references, the place of each in the draft, and its vertices as

@@ -1,8 +1,8 @@
 #include "trace/mesh_top.h"
 
+#include "parallel/in_order.h"
+
 #include <algorithm>
-#include <memory>
-#include <span>
 #include <utility>
 
 namespace glint {
@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t piece = 32768;
 /// Nodes with at most this many references may be the root of a part.
 constexpr std::uint32_t most_of_part = 8192;
-/// About what the top takes for each reference.
-constexpr std::size_t expected_bytes = 2 * (2 * sizeof(BinaryNode) + sizeof(Range)) / top_grain;
+/// The top's leaves hardly ever have fewer references than so many on average.
+constexpr std::size_t expected_grain = top_grain / 2;
 /// What a range of some hundred references saves, in steps into a node, by standing with 1, 2 … 7 roots
 /// instead of one. Measured on scans and architecture, where it differs by few per cent.
 constexpr RootCosts saved_by_roots{0.0f, 0.28f, 0.45f, 0.585f, 0.71f, 0.82f, 0.915f};
@@ -50,14 +50,8 @@ void grow(const MeshBuild& build, const Range& range, std::uint32_t node, Bins& 
     grow(build, right, children + 1, bins, top);
 }
 
-/// A tree as MeshTop, in an arena.
-struct Branch {
-    std::span<const BinaryNode> nodes;
-    std::span<const Range> ranges;
-};
-
 /// Puts a tree in the place of a node of another.
-void graft(MeshTop& top, std::uint32_t node, const Branch& branch) {
+void graft(MeshTop& top, std::uint32_t node, const MeshTop& branch) {
     // Node 0 goes to the place of `node`, the others to the end.
     const auto nodes_before = static_cast<std::uint32_t>(top.nodes.size()) - 1;
     const auto ranges_before = static_cast<std::uint32_t>(top.ranges.size());
@@ -133,32 +127,17 @@ class TopBuilder {
     }
 
     void grow_small() {
-        struct Worker {
-            explicit Worker(std::size_t expected) : arena(expected) {}
-            PageArena arena;
-            Bins bins;
-            MeshTop scratch;
-        };
-        std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(pool_.threads()));
-        std::vector<Branch> branches(small_.size());
-        pool_.run(small_.size(), [&](std::size_t i, int worker) {
-            auto& own = workers[static_cast<std::size_t>(worker)];
-            if (!own)
-                own = std::make_unique<Worker>(expected_bytes * build_.triangles.size() / workers.size());
-            own->scratch.nodes.assign(1, {});
-            own->scratch.ranges.clear();
-            grow(build_, small_[i].range, 0, own->bins, own->scratch);
-            branches[i] = {own->arena.copy(own->scratch.nodes), own->arena.copy(own->scratch.ranges)};
-        });
-        std::size_t nodes = top_.nodes.size();
-        std::size_t ranges = 0;
-        for (const Branch& branch : branches) {
-            nodes += branch.nodes.size();
-            ranges += branch.ranges.size();
-        }
-        top_.nodes.reserve(nodes);
-        top_.ranges.reserve(ranges);
-        for (std::size_t i = 0; i < small_.size(); ++i) graft(top_, small_[i].node, branches[i]);
+        top_.nodes.reserve(top_.nodes.size() + 2 * build_.triangles.size() / expected_grain);
+        top_.ranges.reserve(build_.triangles.size() / expected_grain);
+        std::vector<Bins> bins(static_cast<std::size_t>(pool_.threads()));
+        run_in_order<MeshTop>(
+            pool_, small_.size(),
+            [&](std::size_t i, int worker, MeshTop& branch) {
+                branch.nodes.assign(1, {});
+                branch.ranges.clear();
+                grow(build_, small_[i].range, 0, bins[static_cast<std::size_t>(worker)], branch);
+            },
+            [&](std::size_t i, const MeshTop& branch) { graft(top_, small_[i].node, branch); });
     }
 
     const MeshBuild& build_;

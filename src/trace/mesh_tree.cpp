@@ -1,9 +1,10 @@
-// From triangles to a tree: the top level by level, then subtrees, one a task, each written down as wide
-// nodes before the next begins, so that no binary tree of the whole is ever held.
+// From triangles to a tree: the top level by level, then the parts below it, one a task. Each goes to the end
+// of the tree as soon as those before it are there, so that nothing of the whole is held twice.
 
 #include "trace/mesh_tree.h"
 
 #include "math/finite.h"
+#include "parallel/in_order.h"
 #include "parallel/large_pages.h"
 #include "trace/mesh_pack.h"
 #include "trace/mesh_subtree.h"
@@ -11,8 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace glint {
@@ -66,68 +65,197 @@ bool is_sampled(std::size_t part) { return (static_cast<std::uint32_t>(part) * 0
 /// Bytes a triangle that a tree may take: over shared vertices, and else.
 constexpr double budget_shared = 47.5;
 constexpr double budget_apart = 71.5;
-/// And hardly ever more than so many.
-constexpr std::size_t expected_bytes = 48;
 /// How thrifty leaves may have to be for that, see MeshBuild::thrift.
 constexpr std::array<float, 5> thrifts{0.0f, 0.25f, 1.0f, 8.0f, 30000.0f};
+/// Whether triangles share vertices, by their numbers.
+bool shares_vertices(const MeshBuild& build) { return build.positions.size() < 2 * build.triangles.size(); }
+
+/// The top's tree down to the parts, which are leaves with their number.
+class UpperTree {
+  public:
+    UpperTree(const MeshTop& top, const std::vector<std::uint32_t>& parts, float scale)
+        : top_(top), parts_(parts), scale_(scale), nodes_(1) {
+        copy(0, 0);
+    }
+    const std::vector<BinaryNode>& nodes() const { return nodes_; }
+
+  private:
+    void copy(std::uint32_t from, std::size_t to) {
+        const BinaryNode& node = top_.nodes[from];
+        nodes_[to].box = node.box;
+        // Parts are met in their order. What one costs is the same whatever is above it: here it costs
+        // nothing.
+        if (next_ < parts_.size() && from == parts_[next_]) {
+            nodes_[to].first = next_++;
+            return price_leaf(nodes_[to], 0.0f);
+        }
+        const std::size_t children = nodes_.size();
+        nodes_[to].left = static_cast<std::uint32_t>(children);
+        nodes_.resize(children + 2);
+        copy(node.left, children);
+        copy(node.left + 1, children + 1);
+        price_split(nodes_[to], nodes_[children], nodes_[children + 1], half_area(nodes_[to].box, scale_),
+                    infinite);
+    }
+
+    const MeshTop& top_;
+    const std::vector<std::uint32_t>& parts_;
+    float scale_;
+    std::vector<BinaryNode> nodes_;
+    std::uint32_t next_ = 0; ///< part
+};
+
+/// Writes a tree: what is above the parts first, then parts, one behind the other.
+class TreeWriter {
+  public:
+    TreeWriter(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
+               MeshTree& tree)
+        : tree_(tree), parts_(parts.size()) {
+        // Hardly ever too few.
+        const std::size_t leaf_bytes = shares_vertices(build) ? 36 : 56;
+        const std::size_t references = top.nodes[0].count;
+        tree_.nodes.reserve(parts.size() + references * 16 / sizeof(WideNode));
+        tree_.leaf_words.reserve(tail_words + references * leaf_bytes / sizeof(std::uint32_t));
+        const UpperTree upper(top, parts, build.scale);
+        const auto number = [](const BinaryNode& leaf) { return leaf_bit | leaf.first; };
+        WideWriter(upper.nodes(), tree_.nodes, number).run();
+        upper_nodes_ = tree_.nodes.size();
+    }
+
+    /// Bytes of all parts.
+    std::size_t bytes() const { return tree_.bytes() - upper_nodes_ * sizeof(WideNode); }
+
+    /// Takes all parts away.
+    void clear() {
+        tree_.nodes.resize(upper_nodes_);
+        tree_.leaf_words.clear();
+    }
+
+    void add(std::size_t part, const Subtree& subtree) {
+        const auto nodes = static_cast<std::uint32_t>(tree_.nodes.size());
+        const auto blocks = static_cast<std::uint32_t>(tree_.leaf_words.size() / 4);
+        if (blocks + subtree.words.size() / 4 > most_leaf_blocks) throw_too_many_leaves();
+        const auto moved = [&](std::uint32_t code) {
+            return code == no_child ? code : code + ((code & leaf_bit) != 0 ? blocks : nodes);
+        };
+        tree_.leaf_words.insert(tree_.leaf_words.end(), subtree.words.begin(), subtree.words.end());
+        tree_.nodes.resize(nodes + subtree.nodes.size());
+        WideNode* out = tree_.nodes.data() + nodes;
+        for (const WideNode& node : subtree.nodes) {
+            *out = node;
+            for (std::uint32_t& child : out->child) child = moved(child);
+            ++out;
+        }
+        parts_[part] = {moved(subtree.root), subtree.depth};
+    }
+
+    /// All parts are there.
+    void finish() {
+        link();
+        tree_.leaf_words.resize(tree_.leaf_words.size() + tail_words, 0u);
+        return_room(tree_.nodes);
+        return_room(tree_.leaf_words);
+    }
+
+  private:
+    struct Part {
+        std::uint32_t root = no_child;
+        int depth = 0;
+    };
+
+    /// Puts the parts' roots in the place of their numbers.
+    void link() {
+        if (upper_nodes_ == 0) return stand_alone();
+        std::vector<int> heights(upper_nodes_, 1);
+        for (std::size_t at = upper_nodes_; at-- > 0;) {
+            for (std::uint32_t& child : tree_.nodes[at].child) {
+                if (child == no_child) continue;
+                int height = 0;
+                if ((child & leaf_bit) == 0) {
+                    height = heights[child];
+                } else {
+                    const Part& part = parts_[child & ~leaf_bit];
+                    height = part.depth;
+                    child = part.root;
+                }
+                heights[at] = std::max(heights[at], height + 1);
+            }
+        }
+        tree_.depth = heights[0];
+    }
+
+    /// The only part is the tree. If it is a leaf, that needs a node above it.
+    void stand_alone() {
+        tree_.depth = parts_[0].depth;
+        if ((parts_[0].root & leaf_bit) == 0) return;
+        tree_.nodes.push_back(empty_node());
+        set_child(tree_.nodes[0], 0, {quad(tree_.bounds.lo), quad(tree_.bounds.hi)}, parts_[0].root);
+        tree_.depth = 1;
+    }
+
+    MeshTree& tree_;
+    std::vector<Part> parts_;
+    std::size_t upper_nodes_ = 0;
+};
 
 /// Builds the parts below the top, with leaves as thrifty as the memory budget asks for.
 class PartBuilder {
   public:
     PartBuilder(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
-                TaskPool& pool)
-        : build_(build), top_(top), parts_(parts), pool_(pool), subtrees_(parts.size()),
-          workers_(static_cast<std::size_t>(pool.threads())) {}
+                TaskPool& pool, TreeWriter& writer)
+        : build_(build), top_(top), parts_(parts), pool_(pool), writer_(writer),
+          builders_(static_cast<std::size_t>(pool.threads())) {}
 
-    /// They stay this builder's.
-    std::span<const Subtree> run() {
+    void run() {
         std::vector<std::size_t> sample;
         std::vector<std::size_t> others;
         for (std::size_t i = 0; i < parts_.size(); ++i)
             (parts_.size() < least_sampled || is_sampled(i) ? sample : others).push_back(i);
-        const bool shared = build_.positions.size() < 2 * build_.triangles.size();
-        if (!shared || !fit(sample, budget_shared)) fit(sample, budget_apart);
-        grow(others);
-        return subtrees_;
+        if (!shares_vertices(build_) || !fit(sample, budget_shared)) fit(sample, budget_apart);
+        grow(others, true);
     }
 
   private:
-    struct Worker {
-        explicit Worker(std::size_t expected) : arena(expected) {}
-        SubtreeBuilder builder;
-        PageArena arena;
-    };
-
     /// Builds the sample with the least thrift that keeps to a budget; false if none does.
     bool fit(const std::vector<std::size_t>& sample, double budget) {
         for (const float thrift : thrifts) {
             build_.thrift = thrift;
-            for (const auto& worker : workers_)
-                if (worker) worker->arena.clear(); // of what took too much
-            grow(sample);
+            writer_.clear();
+            grow(sample, false);
             if (bytes_a_reference(sample) * references_a_triangle() <= budget) return true;
         }
         return false;
     }
 
-    void grow(const std::vector<std::size_t>& which) {
-        pool_.run(which.size(), [&](std::size_t task, int worker) {
-            auto& own = workers_[static_cast<std::size_t>(worker)];
-            if (!own)
-                own = std::make_unique<Worker>(expected_bytes * build_.triangles.size() / workers_.size());
-            subtrees_[which[task]] = own->builder.run(build_, top_, parts_[which[task]], own->arena);
-        });
+    /// `for_good`: no part before these will be built again. Parts are in the order of their references.
+    void grow(const std::vector<std::size_t>& which, bool for_good) {
+        run_in_order<Subtree>(
+            pool_, which.size(),
+            [&](std::size_t task, int worker, Subtree& subtree) {
+                builders_[static_cast<std::size_t>(worker)].run(build_, top_, parts_[which[task]], subtree);
+            },
+            [&](std::size_t task, const Subtree& subtree) {
+                writer_.add(which[task], subtree);
+                if (for_good) return_references(which[task]);
+            });
     }
 
+    /// Gives the memory of the references before a part back to the system, which the tree is growing into.
+    void return_references(std::size_t part) {
+        constexpr std::size_t page = large_page / sizeof(Ref);
+        std::uint32_t at = parts_[part];
+        while (!top_.nodes[at].is_leaf) at = top_.nodes[at].left;
+        const std::size_t done = top_.ranges[top_.nodes[at].first].begin / page * page;
+        if (done <= returned_) return;
+        return_pages(build_.refs + returned_, (done - returned_) * sizeof(Ref));
+        returned_ = done;
+    }
+
+    /// Where the sample is all that was built.
     double bytes_a_reference(const std::vector<std::size_t>& sample) const {
-        std::size_t bytes = 0;
         std::size_t references = 0;
-        for (const std::size_t i : sample) {
-            bytes += subtrees_[i].nodes.size() * sizeof(WideNode) +
-                     subtrees_[i].words.size() * sizeof(std::uint32_t);
-            references += top_.nodes[parts_[i]].count;
-        }
-        return static_cast<double>(bytes) / static_cast<double>(references);
+        for (const std::size_t i : sample) references += top_.nodes[parts_[i]].count;
+        return static_cast<double>(writer_.bytes()) / static_cast<double>(references);
     }
 
     double references_a_triangle() const {
@@ -138,110 +266,9 @@ class PartBuilder {
     const MeshTop& top_;
     const std::vector<std::uint32_t>& parts_;
     TaskPool& pool_;
-    std::vector<Subtree> subtrees_;
-    std::vector<std::unique_ptr<Worker>> workers_;
-};
-
-/// Writes the top, then all subtrees behind it.
-class Assembler {
-  public:
-    Assembler(MeshTop& top, const std::vector<std::uint32_t>& parts, std::span<const Subtree> subtrees,
-              MeshTree& tree)
-        : top_(top), parts_(parts), subtrees_(subtrees), tree_(tree) {}
-
-    void run(float scale, TaskPool& pool) {
-        price(scale);
-        WideWriter writer(top_.nodes, tree_.nodes,
-                          [](const BinaryNode& leaf) { return leaf_bit | leaf.first; });
-        const std::uint32_t root = writer.run();
-        if ((root & leaf_bit) != 0) start_with_leaf();
-        place();
-        link();
-        tree_.nodes.resize(nodes_before_.back());
-        tree_.leaf_words.resize(words_before_.back() + tail_words);
-        std::fill_n(tree_.leaf_words.end() - tail_words, tail_words, 0u);
-        pool.run(subtrees_.size(), [&](std::size_t i, int) { write(i); });
-    }
-
-  private:
-    /// Now that the parts' prices are known. Children stand behind their parents.
-    void price(float scale) {
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            BinaryNode& part = top_.nodes[parts_[i]];
-            part.is_split = 0;
-            part.first = static_cast<std::uint32_t>(i);
-            price_leaf(part, subtrees_[i].cost);
-        }
-        for (std::size_t at = top_.nodes.size(); at-- > 0;) {
-            BinaryNode& node = top_.nodes[at];
-            if (node.is_split)
-                price_split(node, top_.nodes[node.left], top_.nodes[node.left + 1],
-                            half_area(node.box, scale), std::numeric_limits<float>::infinity());
-        }
-    }
-
-    /// The only subtree is the tree. If it is a leaf, that needs a node above it.
-    void start_with_leaf() {
-        if ((subtrees_[0].root & leaf_bit) == 0) return;
-        tree_.nodes.push_back(empty_node());
-        set_child(tree_.nodes[0], 0, top_.nodes[0].box, leaf_bit);
-    }
-
-    void place() {
-        nodes_before_.push_back(tree_.nodes.size());
-        words_before_.push_back(0);
-        for (const Subtree& subtree : subtrees_) {
-            nodes_before_.push_back(nodes_before_.back() + subtree.nodes.size());
-            words_before_.push_back(words_before_.back() + subtree.words.size());
-        }
-        if (words_before_.back() / 4 > most_leaf_blocks) throw_too_many_leaves();
-    }
-
-    /// The top's leaves name subtrees; puts their roots instead.
-    void link() {
-        const std::size_t count = tree_.nodes.size();
-        std::vector<int> heights(count, 1);
-        for (std::size_t at = count; at-- > 0;) {
-            for (std::uint32_t& child : tree_.nodes[at].child) {
-                if (child == no_child) continue;
-                int height = 0;
-                if ((child & leaf_bit) == 0) {
-                    height = heights[child];
-                } else {
-                    const std::uint32_t subtree = child & ~leaf_bit;
-                    height = subtrees_[subtree].depth;
-                    child = moved(subtrees_[subtree].root, subtree);
-                }
-                heights[at] = std::max(heights[at], height + 1);
-            }
-        }
-        tree_.depth = count > 0 ? heights[0] : subtrees_[0].depth;
-    }
-
-    /// The code of a subtree's node or leaf in the whole tree.
-    std::uint32_t moved(std::uint32_t code, std::size_t subtree) const {
-        if (code == no_child) return code;
-        return code + static_cast<std::uint32_t>((code & leaf_bit) != 0 ? words_before_[subtree] / 4
-                                                                        : nodes_before_[subtree]);
-    }
-
-    void write(std::size_t i) {
-        const Subtree& subtree = subtrees_[i];
-        WideNode* out = tree_.nodes.data() + nodes_before_[i];
-        for (const WideNode& node : subtree.nodes) {
-            *out = node;
-            for (std::uint32_t& child : out->child) child = moved(child, i);
-            ++out;
-        }
-        std::copy(subtree.words.begin(), subtree.words.end(), tree_.leaf_words.data() + words_before_[i]);
-    }
-
-    MeshTop& top_;
-    const std::vector<std::uint32_t>& parts_;
-    std::span<const Subtree> subtrees_;
-    MeshTree& tree_;
-    std::vector<std::size_t> nodes_before_;
-    std::vector<std::size_t> words_before_;
+    TreeWriter& writer_;
+    std::vector<SubtreeBuilder> builders_;
+    std::size_t returned_ = 0; ///< references whose memory is the system's again
 };
 
 } // namespace
@@ -263,10 +290,9 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
     const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.data()};
     MeshTop top = build_top(build, all, pool);
     const std::vector<std::uint32_t> parts = choose_parts(top, build.scale);
-    PartBuilder builder(build, top, parts, pool);
-    const std::span<const Subtree> subtrees = builder.run();
-    LargeVector<Ref>().swap(refs);
-    Assembler(top, parts, subtrees, tree).run(build.scale, pool);
+    TreeWriter writer(build, top, parts, tree);
+    PartBuilder(build, top, parts, pool, writer).run();
+    writer.finish();
     return tree;
 }
 

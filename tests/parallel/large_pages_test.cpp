@@ -2,45 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 
 namespace glint {
 namespace {
-
-constexpr std::size_t large_page = std::size_t{1} << 21U;
-
-/// Counts up from `first`.
-std::vector<std::uint32_t> counted(std::size_t size, std::uint32_t first) {
-    std::vector<std::uint32_t> values(size);
-    std::iota(values.begin(), values.end(), first);
-    return values;
-}
-
-TEST(PageArena, KeepsArraysApart) {
-    PageArena arena(100000);
-    std::vector<std::span<const std::uint32_t>> copies;
-    for (std::uint32_t i = 0; i < 100; ++i) copies.push_back(arena.copy(counted(i * i * i / 2, i)));
-    const auto bytes = arena.copy(std::vector<std::uint8_t>{1, 2, 3});
-    const auto doubles = arena.copy(std::vector<double>{0.5, 0.25});
-    for (std::uint32_t i = 0; i < 100; ++i) {
-        ASSERT_EQ(copies[i].size(), i * i * i / 2);
-        EXPECT_TRUE(std::equal(copies[i].begin(), copies[i].end(), counted(i * i * i / 2, i).begin())) << i;
-    }
-    EXPECT_EQ(bytes[2], 3);
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(doubles.data()) % alignof(double), 0u);
-    EXPECT_EQ(doubles[1], 0.25);
-}
-
-TEST(PageArena, CanBeUsedAgain) {
-    PageArena arena(0);
-    for (std::uint32_t round = 0; round < 4; ++round) {
-        const auto copy = arena.copy(counted(large_page / 2, round));
-        EXPECT_EQ(copy.front(), round);
-        EXPECT_EQ(copy.back(), round + large_page / 2 - 1);
-        arena.clear();
-    }
-}
 
 TEST(LargeVector, BeginsWithALargePageWhereItIsLong) {
     const LargeVector<std::uint32_t> values(3 * large_page / 4 + 5, 7u);
@@ -59,6 +26,21 @@ TEST(LargeVector, GrowsAsAVectorDoes) {
     EXPECT_TRUE(std::equal(copy.begin(), copy.begin() + 2000000, values.begin()));
     values = LargeVector<std::uint32_t>{};
     EXPECT_TRUE(values.empty());
+}
+
+TEST(LargeVector, ReturnsItsRoomAndGrowsIntoItAgain) {
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, large_page / 8 + 3, large_page}) {
+        LargeVector<std::uint32_t> values;
+        values.reserve(3 * large_page);
+        values.resize(size, 7u);
+        const std::uint32_t* const begin = values.data();
+        return_room(values);
+        EXPECT_EQ(values.capacity(), 3 * large_page);
+        values.resize(size + large_page, 9u);
+        EXPECT_EQ(values.data(), begin);
+        EXPECT_EQ(std::count(values.begin(), values.end(), 7u), static_cast<std::ptrdiff_t>(size));
+        EXPECT_EQ(std::count(values.begin(), values.end(), 9u), static_cast<std::ptrdiff_t>(large_page));
+    }
 }
 
 } // namespace
