@@ -1,13 +1,15 @@
 #include "parallel/large_pages.h"
 
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <cstdint>
 #include <new>
 
 namespace glint {
 namespace {
+
+/// A multiple of every usual size of small pages.
+constexpr std::size_t small_page = std::size_t{1} << 16U;
 
 /// Advice for all whole pages in a piece of memory. A system may not know it, which changes nothing.
 void advise(void* begin, std::size_t bytes, std::size_t page, int advice) {
@@ -34,7 +36,7 @@ void prefer_large_pages(void* begin, std::size_t bytes) {
 }
 
 void return_pages(void* begin, std::size_t bytes) {
-    advise(begin, bytes, static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)), MADV_DONTNEED);
+    advise(begin, bytes, small_page, MADV_DONTNEED);
 }
 
 void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {
