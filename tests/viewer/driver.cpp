@@ -4,6 +4,8 @@
 
 #include "glint/formats.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -166,15 +168,20 @@ void Screen::wheel(const Spot& where, int notches) const {
 
 int Screen::wrong_on_screen(const Image& file) {
     const Image screen = screenshot();
-    const nlohmann::json area = map()["widgets"]["picture"];
+    const nlohmann::json all = map();
+    const nlohmann::json area = all["widgets"]["picture"];
     int wrong = 0;
+    std::string where;
     for (int y = 0; y < file.height; y += 7)
         for (int x = 0; x < file.width; x += 7) {
             const double sx = area[0].get<double>() + (x + 0.5) * area[2].get<double>() / file.width;
             const double sy = area[1].get<double>() + (y + 0.5) * area[3].get<double>() / file.height;
             const float* shown = screen.at(static_cast<int>(sx), static_cast<int>(sy));
+            const int before = wrong;
             for (int c = 0; c < 3; ++c) wrong += std::abs(shown[c] - file.at(x, y)[c]) > 1.5f;
+            if (wrong > before) where += fmt::format(" ({}, {})", x, y);
         }
+    if (wrong > 0) std::cout << "wrong pixels:" << where << "\n" << all.dump(1) << "\n";
     return wrong;
 }
 
