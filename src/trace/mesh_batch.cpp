@@ -101,10 +101,9 @@ HWY_INLINE bool enter_swept(const float* node, const Sweep* sweep, const Group& 
     return true;
 }
 
-/// Those rays of a group that `alive` names, all of one octant, ray by ray from a node on; returns the rays
-/// that hit.
+/// Those rays of a group that `alive` names, ray by ray from a node on; returns the rays that hit.
 /// `sweep` culls children for all of them; it may be missing.
-template <bool any>
+template <bool any, bool is_mixed = false>
 std::uint64_t trace_stream(const MeshTree& tree, const Sweep* sweep, Group& group, std::uint32_t code,
                            std::uint64_t alive) {
     std::uint64_t hits = 0;
@@ -127,7 +126,7 @@ std::uint64_t trace_stream(const MeshTree& tree, const Sweep* sweep, Group& grou
         const WideNode& node = tree.nodes[entry.code];
         Entered entered;
         if (!enter_swept(&node.lo[0][0], sweep, group, mask, entered))
-            enter_by_ray<true>(&node.lo[0][0], group, mask, entered);
+            enter_by_ray<true, is_mixed>(&node.lo[0][0], group, mask, entered);
         size = push(tree, node, entered, stack, size);
     }
     return hits;
@@ -200,9 +199,10 @@ static_assert(sizeof(TriangleRecord) == 16);
 
 constexpr std::size_t octants = 8;
 constexpr std::size_t class_count = 3 * octants; ///< octant × dominant axis
-/// Fewer rays than this make no packet, and three times fewer than this fit in a group.
+/// Fewer rays than this make no packet.
 constexpr std::size_t least_packet = 8;
-static_assert(3 * (least_packet - 1) <= group_rays);
+/// Fewer rays than this of an octant are traced with those of others.
+constexpr std::size_t least_stream = 32;
 
 /// Parts a batch into groups and traces them. Tiles of 64 rays of one class go at once; others' rays wait in
 /// the queue of their class until that is full or the batch ends.
@@ -216,7 +216,7 @@ class Batch {
 
     void run(std::size_t count) {
         for (std::size_t at = 0; at < count; at += group_rays) tile(at, std::min(group_rays, count - at));
-        for (std::size_t octant = 0; octant < octants; ++octant) flush(octant);
+        flush();
     }
 
   private:
@@ -256,18 +256,25 @@ class Batch {
         }
     }
 
-    /// Traces what still waits. A shaft does not pay for few rays: they go together, whatever their axes.
-    void flush(std::size_t octant) {
+    /// Traces what still waits. Classes of few rays go together, whatever their octants and axes.
+    void flush() {
         Queue few;
-        for (std::size_t c = octant; c < class_count; c += octants) {
+        std::uint32_t classes = 0;
+        for (std::size_t c = 0; c < class_count; ++c) {
             Queue& queue = queues_[c];
-            if (queue.count >= least_packet) {
+            if (queue.count >= (by_axis_ ? least_packet : least_stream)) {
                 trace_queue(queue, by_axis_);
                 continue;
             }
-            for (std::size_t i = 0; i < queue.count; ++i) few.rays[few.count++] = queue.rays[i];
+            for (std::size_t i = 0; i < queue.count; ++i) {
+                few.rays[few.count++] = queue.rays[i];
+                classes |= 1u << c % octants;
+                if (few.count < group_rays) continue;
+                trace_queue(few, false, !std::has_single_bit(classes));
+                classes = 0;
+            }
         }
-        trace_queue(few, false);
+        trace_queue(few, false, !std::has_single_bit(classes));
     }
 
     void trace_lone(std::size_t i) {
@@ -280,6 +287,7 @@ class Batch {
 
     std::uint64_t trace_group(bool is_packet) {
         if (is_packet) return trace_packet<any>(tree_, frame_, group_);
+        if (group_.is_mixed) return trace_stream<any, true>(tree_, nullptr, group_, 0, group_.all());
         const Sweep sweep(group_, frame_);
         return trace_stream<any>(tree_, &sweep, group_, 0, group_.all());
     }
@@ -298,10 +306,10 @@ class Batch {
         }
     }
 
-    void trace_queue(Queue& queue, bool is_packet) {
+    void trace_queue(Queue& queue, bool is_packet, bool is_mixed = false) {
         if (queue.count == 0) return;
         load_numbered(group_, rays_, queue.rays, queue.count);
-        set_up(group_, frame_);
+        set_up(group_, frame_, is_mixed);
         const std::uint64_t hits = trace_group(is_packet);
         if constexpr (any) {
             for (std::size_t i = 0; i < queue.count; ++i) answers_[queue.rays[i]] = hits >> i & 1u;

@@ -85,8 +85,20 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 #endif
 }
 
+/// The same for a ray of any octant: of each pair of planes the one that it meets first, and the one last.
+template <class V>
+HWY_INLINE void enter_mixed(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3],
+                            V& entry, V& exit) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const V lower = hn::MulAdd(planes.near[axis], inverse[axis], offset[axis]);
+        const V upper = hn::MulAdd(planes.far[axis], inverse[axis], offset[axis]);
+        entry = hn::Max(entry, hn::Min(lower, upper));
+        exit = hn::Min(exit, hn::Max(lower, upper));
+    }
+}
+
 /// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
-template <bool with_keys>
+template <bool with_keys, bool is_mixed>
 HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_t mask, Entered& entered) {
     tally(&TraceCounters::ray_nodes, static_cast<std::uint64_t>(std::popcount(mask)));
 #if HWY_TARGET == HWY_AVX3
@@ -104,6 +116,8 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
                                hn::Load(df, node + group.far_at[1] + i),
                                hn::Load(df, node + group.far_at[2] + i)};
         const GrownPlanes<Floats> planes(group, near, far);
+        // Without an order of planes the inverted box of a missing child is as good as any.
+        const auto exists = hn::Le(near[0], far[0]);
         Floats key = hn::Set(df, infinity);
         for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
             const std::size_t r = first_bit(rest);
@@ -111,9 +125,16 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
                                        hn::Set(df, group.inverse[2][r])};
             const Floats offset[3] = {hn::Set(df, group.offset[0][r]), hn::Set(df, group.offset[1][r]),
                                       hn::Set(df, group.offset[2][r])};
-            const Floats entry = entry_of(planes, inverse, offset, hn::Set(df, group.tmin[r]));
-            const Floats exit = exit_of(planes, inverse, offset, hn::Set(df, group.limit[r]));
-            const auto hit = hn::Le(entry, exit);
+            Floats entry = hn::Set(df, group.tmin[r]);
+            Floats exit = hn::Set(df, group.limit[r]);
+            if constexpr (is_mixed) {
+                enter_mixed(planes, inverse, offset, entry, exit);
+            } else {
+                entry = entry_of(planes, inverse, offset, entry);
+                exit = exit_of(planes, inverse, offset, exit);
+            }
+            auto hit = hn::Le(entry, exit);
+            if constexpr (is_mixed) hit = hn::And(hit, exists);
             if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
 #if HWY_TARGET == HWY_AVX3
             const __m512i bit = _mm512_set1_epi64(static_cast<long long>(rest & (0 - rest)));

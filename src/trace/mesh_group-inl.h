@@ -51,7 +51,7 @@ HWY_INLINE std::uint64_t vectors_of(std::uint64_t mask) {
                                     : 0x1111111111111111u);
 }
 
-/// Up to 64 rays of one octant, side by side. Places beyond the last, in its vector, repeat it.
+/// Up to 64 rays, mostly of one octant, side by side. Places beyond the last, in its vector, repeat it.
 struct alignas(64) Group {
     float origin[3][group_rays];
     float direction[3][group_rays];
@@ -67,11 +67,13 @@ struct alignas(64) Group {
     std::uint32_t triangle[group_rays];
     std::uint64_t axis_rays[3]; ///< by dominant axis: the first of the largest, as in ShearedRay
     std::size_t count = 0;
+    bool is_mixed = false; ///< of several octants: planes are not met in one order
     bool negative[3] = {false, false, false};
     bool reaches_back = false; ///< some tmin are negative: rays begin behind their origins
     float pad = 0;             ///< how far boxes are grown on every side: see bvh/traverse.h
     float grow[3];             ///< ±pad: off the plane met first, and on to the one met last
-    std::size_t near_at[3];    ///< where a node has the planes that these rays meet first, in floats
+    std::size_t near_at[3];    ///< where a node has the planes that these rays meet first (if they are mixed:
+                               ///< the lower ones), in floats
     std::size_t far_at[3];     ///< and last
 
     std::uint64_t all() const {
@@ -235,8 +237,8 @@ HWY_INLINE RayFloats one_below(RayFloats x) {
     return hn::IfThenElse(hn::Eq(x, hn::Zero(dr)), below_zero, hn::BitCast(dr, hn::Add(bits, step)));
 }
 
-/// Completes a loaded group whose rays are of one octant and none of them odd.
-HWY_INLINE void set_up(Group& group, const Frame& frame) {
+/// Completes a loaded group none of whose rays is odd. They are of one octant unless it `is_mixed`.
+HWY_INLINE void set_up(Group& group, const Frame& frame, bool is_mixed = false) {
     const hn::RebindToUnsigned<decltype(dr)> du;
     std::uint64_t first_axis[2] = {0, 0};
     RayFloats reaches = hn::Zero(dr);
@@ -279,8 +281,9 @@ HWY_INLINE void set_up(Group& group, const Frame& frame) {
     group.axis_rays[1] = first_axis[1];
     group.axis_rays[2] = ~(first_axis[0] | first_axis[1]);
     group.pad = 0x1p-20f * (hn::GetLane(hn::MaxOfLanes(dr, reaches)) + frame.corner);
+    group.is_mixed = is_mixed;
     for (std::size_t k = 0; k < 3; ++k) {
-        group.negative[k] = std::signbit(group.direction[k][0]);
+        group.negative[k] = !is_mixed && std::signbit(group.direction[k][0]);
         group.grow[k] = group.negative[k] ? -group.pad : group.pad;
         group.near_at[k] = low_planes(k) + (group.negative[k] ? between_planes : 0);
         group.far_at[k] = low_planes(k) + (group.negative[k] ? 0 : between_planes);
