@@ -37,17 +37,23 @@ struct GrownPlanes {
     }
 };
 
-template <class V>
-HWY_INLINE V entry_of(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3], V tmin) {
-    return hn::Max(hn::Max(hn::MulAdd(planes.near[0], inverse[0], offset[0]),
-                           hn::MulAdd(planes.near[1], inverse[1], offset[1])),
-                   hn::Max(hn::MulAdd(planes.near[2], inverse[2], offset[2]), tmin));
-}
-template <class V>
-HWY_INLINE V exit_of(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3], V limit) {
-    return hn::Min(hn::Min(hn::MulAdd(planes.far[0], inverse[0], offset[0]),
-                           hn::MulAdd(planes.far[1], inverse[1], offset[1])),
-                   hn::Min(hn::MulAdd(planes.far[2], inverse[2], offset[2]), limit));
+/// Narrows [entry, exit], of a ray or of many, to what lies within the planes of a box, or of many. Mixed
+/// rays may meet either of two planes first.
+template <bool is_mixed, class V>
+HWY_INLINE void clip(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3], V& entry,
+                     V& exit) {
+    V near[3], far[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        near[axis] = hn::MulAdd(planes.near[axis], inverse[axis], offset[axis]);
+        far[axis] = hn::MulAdd(planes.far[axis], inverse[axis], offset[axis]);
+        if constexpr (is_mixed) {
+            const V least = hn::Min(near[axis], far[axis]);
+            far[axis] = hn::Max(near[axis], far[axis]);
+            near[axis] = least;
+        }
+    }
+    entry = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], entry));
+    exit = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], exit));
 }
 
 /// Which rays enter which child.
@@ -85,18 +91,6 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 #endif
 }
 
-/// The same for a ray of any octant: of each pair of planes the one that it meets first, and the one last.
-template <class V>
-HWY_INLINE void enter_mixed(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3],
-                            V& entry, V& exit) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const V lower = hn::MulAdd(planes.near[axis], inverse[axis], offset[axis]);
-        const V upper = hn::MulAdd(planes.far[axis], inverse[axis], offset[axis]);
-        entry = hn::Max(entry, hn::Min(lower, upper));
-        exit = hn::Min(exit, hn::Max(lower, upper));
-    }
-}
-
 /// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
 template <bool with_keys, bool is_mixed>
 HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_t mask, Entered& entered) {
@@ -127,12 +121,7 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
                                       hn::Set(df, group.offset[2][r])};
             Floats entry = hn::Set(df, group.tmin[r]);
             Floats exit = hn::Set(df, group.limit[r]);
-            if constexpr (is_mixed) {
-                enter_mixed(planes, inverse, offset, entry, exit);
-            } else {
-                entry = entry_of(planes, inverse, offset, entry);
-                exit = exit_of(planes, inverse, offset, exit);
-            }
+            clip<is_mixed>(planes, inverse, offset, entry, exit);
             auto hit = hn::Le(entry, exit);
             if constexpr (is_mixed) hit = hn::And(hit, exists);
             if (with_keys) key = hn::Min(key, hn::IfThenElse(hit, entry, hn::Set(df, infinity)));
@@ -160,7 +149,7 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
 }
 
 /// The rays that enter one box, of those vectors that have a bit. `with_key` asks for the nearest entry.
-template <bool with_key>
+template <bool with_key, bool is_mixed>
 HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const Group& group,
                                    std::uint64_t vectors, float& key) {
     const RayFloats near[3] = {hn::Set(dr, node[group.near_at[0] + child]),
@@ -179,8 +168,9 @@ HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const G
                                       hn::Load(dr, group.inverse[2] + i)};
         const RayFloats offset[3] = {hn::Load(dr, group.offset[0] + i), hn::Load(dr, group.offset[1] + i),
                                      hn::Load(dr, group.offset[2] + i)};
-        const RayFloats entry = entry_of(planes, inverse, offset, hn::Load(dr, group.tmin + i));
-        const RayFloats exit = exit_of(planes, inverse, offset, hn::Load(dr, group.limit + i));
+        RayFloats entry = hn::Load(dr, group.tmin + i);
+        RayFloats exit = hn::Load(dr, group.limit + i);
+        clip<is_mixed>(planes, inverse, offset, entry, exit);
         const auto hit = hn::Le(entry, exit);
         if (with_key) least = hn::Min(least, hn::IfThenElse(hit, entry, hn::Set(dr, infinity)));
         inside |= std::uint64_t{bits_of(dr, hit)} << i;
@@ -189,14 +179,15 @@ HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const G
     return inside;
 }
 
-/// The same for those children of a node that `met` names, and those rays that `mask` does. Without keys
-/// entered.key stays as it is.
-template <bool with_keys>
+/// The same for those children of a node that `met` names, none of them missing if rays are mixed, and those
+/// rays that `mask` does. Without keys entered.key stays as it is.
+template <bool with_keys, bool is_mixed>
 HWY_INLINE void enter_boxes(const float* node, std::uint32_t met, const Group& group, std::uint64_t vectors,
                             std::uint64_t mask, Entered& entered) {
     for (; met != 0; met &= met - 1) {
         const auto child = static_cast<std::size_t>(std::countr_zero(met));
-        entered.mask[child] = enter_box<with_keys>(node, child, group, vectors, entered.key[child]) & mask;
+        entered.mask[child] =
+            enter_box<with_keys, is_mixed>(node, child, group, vectors, entered.key[child]) & mask;
         if (entered.mask[child] != 0) entered.children |= 1u << child;
     }
 }

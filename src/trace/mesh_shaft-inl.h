@@ -177,7 +177,7 @@ class Shaft {
     std::size_t low_at_[2] = {}, high_at_[2] = {}; ///< the planes of a node where the lines are compared
 };
 
-/// The box that a group's rays sweep: for rays of one octant, but of any axes.
+/// The box that a group's rays sweep, whatever their octants and axes.
 class Sweep {
   public:
     Sweep(const Group& group, const Frame& frame) {
@@ -215,7 +215,9 @@ class Sweep {
                 return hn::And(hn::Le(hn::Load(df, planes), hn::Set(df, high_[axis])),
                                hn::Ge(hn::Load(df, planes + between_planes), hn::Set(df, low_[axis])));
             };
-            met |= bits_of(hn::And(overlap(0), hn::And(overlap(1), overlap(2)))) << i;
+            // The inverted box of a missing child overlaps a box without bounds.
+            const auto exists = hn::Le(hn::Load(df, node + i), hn::Load(df, node + between_planes + i));
+            met |= bits_of(hn::And(hn::And(overlap(0), overlap(1)), hn::And(overlap(2), exists))) << i;
         }
         return met;
     }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
 namespace glint {
@@ -25,10 +26,23 @@ std::size_t room_for(std::size_t triangles, BuildQuality quality) {
     return quality == BuildQuality::high ? triangles + triangles * 15 / 100 : triangles;
 }
 
+/// The area of one triangle in so many is looked at, see MeshTree::crossings.
+constexpr std::size_t measured = 16;
+
+double area_of(const vec3& a, const vec3& b, const vec3& c) {
+    return 0.5 * glm::length(glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a)));
+}
+
+struct References {
+    Range all;
+    double surface = 0; ///< about
+};
+
 /// References to all triangles whose vertices are finite, in order.
-Range fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, Ref* refs,
-                TaskPool& pool) {
+References fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, Ref* refs,
+                     TaskPool& pool) {
     std::vector<Range> parts((triangles.size() + piece - 1) / piece);
+    std::vector<double> surfaces(parts.size());
     pool.run(parts.size(), [&](std::size_t task, int) {
         Range part;
         part.begin = part.end = task * piece;
@@ -42,6 +56,7 @@ Range fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangle
             box.grow(quad(c));
             refs[part.end] = Ref::of(box.lo, box.hi, static_cast<std::uint32_t>(i));
             part.add(refs[part.end++]);
+            if (i % measured == 0) surfaces[task] += area_of(a, b, c) * measured;
         }
         parts[task] = part;
     });
@@ -53,7 +68,7 @@ Range fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangle
         all.middles.grow(part.middles);
     }
     all.limit = all.end;
-    return all;
+    return {all, std::accumulate(surfaces.begin(), surfaces.end(), 0.0)};
 }
 
 /// Of so many parts about a sixteenth is built first, to learn how much memory leaves take; of fewer all.
@@ -280,11 +295,12 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
     tree.quality = quality;
     const std::size_t limit = room_for(triangles.size(), quality);
     LargeVector<Ref> refs(limit);
-    Range all = fill_refs(positions, triangles, refs.data(), pool);
+    auto [all, surface] = fill_refs(positions, triangles, refs.data(), pool);
     tree.left_out = triangles.size() - all.size();
     tree.bounds = all.box.bounds();
     if (all.size() == 0) return tree;
 
+    tree.crossings = surface / static_cast<double>(tree.bounds.half_area());
     all.limit = limit;
     const float scale = area_scale(all.box);
     const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.data()};

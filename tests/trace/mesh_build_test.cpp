@@ -314,6 +314,34 @@ TEST(MeshBuild, IsTheSameOnAnyNumberOfThreads) {
         }
 }
 
+/// A parallelogram of side × side × 2 triangles.
+void add_grid(Mesh& mesh, const vec3& corner, const vec3& along, const vec3& up, uint side) {
+    const float step = 1.0f / static_cast<float>(side);
+    for (uint y = 0; y < side; ++y)
+        for (uint x = 0; x < side; ++x) {
+            const vec3 at =
+                corner + along * (step * static_cast<float>(x)) + up * (step * static_cast<float>(y));
+            mesh.add(at, at + along * step, at + up * step);
+            mesh.add(at + along * step, at + up * step, at + (along + up) * step);
+        }
+}
+
+TEST(MeshBuild, EstimatesHowOftenALineMeetsTheSurface) {
+    // A line through a cube meets two of its sides.
+    Mesh cube;
+    const vec3 axes[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {0.0f, 1.0f})
+            add_grid(cube, axes[axis] * side, axes[(axis + 1) % 3], axes[(axis + 2) % 3], 20);
+    // A diagonal rectangle of √2 in bounds of six sides: 2 · √2 / 6 times.
+    Mesh diagonal;
+    add_grid(diagonal, vec3(0.0f), vec3(1, 1, 0), vec3(0, 0, 1), 40);
+    for (const BuildQuality quality : qualities) {
+        EXPECT_NEAR(build(cube, quality).crossings, 2.0, 1e-4);
+        EXPECT_NEAR(build(diagonal, quality).crossings, std::sqrt(2.0) / 3.0, 1e-4);
+    }
+}
+
 double bytes_a_triangle(const Mesh& mesh, BuildQuality quality) {
     return static_cast<double>(build(mesh, quality).bytes()) / static_cast<double>(mesh.triangles.size());
 }
