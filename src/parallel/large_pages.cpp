@@ -35,9 +35,7 @@ void prefer_large_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
-void return_pages(void* begin, std::size_t bytes) {
-    advise(begin, bytes, small_page, MADV_DONTNEED);
-}
+void return_pages(void* begin, std::size_t bytes) { advise(begin, bytes, small_page, MADV_DONTNEED); }
 
 void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {
     void* const at = ::operator new(bytes, aligned(bytes, alignment));

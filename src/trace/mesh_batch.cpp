@@ -1,5 +1,5 @@
-// Batches of rays through a MeshTree, for every SIMD target: groups of up to 64 rays of one octant go down
-// together, a 64-bit mask for each node telling which of them are there.
+// Batches of rays through a MeshTree, for every SIMD target: groups of up to 64 rays, mostly of one octant,
+// go down together, a 64-bit mask for each node telling which of them are there.
 //
 // Coherent groups are bounded by a shaft that culls eight children, or the triangles of a leaf, at once
 // before any ray is looked at (after Reshetov, Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008);
