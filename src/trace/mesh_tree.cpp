@@ -153,7 +153,9 @@ class TreeWriter {
         const auto moved = [&](std::uint32_t code) {
             return code == no_child ? code : code + ((code & leaf_bit) != 0 ? blocks : nodes);
         };
-        tree_.leaf_words.insert(tree_.leaf_words.end(), subtree.words.begin(), subtree.words.end());
+        tree_.leaf_words.resize(4 * std::size_t{blocks} + subtree.words.size());
+        std::copy(subtree.words.begin(), subtree.words.end(),
+                  tree_.leaf_words.begin() + 4 * std::ptrdiff_t{blocks});
         tree_.nodes.resize(nodes + subtree.nodes.size());
         WideNode* out = tree_.nodes.data() + nodes;
         for (const WideNode& node : subtree.nodes) {
