@@ -14,7 +14,7 @@ inline constexpr int wide_children = 8;
 inline constexpr std::uint32_t wide_leaf = 8;
 
 /// Eight boxes side by side, by axis: seven half cache lines. The boxes of missing children are inverted (lo
-/// = +∞, hi = −∞), so that no ray enters them.
+/// = +∞, hi = −∞), so that no ray enters them whose planes are met in order.
 struct alignas(32) WideNode {
     float lo[3][wide_children]; ///< [axis][child]
     float hi[3][wide_children];

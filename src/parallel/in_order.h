@@ -33,9 +33,11 @@ void run_in_order(TaskPool& pool, std::size_t count, const Make& make, const Tak
         make(task, worker, made);
         const std::lock_guard lock(mutex);
         early.emplace(task, std::move(made));
-        for (auto at = early.begin(); at != early.end() && at->first == next; at = early.erase(at), ++next) {
-            take(next, std::as_const(at->second));
+        for (auto at = early.begin(); at != early.end() && at->first == next; at = early.erase(at)) {
+            const std::size_t turn = std::exchange(next, count); // which is nobody's, should this one fail
+            take(turn, std::as_const(at->second));
             used.push_back(std::move(at->second));
+            next = turn + 1;
         }
     });
 }

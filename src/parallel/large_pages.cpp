@@ -37,13 +37,13 @@ void prefer_large_pages(void* begin, std::size_t bytes) {
 
 void return_pages(void* begin, std::size_t bytes) { advise(begin, bytes, small_page, MADV_DONTNEED); }
 
-void* LargePages::do_allocate(std::size_t bytes, std::size_t alignment) {
+void* new_in_large_pages(std::size_t bytes, std::size_t alignment) {
     void* const at = ::operator new(bytes, aligned(bytes, alignment));
     prefer_large_pages(at, bytes);
     return at;
 }
 
-void LargePages::do_deallocate(void* at, std::size_t bytes, std::size_t alignment) {
+void delete_in_large_pages(void* at, std::size_t bytes, std::size_t alignment) {
     ::operator delete(at, aligned(bytes, alignment));
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory_resource>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -15,7 +14,8 @@ inline constexpr std::size_t large_page = std::size_t{1} << 21U;
 /// arrays are filled. Only advice; short arrays are left alone.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
-/// Gives memory back to the system until it is written to again. What it held is lost.
+/// Gives the pages within a piece of memory back to the system until they are written to again. What was in
+/// it is lost.
 void return_pages(void* begin, std::size_t bytes);
 
 /// reserve(), in large pages.
@@ -25,14 +25,10 @@ void reserve_large(std::vector<Value>& values, std::size_t count) {
     prefer_large_pages(values.data(), values.capacity() * sizeof(Value));
 }
 
-/// Memory in large pages, where a piece is long enough for one.
-class LargePages : public std::pmr::memory_resource {
-    void* do_allocate(std::size_t bytes, std::size_t alignment) override;
-    void do_deallocate(void* at, std::size_t bytes, std::size_t alignment) override;
-    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
-        return dynamic_cast<const LargePages*>(&other) != nullptr;
-    }
-};
+/// Memory in large pages, where a piece is long enough for one. As operator new and delete with a size and an
+/// alignment, which delete must be told again.
+void* new_in_large_pages(std::size_t bytes, std::size_t alignment);
+void delete_in_large_pages(void* at, std::size_t bytes, std::size_t alignment);
 
 /// Puts a vector in large pages. resize() leaves new values of simple types unset.
 template <class Value>
@@ -45,10 +41,10 @@ struct LargePageAllocator {
     LargePageAllocator(const LargePageAllocator<Other>&) {} // NOLINT(google-explicit-constructor)
 
     Value* allocate(std::size_t count) {
-        return static_cast<Value*>(LargePages().allocate(count * sizeof(Value), alignof(Value)));
+        return static_cast<Value*>(new_in_large_pages(count * sizeof(Value), alignof(Value)));
     }
     void deallocate(Value* at, std::size_t count) {
-        LargePages().deallocate(at, count * sizeof(Value), alignof(Value));
+        delete_in_large_pages(at, count * sizeof(Value), alignof(Value));
     }
     template <class Made>
     void construct(Made* at) {

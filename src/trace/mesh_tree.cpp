@@ -26,8 +26,8 @@ std::size_t room_for(std::size_t triangles, BuildQuality quality) {
     return quality == BuildQuality::high ? triangles + triangles * 15 / 100 : triangles;
 }
 
-/// The area of one triangle in so many is looked at, see MeshTree::crossings.
-constexpr std::size_t measured = 16;
+/// The area of one triangle in so many is looked at, see MeshTree::crossings. A prime: grids repeat.
+constexpr std::size_t measured = 17;
 
 double area_of(const vec3& a, const vec3& b, const vec3& c) {
     return 0.5 * glm::length(glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a)));
@@ -46,6 +46,8 @@ References fill_refs(std::span<const vec3> positions, std::span<const uvec3> tri
     pool.run(parts.size(), [&](std::size_t task, int) {
         Range part;
         part.begin = part.end = task * piece;
+        double areas = 0;
+        int looked_at = 0;
         for (std::size_t i = part.begin; i < std::min(part.begin + piece, triangles.size()); ++i) {
             const vec3& a = positions[triangles[i].x];
             const vec3& b = positions[triangles[i].y];
@@ -54,11 +56,15 @@ References fill_refs(std::span<const vec3> positions, std::span<const uvec3> tri
             QuadBox box{quad(a), quad(a)};
             box.grow(quad(b));
             box.grow(quad(c));
+            if (part.size() % measured == 0) {
+                areas += area_of(a, b, c);
+                ++looked_at;
+            }
             refs[part.end] = Ref::of(box.lo, box.hi, static_cast<std::uint32_t>(i));
             part.add(refs[part.end++]);
-            if (i % measured == 0) surfaces[task] += area_of(a, b, c) * measured;
         }
         parts[task] = part;
+        if (looked_at > 0) surfaces[task] = areas * static_cast<double>(part.size()) / looked_at;
     });
     Range all;
     for (const Range& part : parts) {
@@ -82,6 +88,7 @@ constexpr double budget_shared = 47.5;
 constexpr double budget_apart = 71.5;
 /// How thrifty leaves may have to be for that, see MeshBuild::thrift.
 constexpr std::array<float, 5> thrifts{0.0f, 0.25f, 1.0f, 8.0f, 30000.0f};
+
 /// Whether triangles share vertices, by their numbers.
 bool shares_vertices(const MeshBuild& build) { return build.positions.size() < 2 * build.triangles.size(); }
 
@@ -126,10 +133,12 @@ class TreeWriter {
     TreeWriter(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
                MeshTree& tree)
         : tree_(tree), parts_(parts.size()) {
-        // Hardly ever too few.
-        const std::size_t leaf_bytes = shares_vertices(build) ? 36 : 56;
+        // Bytes a reference, hardly ever too few.
+        const bool shares = shares_vertices(build);
+        const std::size_t node_bytes = shares ? 16 : 24;
+        const std::size_t leaf_bytes = shares ? 40 : 56;
         const std::size_t references = top.nodes[0].count;
-        tree_.nodes.reserve(parts.size() + references * 16 / sizeof(WideNode));
+        tree_.nodes.reserve(parts.size() + references * node_bytes / sizeof(WideNode));
         tree_.leaf_words.reserve(tail_words + references * leaf_bytes / sizeof(std::uint32_t));
         const UpperTree upper(top, parts, build.scale);
         const auto number = [](const BinaryNode& leaf) { return leaf_bit | leaf.first; };

@@ -58,7 +58,7 @@ struct MeshTree {
     Bounds bounds;
     int depth = 0;
     /// How often a line through the bounds meets the surface on average: the triangles' area by half that of
-    /// the bounds (Crofton's formula), estimated from some of them. It decides speed alone.
+    /// the bounds (Crofton's formula), estimated from some of them when it was built. It decides speed alone.
     double crossings = 0;
     std::size_t triangles = 0; ///< as given
     std::size_t left_out = 0;  ///< of these, with a vertex that is not finite

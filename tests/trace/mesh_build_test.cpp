@@ -204,8 +204,13 @@ void expect_hits_of_brute_force(const MeshTree& tree, const Mesh& mesh, uint ray
 
 TEST(MeshBuild, HoldsEveryPointOfEveryTriangle) {
     const std::pair<std::string, Mesh> meshes[] = {
-        {"one", scattered(1, 1.0f)},       {"nine", scattered(9, 0.1f)}, {"small", scattered(30'000, 0.01f)},
-        {"large", scattered(5'000, 1.0f)}, {"sheet", sheet(150)},        {"thatched", thatched(120, 100)}};
+        {"one", scattered(1, 1.0f)},
+        {"nine", scattered(9, 0.1f)},
+        {"small", scattered(30'000, 0.01f)},
+        {"large", scattered(5'000, 1.0f)},
+        {"sheet", sheet(150)},
+        {"thatched", thatched(120, 100)},
+        {"of references in more than a large page", scattered(90'000, 0.01f)}};
     for (const auto& [name, mesh] : meshes)
         for (const BuildQuality quality : qualities) {
             SCOPED_TRACE(name);
@@ -339,6 +344,10 @@ TEST(MeshBuild, EstimatesHowOftenALineMeetsTheSurface) {
     for (const BuildQuality quality : qualities) {
         EXPECT_NEAR(build(cube, quality).crossings, 2.0, 1e-4);
         EXPECT_NEAR(build(diagonal, quality).crossings, std::sqrt(2.0) / 3.0, 1e-4);
+        // Half of a diagonal square, all of what there is.
+        Mesh one;
+        one.add(vec3(0.0f), vec3(1, 1, 0), vec3(0, 0, 1));
+        EXPECT_NEAR(build(one, quality).crossings, std::sqrt(2.0) / 6.0, 1e-6);
     }
 }
 
