@@ -13,10 +13,9 @@ constexpr std::size_t small_page = std::size_t{1} << 16U;
 
 /// Advice for all whole pages in a piece of memory. A system may not know it, which changes nothing.
 void advise(void* begin, std::size_t bytes, std::size_t page, int advice) {
-    const auto first = reinterpret_cast<std::uintptr_t>(begin);
-    const std::uintptr_t from = (first + page - 1) / page * page;
-    const std::uintptr_t to = (first + bytes) / page * page;
-    if (from < to) (void)::madvise(reinterpret_cast<void*>(from), to - from, advice);
+    const std::size_t skipped = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
+    const std::size_t whole = skipped < bytes ? (bytes - skipped) / page * page : 0;
+    if (whole > 0) (void)::madvise(static_cast<char*>(begin) + skipped, whole, advice);
 }
 
 /// Memory of at least a large page begins with one.
