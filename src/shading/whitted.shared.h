@@ -29,10 +29,15 @@ GLINT_FN vec3 point_light_arriving(vec3 intensity, real cosine, real r_squared) 
 /// Light arriving from a directional light: E = irradiance · cosine.
 GLINT_FN vec3 directional_light_arriving(vec3 irradiance, real cosine) { return irradiance * cosine; }
 
+/// The way of a direction from a spot light's outer cone (0) to its inner cone (1), by cosines; not clamped.
+GLINT_FN real spot_ramp(real cos_angle, real cos_outer, real cos_inner) {
+    return (cos_angle - cos_outer) / (cos_inner - cos_outer);
+}
+
 /// The share of a spot light that leaves in a direction: smoothstep between the cosines of its outer and
 /// inner cone.
 GLINT_FN real spot_falloff(real cos_angle, real cos_outer, real cos_inner) {
-    real x = (cos_angle - cos_outer) / (cos_inner - cos_outer);
+    real x = spot_ramp(cos_angle, cos_outer, cos_inner);
     real between = pick(cos_angle <= cos_outer, 0.0f, x * x * (3.0f - 2.0f * x));
     return pick(cos_angle >= cos_inner, 1.0f, between);
 }
@@ -64,19 +69,24 @@ GLINT_FN vec3 diffuse_term(vec3 arriving, vec3 color, real k_d) { return arrivin
 /// m. 0^0 = 1.
 GLINT_FN real lobe_of(real cosine, real m) { return pow_of(min(1.0f, max(0.0f, cosine)), m); }
 
-/// Blinn's lobe max(0, n·h)^m with h = (l + v)/|l + v|. (Report 2.5.)
-GLINT_FN real blinn_lobe(vec3 n, vec3 l, vec3 v, real m) {
+/// The mirror direction R = 2 (n·v) n − v. (Report 2.3.)
+GLINT_FN vec3 mirror_direction(vec3 v, vec3 n) { return n * (2.0f * dot(n, v)) - v; }
+
+/// n·h with Blinn's half vector h = (l + v)/|l + v|; 0 where light and viewer are opposite. (Report 2.5.)
+GLINT_FN real blinn_cosine(vec3 n, vec3 l, vec3 v) {
     vec3 sum = l + v;
     real squared = dot(sum, sum);
-    real cosine = pick(squared > 0.0f, dot(n, sum) / sqrt(squared), 0.0f);
-    return lobe_of(cosine, m);
+    return pick(squared > 0.0f, dot(n, sum) / sqrt(squared), 0.0f);
 }
 
-/// Phong's lobe max(0, v·R)^m, R the mirror direction of l, for comparison. (Report 2.5 discusses both.)
-GLINT_FN real phong_lobe(vec3 n, vec3 l, vec3 v, real m) {
-    vec3 mirrored = n * (2.0f * dot(n, l)) - l;
-    return lobe_of(dot(v, mirrored), m);
-}
+/// v·R, R the mirror direction of l. (Report 2.5 discusses both.)
+GLINT_FN real phong_cosine(vec3 n, vec3 l, vec3 v) { return dot(v, mirror_direction(l, n)); }
+
+/// Blinn's lobe max(0, n·h)^m. (Report 2.5.)
+GLINT_FN real blinn_lobe(vec3 n, vec3 l, vec3 v, real m) { return lobe_of(blinn_cosine(n, l, v), m); }
+
+/// Phong's lobe max(0, v·R)^m, for comparison. (Report 2.5.)
+GLINT_FN real phong_lobe(vec3 n, vec3 l, vec3 v, real m) { return lobe_of(phong_cosine(n, l, v), m); }
 
 /// Highlight: E · k · lobe. It has the light's colour, not the material's, and carries n·l and 1/r² as the
 /// report's figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
@@ -88,9 +98,6 @@ GLINT_FN vec3 limit_to_range(vec3 color) { return min(color, vec3(4194304.0f)); 
 
 /// Each channel limited to 1.
 GLINT_FN vec3 limit_to_one(vec3 color) { return min(color, vec3(1.0f)); }
-
-/// The mirror direction R = 2 (n·v) n − v. (Report 2.3.)
-GLINT_FN vec3 mirror_direction(vec3 v, vec3 n) { return n * (2.0f * dot(n, v)) - v; }
 
 /// The direction of the mirror ray; that of the geometric normal where it would go below the surface else.
 GLINT_FN vec3 mirror_ray_direction(vec3 v, vec3 n, vec3 n_g) {
@@ -110,11 +117,21 @@ GLINT_FN vec3 refracted_direction(vec3 v, vec3 n, real eta, real discriminant) {
     return pick(eta == 1.0f, -v, bent);
 }
 
-/// Fresnel's reflectance of a dielectric for unpolarised light, from the cosines on both sides and the
-/// indices. (Born and Wolf, Principles of Optics, section 1.5.2.)
+/// Fresnel's amplitude for light that swings across the plane of incidence, from the cosines on both sides
+/// and the indices. (Born and Wolf, Principles of Optics, section 1.5.2.)
+GLINT_FN real fresnel_s(real cos_1, real cos_2, real index_1, real index_2) {
+    return (index_1 * cos_1 - index_2 * cos_2) / (index_1 * cos_1 + index_2 * cos_2);
+}
+
+/// And for light that swings within it.
+GLINT_FN real fresnel_p(real cos_1, real cos_2, real index_1, real index_2) {
+    return (index_2 * cos_1 - index_1 * cos_2) / (index_2 * cos_1 + index_1 * cos_2);
+}
+
+/// Fresnel's reflectance of a dielectric for unpolarised light.
 GLINT_FN real fresnel_reflectance(real cos_1, real cos_2, real index_1, real index_2) {
-    real s = (index_1 * cos_1 - index_2 * cos_2) / (index_1 * cos_1 + index_2 * cos_2);
-    real p = (index_2 * cos_1 - index_1 * cos_2) / (index_2 * cos_1 + index_1 * cos_2);
+    real s = fresnel_s(cos_1, cos_2, index_1, index_2);
+    real p = fresnel_p(cos_1, cos_2, index_1, index_2);
     return 0.5f * (s * s + p * p);
 }
 
