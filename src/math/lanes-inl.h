@@ -71,6 +71,9 @@ struct truth {
     friend HWY_INLINE truth operator!(truth a) { return hn::Not(a.m); }
     friend HWY_INLINE truth operator&(truth a, truth b) { return hn::And(a.m, b.m); }
     friend HWY_INLINE truth operator|(truth a, truth b) { return hn::Or(a.m, b.m); }
+    // As in text shared with GLSL, but both sides are computed.
+    friend HWY_INLINE truth operator&&(truth a, truth b) { return a & b; }
+    friend HWY_INLINE truth operator||(truth a, truth b) { return a | b; }
 };
 
 HWY_INLINE truth operator<(real a, real b) { return hn::Lt(a.v, b.v); }
@@ -79,6 +82,7 @@ HWY_INLINE truth operator<=(real a, real b) { return hn::Le(a.v, b.v); }
 HWY_INLINE truth operator>=(real a, real b) { return hn::Le(b.v, a.v); }
 HWY_INLINE truth operator==(real a, real b) { return hn::Eq(a.v, b.v); }
 HWY_INLINE bool any(truth t) { return !hn::AllFalse(RealTag(), t.m); }
+HWY_INLINE bool any_lane(truth t) { return any(t); }
 
 HWY_INLINE real pick(truth t, real one, real other) { return hn::IfThenElse(t.m, one.v, other.v); }
 HWY_INLINE integer pick(truth t, integer one, integer other) {

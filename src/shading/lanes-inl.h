@@ -1,9 +1,7 @@
 // The shared headers for vectors of rays, for every SIMD target: the same text as for one ray, read once more
 // in the vocabulary of math/lanes-inl.h.
 
-#include "shading/whitted.shared.h"
-
-#include "math/offset.shared.h"
+#include "shading/whitted_steps.shared.h"
 
 #include <hwy/highway.h>
 
@@ -25,16 +23,20 @@
 #define GLINT_SHARED_BEGIN namespace glint::HWY_NAMESPACE::lanes {
 #define GLINT_SHARED_END }
 #define GLINT_FN HWY_INLINE
+#define GLINT_LANES
 
-// Without their guards they come again.
+// Without their guards they are read again.
 #undef GLINT_MATH_OFFSET_SHARED_H
 #undef GLINT_MATH_ELEMENTARY_SHARED_H
+#undef GLINT_SHADING_RECORDS_SHARED_H
 #undef GLINT_SHADING_WHITTED_SHARED_H
+#undef GLINT_SHADING_WHITTED_STEPS_SHARED_H
 
 HWY_BEFORE_NAMESPACE();
-#include "math/offset.shared.h"
-#include "shading/whitted.shared.h"
+#include "shading/whitted_steps.shared.h"
 HWY_AFTER_NAMESPACE();
+
+#undef GLINT_LANES
 
 #pragma pop_macro("GLINT_SHARED_BEGIN")
 #pragma pop_macro("GLINT_SHARED_END")
