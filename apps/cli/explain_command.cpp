@@ -8,6 +8,7 @@
 
 #include "glint/explain.h"
 #include "glint/formats.h"
+#include "glint/limits.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +72,7 @@ std::optional<OtherPixel> pixel_on_card(const Scene& scene, int x, int y, Backen
 
 std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::string& title, bool color,
                      Backend& backend) {
-    const auto pixel = *arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, pixel_example);
+    const auto pixel = *arguments.integers("pixel", 2, ',', 0, picture_side_limit, pixel_example);
     const auto x = static_cast<int>(pixel[0]);
     const auto y = static_cast<int>(pixel[1]);
     Explanation explanation = explain(scene, x, y);
@@ -86,7 +87,7 @@ std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::
 /// Pages show every place, all else one pixel.
 void require_place(const Arguments& arguments) {
     const bool page = arguments.text("format") == "html";
-    const auto pixel = arguments.integers("pixel", 2, ',', 0, most_pixels_a_side, pixel_example);
+    const auto pixel = arguments.integers("pixel", 2, ',', 0, picture_side_limit, pixel_example);
     if (!page && !pixel)
         throw Error(ErrorKind::usage, "no pixel given",
                     "--pixel X,Y; 0,0 is top left; --format html shows the whole picture");

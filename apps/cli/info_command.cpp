@@ -5,6 +5,7 @@
 #include "scene_input.h"
 #include "text.h"
 
+#include "glint/names.h"
 #include "glint/render.h"
 
 #include <fmt/format.h>
@@ -42,13 +43,12 @@ std::string kinds(const SceneDescription& description) {
 }
 
 std::string light_kinds(const SceneDescription& description) {
-    constexpr std::array names{"ambient", "point", "directional", "spot"};
-    std::array<std::size_t, names.size()> counts{};
+    std::array<std::size_t, light_names.size()> counts{};
     for (const Light& light : description.lights) ++counts[light.kind.index()];
     std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t i = 0; i < counts.size(); ++i)
         if (counts[i] > 0)
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]), names[i]);
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]), light_names[i]);
     return text.empty() ? "none" : text;
 }
 

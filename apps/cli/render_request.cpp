@@ -4,6 +4,8 @@
 #include "scene_input.h"
 #include "text.h"
 
+#include "glint/limits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,8 +15,6 @@
 
 namespace glint::cli {
 namespace {
-
-constexpr std::int64_t most_pixels = std::int64_t{1} << 30;
 
 /// Options that the kind of picture has no room for are refused rather than dropped.
 void require_format(const Arguments& arguments, const std::string& output) {
@@ -97,9 +97,9 @@ RenderOptions render_options(const Arguments& arguments) {
     RenderOptions options;
     options.threads = threads(arguments);
     options.tile_size =
-        static_cast<int>(arguments.integer("tile-size", 1, most_pixels_a_side).value_or(options.tile_size));
+        static_cast<int>(arguments.integer("tile-size", 1, picture_side_limit).value_or(options.tile_size));
     if (const auto crop =
-            arguments.integers("crop", 4, ',', 0, most_pixels_a_side, "X,Y,W,H such as 100,50,64,64")) {
+            arguments.integers("crop", 4, ',', 0, picture_side_limit, "X,Y,W,H such as 100,50,64,64")) {
         const auto at = [&](std::size_t i) { return static_cast<int>((*crop)[i]); };
         options.crop = Rect{at(0), at(1), at(2), at(3)};
     }
@@ -165,14 +165,14 @@ RenderRequest read_render_request(const Arguments& arguments) {
 
 /// Flags override what the scene says.
 void apply_flags(const Arguments& arguments, SceneDescription& scene) {
-    if (const auto size = arguments.integers("size", 2, 'x', 1, most_pixels_a_side, "WxH such as 1280x720")) {
-        if ((*size)[0] * (*size)[1] > most_pixels)
+    if (const auto size = arguments.integers("size", 2, 'x', 1, picture_side_limit, "WxH such as 1280x720")) {
+        if ((*size)[0] * (*size)[1] > picture_pixel_limit)
             throw Error(ErrorKind::usage, fmt::format("--size {} is too large", *arguments.text("size")),
-                        fmt::format("at most {} pixels", with_commas(most_pixels)));
+                        fmt::format("at most {} pixels", with_commas(picture_pixel_limit)));
         scene.render.width = static_cast<int>((*size)[0]);
         scene.render.height = static_cast<int>((*size)[1]);
     }
-    if (const auto spp = arguments.integer("spp", 1, 1 << 20)) scene.render.spp = static_cast<int>(*spp);
+    if (const auto spp = arguments.integer("spp", 1, sample_limit)) scene.render.spp = static_cast<int>(*spp);
     if (const auto seed = arguments.integer("seed", 0, INT64_MAX))
         scene.render.seed = static_cast<std::uint64_t>(*seed);
     if (const auto depth = arguments.integer("max-depth", 0, 1000))

@@ -12,8 +12,6 @@
 
 namespace glint::cli {
 
-inline constexpr int most_pixels_a_side = 65536;
-
 /// What the command line asks for, beyond the scene itself.
 struct RenderRequest {
     std::string scene;

@@ -1,6 +1,7 @@
 #include "formats/picture_codecs.h"
 #include "formats/read_bytes.h"
 #include "formats/write_file.h"
+#include "glint/limits.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,9 +13,6 @@
 namespace glint {
 
 namespace {
-
-constexpr int largest_side = 65536;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 30;
 
 enum class PictureFormat { png, exr, pfm };
 
@@ -38,9 +36,9 @@ std::string size_text(std::int64_t width, std::int64_t height) {
 }
 
 void check_image(const Image& image, const std::string& what) {
-    const bool sides =
-        image.width >= 1 && image.height >= 1 && image.width <= largest_side && image.height <= largest_side;
-    if (!sides || std::int64_t{image.width} * image.height > most_pixels)
+    const bool sides = image.width >= 1 && image.height >= 1 && image.width <= picture_side_limit &&
+                       image.height <= picture_side_limit;
+    if (!sides || std::int64_t{image.width} * image.height > picture_pixel_limit)
         refuse_arguments(what + " has " + size_text(image.width, image.height) + " pixels",
                          "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
     const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -89,8 +87,9 @@ void refuse_picture(const std::string& name, const std::string& message, const s
 }
 
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height) {
-    const bool sides = width >= 1 && height >= 1 && width <= largest_side && height <= largest_side;
-    if (!sides || width * height > most_pixels)
+    const bool sides =
+        width >= 1 && height >= 1 && width <= picture_side_limit && height <= picture_side_limit;
+    if (!sides || width * height > picture_pixel_limit)
         refuse_picture(name, "the picture claims a size of " + size_text(width, height) + " pixels",
                        "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
 }

@@ -148,7 +148,7 @@ class BodyReader {
     void check_vertex(std::size_t i, const Values& values,
                       const std::array<std::size_t, role_count>& offsets) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::fabs(values[k]) <= greatest_coordinate) continue;
+            if (std::fabs(values[k]) <= coordinate_limit) continue;
             body_.bad_vertices.push_back(
                 {static_cast<std::uint32_t>(i), offsets[k], std::isfinite(values[k])});
             return;

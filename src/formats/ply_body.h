@@ -3,6 +3,7 @@
 
 #include "formats/load_watch.h"
 #include "formats/ply_layout.h"
+#include "glint/limits.h"
 #include "glint/scene.h"
 
 #include <cstddef>
@@ -10,9 +11,6 @@
 #include <vector>
 
 namespace glint::ply {
-
-/// Coordinates beyond are refused.
-inline constexpr double greatest_coordinate = 1e12;
 
 /// What the rows of a body hold. Indices are checked; coordinates are not.
 struct Body {

@@ -107,7 +107,7 @@ const char* PlainBody::take_vertices(const char* row, const char* end) {
         const auto finite = [&](Role role) { return finite_or_zero(number(role)); };
         const auto code = [&](Role role) { return light[value_at<std::uint8_t>(place(role))]; };
         const glm::vec3 p(number(Role::x), number(Role::y), number(Role::z));
-        constexpr auto greatest = static_cast<float>(greatest_coordinate);
+        constexpr auto greatest = static_cast<float>(coordinate_limit);
         if (!(std::fabs(p.x) < greatest && std::fabs(p.y) < greatest && std::fabs(p.z) < greatest))
             return nullptr;
         mesh_.positions.push_back(p);

@@ -1,19 +1,13 @@
 #pragma once
 // Checks of meaning that every description must pass, however it was made.
 
+#include "glint/limits.h"
 #include "glint/scene.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace glint {
-
-/// Coordinates and lengths end here.
-inline constexpr double coordinate_limit = 1e12;
-/// Pictures end here.
-inline constexpr int picture_side_limit = 65536;
-inline constexpr std::int64_t picture_pixel_limit = std::int64_t{1} << 30;
 
 /// Whether shapes and transforms are checked as well, or have been before.
 enum class Shapes { unchecked, checked };

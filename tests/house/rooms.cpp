@@ -146,7 +146,8 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/formats.h", "formats"},   {"glint/render.h", "render"},    {"glint/trace.h", "trace"},
         {"glint/kernels.h", "trace"},     {"glint/document.h", "formats"}, {"glint/term.h", "scene"},
         {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},   {"glint/progressive.h", "render"},
-        {"glint/pick.h", "render"},       {"glint/gpu.h", "gpu"},
+        {"glint/pick.h", "render"},       {"glint/gpu.h", "gpu"},          {"glint/names.h", "scene"},
+        {"glint/limits.h", "scene"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;
