@@ -4,7 +4,7 @@
 #include "rounds.h"
 
 #include "glint/formats.h"
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 #include "render/whitted.h"
 
 #include <fmt/format.h>
@@ -68,7 +68,7 @@ class Square {
 
 std::vector<Batch> batches_of(const FrozenScene& scene) {
     const RenderSettings& settings = scene.description.render;
-    const SamplePlaces places(scene.description);
+    const CameraSampler sampler(scene.description);
     WhittedTracer tracer(scene);
     Square square(scene);
     std::vector<Batch> all;
@@ -78,8 +78,7 @@ std::vector<Batch> batches_of(const FrozenScene& scene) {
                 const int px = x + morton_x(i);
                 const int py = y + morton_y(i);
                 if (px >= settings.width || py >= settings.height) continue;
-                Sample sample;
-                places.aim_at_centre(px, py, sample);
+                const CameraSample sample = sampler.centre({px, py});
                 RayTree tree;
                 tracer.trace(sample.origin, sample.direction, &tree);
                 square.add(tree);

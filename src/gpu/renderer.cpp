@@ -6,8 +6,7 @@
 #include "gpu/tile_work.h"
 #include "imaging/film.h"
 #include "render/aspect.h"
-#include "render/ray_tree.h"
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 
 #include <algorithm>
 

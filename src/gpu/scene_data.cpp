@@ -1,7 +1,7 @@
 #include "gpu/scene_data.h"
 
 #include "glint/error.h"
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 #include "trace/world_data.h"
 
 #include <algorithm>
@@ -185,8 +185,8 @@ class Flattener {
 
     void add_filter() {
         GpuSettings& s = data_.settings;
-        const SamplePlaces places(scene_.description);
-        const PixelFilterSampler& filter = places.filter();
+        const CameraSampler sampler(scene_.description);
+        const PixelFilterSampler& filter = sampler.filter();
         s.camera_right.w = filter.radius();
         s.at_tables.y = static_cast<std::uint32_t>(data_.tables.size());
         for (const float tail : filter.tails()) data_.tables.emplace_back(tail, 0.0f, 0.0f, 0.0f);

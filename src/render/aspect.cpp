@@ -2,7 +2,7 @@
 
 #include "parallel/task_pool.h"
 #include "render/aspect.shared.h"
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 
 #include <array>
 #include <chrono>
@@ -54,16 +54,17 @@ Probe::Probe(const Scene& scene, Aspect aspect, const CancelFlag* cancel, const 
 
 vec3 Probe::part_of(const Terms& terms) const { return term_ ? terms[*term_] : terms.sum(); }
 
-void Probe::measure(std::span<Sample> samples, std::span<vec3> values) {
+void Probe::measure(std::span<const CameraSample> samples, std::span<Channels> scratch,
+                    std::span<vec3> values) {
     if (is_light(aspect_)) {
-        trace(samples);
-        for (std::size_t i = 0; i < samples.size(); ++i) values[i] = part_of(samples[i].terms);
+        estimate(samples, scratch);
+        for (std::size_t i = 0; i < samples.size(); ++i) values[i] = part_of(scratch[i].terms);
         return;
     }
     for (std::size_t i = 0; i < samples.size(); ++i) values[i] = measure_first_hit(samples[i]);
 }
 
-vec3 Probe::measure_first_hit(const Sample& sample) {
+vec3 Probe::measure_first_hit(const CameraSample& sample) {
     if (aspect_ == Aspect::cost) {
         Ray ray;
         ray.origin = sample.origin;
@@ -86,7 +87,7 @@ namespace {
 class AspectJob {
   public:
     AspectJob(const Scene& scene, const RenderOptions& options)
-        : options_(options), places_(scene.description()),
+        : options_(options), sampler_(scene.description()),
           area_(picture_area(scene.render_settings(), options.crop)) {
         picture_.image = Image(area_.width, area_.height);
         TaskPool pool(options.threads);
@@ -116,11 +117,12 @@ class AspectJob {
 
     void measure_row(int row, int worker) {
         if (cancelled()) return;
-        std::vector<Sample> samples(static_cast<std::size_t>(area_.width));
+        std::vector<CameraSample> samples(static_cast<std::size_t>(area_.width));
+        std::vector<Channels> channels(samples.size());
         std::vector<vec3> values(samples.size());
         for (std::size_t i = 0; i < samples.size(); ++i)
-            places_.aim_at_centre(area_.x + static_cast<int>(i), area_.y + row, samples[i]);
-        probes_[static_cast<std::size_t>(worker)].measure(samples, values);
+            samples[i] = sampler_.centre({area_.x + static_cast<int>(i), area_.y + row});
+        probes_[static_cast<std::size_t>(worker)].measure(samples, channels, values);
         if (cancelled()) return;
         float* pixel = picture_.image.at(0, row);
         for (const vec3& value : values)
@@ -138,7 +140,7 @@ class AspectJob {
     }
 
     const RenderOptions& options_;
-    const SamplePlaces places_;
+    const CameraSampler sampler_;
     const Rect area_;
     Picture picture_;
     std::vector<Probe> probes_;

@@ -20,17 +20,19 @@ class Probe {
   public:
     Probe(const Scene& scene, Aspect aspect, const CancelFlag* cancel, const KernelChoice& kernel);
 
-    /// Traces samples of the light.
-    void trace(std::span<Sample> samples) { tracer_.trace(samples); }
+    /// Measures the light.
+    void estimate(std::span<const CameraSample> samples, std::span<Channels> out) {
+        tracer_.estimate(samples, out);
+    }
     /// The part of a sample's light that is asked for.
     vec3 part_of(const Terms& terms) const;
-    /// The aspect along each sample's ray, which must have its origin and direction.
-    void measure(std::span<Sample> samples, std::span<vec3> values);
+    /// The aspect along each sample's ray. `scratch` and `values` have an element for each.
+    void measure(std::span<const CameraSample> samples, std::span<Channels> scratch, std::span<vec3> values);
 
     const RayCounts& counts() const { return tracer_.counts(); }
 
   private:
-    vec3 measure_first_hit(const Sample& sample);
+    vec3 measure_first_hit(const CameraSample& sample);
 
     const Scene scene_; ///< kept alive
     Aspect aspect_;

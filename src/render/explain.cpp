@@ -2,8 +2,9 @@
 
 #include "imaging/film.h"
 #include "parallel/task_pool.h"
+#include "render/camera_sampler.h"
+#include "render/whitted.h"
 #include "render/explain_parts.h"
-#include "render/samples.h"
 
 #include <optional>
 #include <vector>
@@ -12,18 +13,17 @@ namespace glint {
 
 struct Explainer::State {
     State(const Scene& whole, const CancelFlag* stop)
-        : scene(whole), settings(whole.render_settings()), places(whole.frozen().description),
+        : scene(whole), settings(whole.render_settings()), sampler(whole.frozen().description),
           parts(whole.frozen()), cancel(stop), tracer(whole.frozen(), stop) {}
 
     ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
         const bool with_rays = i < limits.samples;
-        const FilterSample place = places.place(x, y, i);
-        Sample camera;
-        places.aim(x, y, place, camera);
+        const FilterSample film = sampler.film_sample({x, y}, i);
+        const CameraSample camera = sampler.sample_at({x, y}, i, film);
         ExplainedSample out;
-        out.dx = place.dx;
-        out.dy = place.dy;
-        out.weight = place.weight;
+        out.dx = film.dx;
+        out.dy = film.dy;
+        out.weight = film.weight;
         const Terms terms = tracer.trace(camera.origin, camera.direction, with_rays ? &tree : nullptr);
         stop_if_cancelled(cancel);
         out.terms = terms.value;
@@ -34,7 +34,7 @@ struct Explainer::State {
 
     const Scene scene;
     const RenderSettings& settings;
-    const SamplePlaces places;
+    const CameraSampler sampler;
     const ExplainedScene parts;
     const CancelFlag* cancel;
     WhittedTracer tracer;

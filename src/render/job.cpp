@@ -3,7 +3,7 @@
 #include "imaging/film.h"
 #include "parallel/large_pages.h"
 #include "render/aspect.h"
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 #include "render/whitted.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Image black(int width, int height) {
 class Job {
   public:
     Job(const FrozenScene& scene, const RenderOptions& options)
-        : scene_(scene), options_(options), settings_(scene.description.render), places_(scene.description),
+        : scene_(scene), options_(options), settings_(scene.description.render), sampler_(scene.description),
           area_(picture_area(settings_, options.crop)) {
         tile_ = std::max(1, options.tile_size);
         while (4 * block_ * block_ * settings_.spp <= batch_samples) block_ *= 2;
@@ -72,16 +72,11 @@ class Job {
     }
 
   private:
-    /// A pixel of the area.
-    struct Pixel {
-        int x = 0;
-        int y = 0;
-    };
     struct Worker {
         WhittedTracer tracer;
         std::vector<Pixel> pixels;
-        std::vector<Sample> samples = std::vector<Sample>(batch_samples);
-        std::vector<float> weights = std::vector<float>(batch_samples);
+        std::vector<CameraSample> samples = std::vector<CameraSample>(batch_samples);
+        std::vector<Channels> channels = std::vector<Channels>(batch_samples);
         std::size_t count = 0; ///< of samples in the batch
         std::uint64_t tiles = 0;
         std::uint64_t rays_told = 0;
@@ -122,18 +117,17 @@ class Job {
         const int count = std::min(settings_.spp, batch_samples);
         worker.count = 0;
         for (const Pixel& pixel : worker.pixels) add_samples(pixel, 0, count, worker);
-        worker.tracer.trace({worker.samples.data(), worker.count},
-                            settings_.spp > 1 || options_.terms || options_.coverage);
+        estimate(worker, settings_.spp > 1 || options_.terms || options_.coverage);
         for (std::size_t i = 0; i < worker.pixels.size(); ++i) {
             if (settings_.spp == 1)
-                store_only(worker.pixels[i], worker.samples[i]);
+                store_only(worker.pixels[i], worker.channels[i]);
             else
                 store_sum(worker.pixels[i], i * static_cast<std::size_t>(count), worker);
         }
     }
 
     /// A pixel that has one sample.
-    void store_only(const Pixel& pixel, const Sample& sample) {
+    void store_only(const Pixel& pixel, const Channels& sample) {
         if (options_.terms || options_.coverage)
             return store(pixel, sample.terms, sample.covered ? 1.0f : 0.0f);
         write(picture_.image.at(pixel.x, pixel.y), sample.radiance);
@@ -148,12 +142,12 @@ class Job {
             if (done > 0) {
                 worker.count = 0;
                 add_samples(pixel, done, count, worker);
-                worker.tracer.trace({worker.samples.data(), worker.count});
+                estimate(worker, true);
                 first = 0;
             }
-            for (const Sample* s = &worker.samples[first]; s != &worker.samples[first] + count; ++s) {
-                sum.add(s->terms, worker.weights[static_cast<std::size_t>(s - worker.samples.data())]);
-                covered += s->covered ? 1 : 0;
+            for (std::size_t s = first; s < first + static_cast<std::size_t>(count); ++s) {
+                sum.add(worker.channels[s].terms, worker.samples[s].weight);
+                covered += worker.channels[s].covered ? 1 : 0;
             }
             done += count;
         }
@@ -162,10 +156,13 @@ class Job {
 
     /// Samples first … first + count − 1 of a pixel, for the next batch.
     void add_samples(const Pixel& pixel, int first, int count, Worker& worker) const {
-        for (int i = first; i < first + count; ++i) {
-            Sample& sample = worker.samples[worker.count];
-            worker.weights[worker.count++] = places_.aim(area_.x + pixel.x, area_.y + pixel.y, i, sample);
-        }
+        for (int i = first; i < first + count; ++i)
+            worker.samples[worker.count++] = sampler_.sample({area_.x + pixel.x, area_.y + pixel.y}, i);
+    }
+
+    static void estimate(Worker& worker, bool terms) {
+        worker.tracer.estimate({worker.samples.data(), worker.count}, {worker.channels.data(), worker.count},
+                               terms);
     }
 
     void store(const Pixel& pixel, const Terms& terms, float coverage) {
@@ -193,12 +190,8 @@ class Job {
             for (int x = r.x; x < r.x + r.width; ++x) store({x, y}, Terms{}, 0.0f);
     }
 
-    static std::uint64_t rays_of(const RayCounts& c) {
-        return c.primary + c.reflected + c.refracted + c.shadow;
-    }
-
     void report(Worker& worker) {
-        const std::uint64_t rays = rays_of(worker.tracer.counts());
+        const std::uint64_t rays = worker.tracer.counts().total();
         const std::lock_guard lock(mutex_);
         progress_.tiles_done += 1;
         progress_.tiles = tile_count();
@@ -224,7 +217,7 @@ class Job {
     const FrozenScene& scene_;
     const RenderOptions& options_;
     const RenderSettings settings_;
-    const SamplePlaces places_;
+    const CameraSampler sampler_;
     const Rect area_;
     int tile_ = 16;
     int block_ = 1;                   ///< side of the squares of pixels that are traced together

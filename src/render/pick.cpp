@@ -1,6 +1,7 @@
 #include "glint/pick.h"
 
-#include "render/samples.h"
+#include "render/camera_sampler.h"
+#include "render/whitted.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include "imaging/film.h"
 #include "parallel/task_pool.h"
 #include "render/aspect.h"
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 #include "render/upsample.h"
 
 #include <algorithm>
@@ -43,17 +43,12 @@ std::vector<Pass> passes_of(const RenderSettings& settings, const ProgressiveOpt
     return passes;
 }
 
-struct Pixel {
-    int x = 0;
-    int y = 0;
-};
-
 /// What a thread works with.
 struct Worker {
     Probe probe;
     std::vector<Pixel> pixels;
-    std::vector<Sample> samples = std::vector<Sample>(batch_samples);
-    std::vector<float> weights = std::vector<float>(batch_samples);
+    std::vector<CameraSample> samples = std::vector<CameraSample>(batch_samples);
+    std::vector<Channels> channels = std::vector<Channels>(batch_samples);
     std::vector<vec3> values = std::vector<vec3>(batch_samples); ///< by pixel of the tile
     std::vector<Part> parts = std::vector<Part>(batch_samples);
     std::uint64_t rays_told = 0;
@@ -69,7 +64,7 @@ struct Progressive::State {
     std::vector<Worker> workers;
     ProgressiveOptions options;
     RenderSettings settings;
-    std::unique_ptr<const SamplePlaces> places;
+    std::unique_ptr<const CameraSampler> sampler;
     std::vector<Pass> passes;
     std::size_t pass = 0;               ///< the one under way; passes.size(): finished
     std::vector<std::uint8_t> done;     ///< by tile of the pass
@@ -118,7 +113,7 @@ void Progressive::State::start(const Scene& scene, const ProgressiveOptions& wan
         throw std::invalid_argument("the coarsest step is no power of two from 1 to 64");
     options = wanted;
     settings = scene.render_settings();
-    places = std::make_unique<const SamplePlaces>(scene.description());
+    sampler = std::make_unique<const CameraSampler>(scene.description());
     workers.clear();
     for (int i = 0; i < pool.threads(); ++i)
         workers.push_back({Probe(scene, options.show, options.cancel, options.kernel), {}});
@@ -215,9 +210,9 @@ void Progressive::State::collect_pixels(std::size_t tile, Worker& worker) const 
 
 void Progressive::State::look_at_centres(Worker& worker) const {
     const std::size_t count = worker.pixels.size();
-    for (std::size_t i = 0; i < count; ++i)
-        places->aim_at_centre(worker.pixels[i].x, worker.pixels[i].y, worker.samples[i]);
-    worker.probe.measure({worker.samples.data(), count}, {worker.values.data(), count});
+    for (std::size_t i = 0; i < count; ++i) worker.samples[i] = sampler->centre(worker.pixels[i]);
+    worker.probe.measure({worker.samples.data(), count}, {worker.channels.data(), count},
+                         {worker.values.data(), count});
 }
 
 /// As many pixels at a time as a batch holds.
@@ -232,7 +227,8 @@ void Progressive::State::add_samples(Worker& worker) const {
         trace(from, to, now().first, now().first + now().count, worker);
         for (std::size_t i = from, s = 0; i < to; ++i) {
             PixelSum<Terms> sum = begun(worker.pixels[i]);
-            for (int k = 0; k < now().count; ++k, ++s) sum.add(worker.samples[s].terms, worker.weights[s]);
+            for (int k = 0; k < now().count; ++k, ++s)
+                sum.add(worker.channels[s].terms, worker.samples[s].weight);
             keep(sum, i, worker);
         }
     }
@@ -246,7 +242,7 @@ void Progressive::State::add_many_samples(std::size_t pixel, Worker& worker) con
         const int end = std::min(first + batch_samples, last);
         trace(pixel, pixel + 1, first, end, worker);
         for (std::size_t s = 0; s < static_cast<std::size_t>(end - first); ++s)
-            sum.add(worker.samples[s].terms, worker.weights[s]);
+            sum.add(worker.channels[s].terms, worker.samples[s].weight);
     }
     keep(sum, pixel, worker);
 }
@@ -256,9 +252,8 @@ void Progressive::State::trace(std::size_t from, std::size_t to, int first, int 
     std::size_t count = 0;
     for (std::size_t i = from; i < to; ++i)
         for (int k = first; k < end; ++k, ++count)
-            worker.weights[count] =
-                places->aim(worker.pixels[i].x, worker.pixels[i].y, k, worker.samples[count]);
-    worker.probe.trace({worker.samples.data(), count});
+            worker.samples[count] = sampler->sample(worker.pixels[i], k);
+    worker.probe.estimate({worker.samples.data(), count}, {worker.channels.data(), count});
 }
 
 PixelSum<Terms> Progressive::State::begun(const Pixel& pixel) const {
@@ -285,8 +280,7 @@ void Progressive::State::commit(const Worker& worker) {
 
 void Progressive::State::count_rays() {
     for (Worker& worker : workers) {
-        const RayCounts& c = worker.probe.counts();
-        const std::uint64_t rays = c.primary + c.reflected + c.refracted + c.shadow;
+        const std::uint64_t rays = worker.probe.counts().total();
         reached.rays += rays - worker.rays_told;
         worker.rays_told = rays;
     }

@@ -3,38 +3,13 @@
 
 #include "glint/explanation.h"
 #include "math/vec.h"
+#include "render/camera_sample.h"
 #include "trace/world.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace glint {
-
-/// What a ray brings, by term; the sum in the order of `Term` is its radiance.
-struct Terms {
-    std::array<vec3, term_count> value;
-
-    vec3& operator[](Term term) { return value[static_cast<std::size_t>(term)]; }
-    const vec3& operator[](Term term) const { return value[static_cast<std::size_t>(term)]; }
-    vec3 sum() const {
-        vec3 total = value[0];
-        for (std::size_t i = 1; i < value.size(); ++i) total = total + value[i];
-        return total;
-    }
-    friend Terms operator+(Terms a, const Terms& b) {
-        for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] + b.value[i];
-        return a;
-    }
-    friend Terms operator-(Terms a, const Terms& b) {
-        for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] - b.value[i];
-        return a;
-    }
-    friend Terms operator/(Terms a, float divisor) {
-        for (vec3& v : a.value) v = v / divisor;
-        return a;
-    }
-};
 
 /// One light at one hit.
 struct LightNode {

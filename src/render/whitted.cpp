@@ -8,8 +8,9 @@
 
 namespace glint {
 
-WhittedTracer::WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel, const KernelChoice& kernel)
-    : scene_(scene), settings_(scene.description.whitted), cancel_(cancel), kernel_(kernel),
+WhittedTracer::WhittedTracer(const FrozenScene& scene, const WhittedSettings& settings,
+                             const CancelFlag* cancel, const KernelChoice& kernel)
+    : scene_(scene), settings_(settings), cancel_(cancel), kernel_(kernel),
       shade_(&shade_kernels[row_of(kernel.target)]) {
     darkness_.color = vec3(0.0f);
     darkness_.ambient = 0;

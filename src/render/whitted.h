@@ -3,6 +3,7 @@
 // T. Whitted, "An Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
 #include "glint/render.h"
+#include "render/camera_sample.h"
 #include "render/flights.h"
 #include "render/ray_tree.h"
 #include "scene/frozen.h"
@@ -16,27 +17,15 @@ namespace glint {
 
 struct ShadeKernels;
 
-struct RayCounts {
-    std::uint64_t primary = 0;
-    std::uint64_t reflected = 0;
-    std::uint64_t refracted = 0;
-    std::uint64_t shadow = 0;
-};
-
-/// A camera ray (unit direction), and what comes back along it.
-struct Sample {
-    vec3 origin{0.0f};
-    vec3 direction{0.0f};
-    vec3 radiance{0.0f};
-    Terms terms{};        ///< whose sum it is
-    bool covered = false; ///< did it hit anything?
-};
-
 /// Follows rays through one scene. Holds scratch memory: one tracer for each thread.
 class WhittedTracer {
   public:
     explicit WhittedTracer(const FrozenScene& scene, const CancelFlag* cancel = nullptr,
-                           const KernelChoice& kernel = {});
+                           const KernelChoice& kernel = {})
+        : WhittedTracer(scene, scene.description.whitted, cancel, kernel) {}
+    /// With settings other than the scene's.
+    WhittedTracer(const FrozenScene& scene, const WhittedSettings& settings,
+                  const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
 
     /// The light that comes back along a camera ray (unit direction), by term. `record`, if given, receives
     /// the whole ray tree; the arithmetic is the same with and without. `covered` says whether the ray hit
@@ -45,8 +34,8 @@ class WhittedTracer {
                 bool* covered = nullptr);
     /// The same for many, to the bit, level by level: all primary rays, their shadow rays, their branches …
     /// With Kernel::scalar one after another.
-    /// `terms` says whether they are wanted beside the radiance.
-    void trace(std::span<Sample> samples, bool terms = true);
+    /// `out` has an element for each sample. `terms` says whether they are wanted beside the radiance.
+    void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
 
     const RayCounts& counts() const { return counts_; }
 
@@ -89,9 +78,9 @@ class WhittedTracer {
     void branch(const Path& path, const Surface& surface, Terms& terms, int node);
 
     // A batch of rays, level by level (whitted_batch.cpp).
-    void trace_alone(std::span<Sample> samples);
-    void start(std::span<const Sample> samples);
-    void finish(std::span<Sample> samples, bool terms);
+    void estimate_alone(std::span<const CameraSample> samples, std::span<Channels> out);
+    void start(std::span<const CameraSample> samples);
+    void finish(std::span<Channels> out, bool terms);
     void find_hits(Level level);
     void choose_materials(Level level);
     bool is_special(std::uint32_t object) const;

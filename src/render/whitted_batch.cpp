@@ -34,10 +34,13 @@ SurfaceRows surface_rows(Flights& f, std::size_t first) {
 
 } // namespace
 
-void WhittedTracer::trace(std::span<Sample> samples, bool terms) {
-    for (; samples.size() > Flights::most; samples = samples.subspan(Flights::most))
-        trace(samples.first(Flights::most), terms);
-    if (kernel_.kernel == Kernel::scalar) return trace_alone(samples);
+void WhittedTracer::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms) {
+    while (samples.size() > Flights::most) {
+        estimate(samples.first(Flights::most), out.first(Flights::most), terms);
+        samples = samples.subspan(Flights::most);
+        out = out.subspan(Flights::most);
+    }
+    if (kernel_.kernel == Kernel::scalar) return estimate_alone(samples, out);
     arena_.clear();
     record_ = nullptr;
     if (flights_ == nullptr) flights_ = std::make_unique<Flights>();
@@ -52,17 +55,17 @@ void WhittedTracer::trace(std::span<Sample> samples, bool terms) {
         level = grow(level, static_cast<int>(levels_.size()) - 1);
     }
     gather();
-    finish(samples, terms);
+    finish(out, terms);
 }
 
-void WhittedTracer::trace_alone(std::span<Sample> samples) {
-    for (Sample& sample : samples) {
-        sample.terms = trace(sample.origin, sample.direction, nullptr, &sample.covered);
-        sample.radiance = sample.terms.sum();
+void WhittedTracer::estimate_alone(std::span<const CameraSample> samples, std::span<Channels> out) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        out[i].terms = trace(samples[i].origin, samples[i].direction, nullptr, &out[i].covered);
+        out[i].radiance = out[i].terms.sum();
     }
 }
 
-void WhittedTracer::start(std::span<const Sample> samples) {
+void WhittedTracer::start(std::span<const CameraSample> samples) {
     Path path;
     start_primary(vec3(0.0f), vec3(0.0f), path);
     counts_.primary += samples.size() - 1;
@@ -74,11 +77,11 @@ void WhittedTracer::start(std::span<const Sample> samples) {
     }
 }
 
-void WhittedTracer::finish(std::span<Sample> samples, bool terms) {
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        samples[i].radiance = at(flights_->sums, i);
-        samples[i].covered = static_cast<bool>(flights_->hits[i]);
-        if (terms) samples[i].terms = terms_of(i);
+void WhittedTracer::finish(std::span<Channels> out, bool terms) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        out[i].radiance = at(flights_->sums, i);
+        out[i].covered = static_cast<bool>(flights_->hits[i]);
+        if (terms) out[i].terms = terms_of(i);
     }
 }
 

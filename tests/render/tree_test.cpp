@@ -42,7 +42,7 @@ TEST_P(RayTreeOf, RecordingChangesNoBit) {
 }
 
 TEST_P(RayTreeOf, ABatchBringsWhatItsRaysBringAlone) {
-    std::vector<Sample> samples;
+    std::vector<CameraSample> samples;
     std::vector<Terms> alone;
     std::vector<bool> covered;
     for_rays([&](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
@@ -55,11 +55,12 @@ TEST_P(RayTreeOf, ABatchBringsWhatItsRaysBringAlone) {
     });
     const Scene scene = freeze(GetParam().scene);
     WhittedTracer tracer(scene.frozen());
-    tracer.trace(samples);
+    std::vector<Channels> out(samples.size());
+    tracer.estimate(samples, out);
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        EXPECT_EQ(samples[i].terms.value, alone[i].value) << "ray " << i;
-        EXPECT_EQ(samples[i].radiance, alone[i].sum()) << "ray " << i;
-        EXPECT_EQ(samples[i].covered, covered[i]) << "ray " << i;
+        EXPECT_EQ(out[i].terms.value, alone[i].value) << "ray " << i;
+        EXPECT_EQ(out[i].radiance, alone[i].sum()) << "ray " << i;
+        EXPECT_EQ(out[i].covered, covered[i]) << "ray " << i;
     }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
-// Where the samples of a picture lie: from a pixel and a sample's number to a camera ray and its weight.
+// Where the samples of a picture lie: from a pixel and the index of a sample to a camera ray and its weight.
 
 #include "glint/render.h"
 #include "imaging/camera.h"
 #include "imaging/filter.h"
-#include "render/whitted.h"
+#include "render/camera_sample.h"
 
 #include <cstdint>
 #include <optional>
@@ -20,23 +20,23 @@ PinholeCamera camera_of(const SceneDescription& scene);
 /// The crop, or all of the picture. Throws Error(usage) for a crop that does not lie inside.
 Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop);
 
-/// What a place on the film depends on: scene, pixel of the whole picture and number of the sample alone.
-class SamplePlaces {
+/// Makes camera samples. They depend on the scene, the pixel and the index of the sample alone.
+class CameraSampler {
   public:
-    explicit SamplePlaces(const SceneDescription& scene);
+    explicit CameraSampler(const SceneDescription& scene);
 
-    /// Sets origin and direction of sample i of a pixel and returns its weight. Where a pixel has one sample,
-    /// that goes through its centre.
-    float aim(int x, int y, int i, Sample& sample) const;
-    /// The ray through a pixel's centre.
-    void aim_at_centre(int x, int y, Sample& sample) const;
+    /// Sample `index` of a pixel. The only sample of a pixel goes through its centre.
+    CameraSample sample(const Pixel& pixel, int index) const {
+        return sample_at(pixel, index, film_sample(pixel, index));
+    }
+    CameraSample centre(const Pixel& pixel) const { return sample_at(pixel, 0, FilterSample{}); }
+
+    /// Offset from the pixel's centre and weight of a sample, and the camera sample there.
+    FilterSample film_sample(const Pixel& pixel, int index) const;
+    CameraSample sample_at(const Pixel& pixel, int index, const FilterSample& at) const;
 
     const PinholeCamera& camera() const { return camera_; }
     const PixelFilterSampler& filter() const { return filter_; }
-
-    /// Where on the film sample i of a pixel lies, and the ray through a place on the film.
-    FilterSample place(int x, int y, int i) const;
-    void aim(int x, int y, const FilterSample& place, Sample& sample) const;
 
   private:
     const RenderSettings settings_;
@@ -53,7 +53,7 @@ inline int even_bits(std::uint32_t x) {
     return static_cast<int>((x | x >> 8) & 0x0000ffffu);
 }
 
-/// Place i on Morton's curve: neighbours on it are neighbours in the plane.
+/// Point i of the Morton curve: neighbours on it are neighbours in the plane.
 inline int morton_x(std::uint32_t i) { return even_bits(i); }
 inline int morton_y(std::uint32_t i) { return even_bits(i >> 1); }
 

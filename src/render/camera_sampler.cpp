@@ -1,4 +1,4 @@
-#include "render/samples.h"
+#include "render/camera_sampler.h"
 
 #include "math/random.shared.h"
 
@@ -52,28 +52,25 @@ Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& cro
                     std::to_string(settings.height));
 }
 
-SamplePlaces::SamplePlaces(const SceneDescription& scene)
+CameraSampler::CameraSampler(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(filter_kind(settings_.filter)) {}
 
-float SamplePlaces::aim(int x, int y, int i, Sample& sample) const {
-    const FilterSample at = place(x, y, i);
-    aim(x, y, at, sample);
-    return at.weight;
-}
-
-void SamplePlaces::aim_at_centre(int x, int y, Sample& sample) const { aim(x, y, FilterSample{}, sample); }
-
-FilterSample SamplePlaces::place(int x, int y, int i) const {
+FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
     if (settings_.spp == 1) return {};
     const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
-                               static_cast<uint>(x), static_cast<uint>(y));
-    const vec2 u = sample_pair(key, static_cast<uint>(i), 0);
+                               static_cast<uint>(pixel.x), static_cast<uint>(pixel.y));
+    const vec2 u = sample_pair(key, static_cast<uint>(index), 0);
     return filter_.sample(u.x, u.y);
 }
 
-void SamplePlaces::aim(int x, int y, const FilterSample& at, Sample& sample) const {
-    sample.direction = pinhole_direction(camera_, x, y, at.dx, at.dy);
+CameraSample CameraSampler::sample_at(const Pixel& pixel, int index, const FilterSample& at) const {
+    CameraSample sample;
     sample.origin = camera_.eye;
+    sample.direction = pinhole_direction(camera_, pixel.x, pixel.y, at.dx, at.dy);
+    sample.pixel = pixel;
+    sample.index = static_cast<std::uint32_t>(index);
+    sample.weight = at.weight;
+    return sample;
 }
 
 } // namespace glint

@@ -1,0 +1,72 @@
+#pragma once
+// What every estimator takes and gives: a camera ray in, the light along it out.
+
+#include "glint/term.h"
+#include "math/vec.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glint {
+
+/// A pixel of the whole picture (not of a crop), from the top left.
+struct Pixel {
+    int x = 0;
+    int y = 0;
+
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// A camera ray and the film sample that it measures.
+struct CameraSample {
+    vec3 origin{0.0f};
+    vec3 direction{0.0f}; ///< unit
+    Pixel pixel;
+    std::uint32_t index = 0; ///< of the sample within its pixel; with the pixel it names all random numbers
+    float weight = 1;        ///< of the pixel filter: +1 or −1
+};
+
+/// Radiance by term; the sum in the order of `Term` is the radiance.
+struct Terms {
+    std::array<vec3, term_count> value;
+
+    vec3& operator[](Term term) { return value[static_cast<std::size_t>(term)]; }
+    const vec3& operator[](Term term) const { return value[static_cast<std::size_t>(term)]; }
+    vec3 sum() const {
+        vec3 total = value[0];
+        for (std::size_t i = 1; i < value.size(); ++i) total = total + value[i];
+        return total;
+    }
+    friend Terms operator+(Terms a, const Terms& b) {
+        for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] + b.value[i];
+        return a;
+    }
+    friend Terms operator-(Terms a, const Terms& b) {
+        for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] - b.value[i];
+        return a;
+    }
+    friend Terms operator/(Terms a, float divisor) {
+        for (vec3& v : a.value) v = v / divisor;
+        return a;
+    }
+};
+
+/// What an estimator measures along one camera ray.
+struct Channels {
+    vec3 radiance{0.0f};
+    Terms terms{};        ///< their sum is the radiance, to the bit; unchanged where they are not asked for
+    bool covered = false; ///< did the ray hit anything?
+};
+
+/// Rays traced, by kind.
+struct RayCounts {
+    std::uint64_t primary = 0;
+    std::uint64_t reflected = 0;
+    std::uint64_t refracted = 0;
+    std::uint64_t shadow = 0;
+
+    std::uint64_t total() const { return primary + reflected + refracted + shadow; }
+};
+
+} // namespace glint
