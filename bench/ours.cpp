@@ -34,7 +34,7 @@ std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh) 
     for (const SimdTarget target :
          {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
         if (!is_available(target)) continue;
-        ways.push_back(way("glint, lone", mesh, {Kernel::lone, target}));
+        ways.push_back(way("glint, single", mesh, {Kernel::single, target}));
         ways.push_back(way("glint, packets", mesh, {Kernel::packets, target}));
         ways.push_back(way("glint, streams", mesh, {Kernel::streams, target}));
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Which of the equal ways through a mesh rays shall take. No choice shows in any answer, only in the time.
+// Selects a traversal kernel. All kernels give identical results; only speed differs.
 
 #include <array>
 #include <cstdint>
@@ -7,31 +7,32 @@
 namespace glint {
 
 enum class Kernel : std::uint8_t {
-    automatic, ///< packets or streams by the hint; within packets by how many rays are left
-    scalar,    ///< one ray at a time in plain C++: the oracle
-    lone,      ///< one ray at a time, eight boxes or triangles at once
-    packets,   ///< groups of neighbours within a shaft
-    streams    ///< groups of one octant, filtered ray by ray
+    automatic,    ///< packets or streams, as the hint suggests
+    scalar,       ///< one ray at a time in plain C++: the reference
+    single,       ///< one ray at a time, eight boxes or triangles at once
+    packets,      ///< coherent groups culled by a shaft
+    streams,      ///< groups of one octant filtered ray by ray
+    lone = single ///< former name
 };
 
-/// What users call them, by Kernel.
+/// Names for users, in the order of Kernel.
 inline constexpr std::array kernel_names{"auto", "scalar", "single", "packet", "stream"};
 
 enum class SimdTarget : std::uint8_t {
-    best,  ///< the widest that the machine has
-    plain, ///< what every machine of this kind has
+    best,  ///< the widest the machine supports
+    plain, ///< the baseline of the architecture
     sse4,
     avx2,
     avx512
 };
 
-/// A kernel and the instructions it may use.
+/// A kernel and its instruction set.
 struct KernelChoice {
     Kernel kernel = Kernel::automatic;
     SimdTarget target = SimdTarget::best;
 };
 
-/// Can this machine run kernels for the target? Asking for others throws std::invalid_argument.
+/// Whether this machine supports a target. Choosing an unsupported one throws std::invalid_argument.
 bool is_available(SimdTarget target);
 
 } // namespace glint

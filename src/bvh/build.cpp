@@ -1,3 +1,5 @@
+// The builder of binary trees: large ranges level by level, then one task for each small range.
+
 #include "bvh/split.h"
 #include "bvh/tree.h"
 
@@ -7,29 +9,29 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::bvh {
 
 namespace {
 
-static_assert(deepest_search + 32 < max_tree_depth);
-/// Ranges above this are split one after another, ranges below are one task each.
+static_assert(max_sah_depth + 32 < max_tree_depth);
+/// Larger ranges are split level by level; each smaller range becomes one task.
 constexpr std::size_t grain = 8192;
-/// Price of a step into a node, in tests of an element.
+/// Cost of visiting a node relative to testing one element.
 constexpr float node_cost = 1.0f;
 
-/// What all splits share.
+/// Parameters shared by all splits.
 struct Build {
-    Ref* refs;
+    PrimRef* refs;
     std::uint32_t max_leaf;
     float scale; ///< of areas
 };
 
-/// Splits the range in two, or decides that it is a leaf (false).
-bool split(const Build& build, const Range& range, std::pair<Range, Range>& halves) {
+/// Splits a range in two; returns false if it should be a leaf.
+bool split(const Build& build, const PrimRange& range, std::pair<PrimRange, PrimRange>& halves) {
     const bool must = range.size() > build.max_leaf;
     if (range.size() < 2) return false;
-    if (range.depth < deepest_search) {
-        const Binning binning(range.middles, range.size() > 256 ? most_bins : range.size() > 16 ? 16 : 8);
+    if (range.depth < max_sah_depth) {
+        const Binning binning(range.centers, range.size() > 256 ? max_bins : range.size() > 16 ? 16 : 8);
         Bins bins;
         bins.clear(binning.bins);
         bins.fill(binning, build.refs + range.begin, build.refs + range.end);
@@ -47,22 +49,22 @@ bool split(const Build& build, const Range& range, std::pair<Range, Range>& halv
     return true;
 }
 
-void store_box(TreeNode& node, std::size_t child, const QuadBox& box) {
+void store_box(TreeNode& node, std::size_t child, const SimdBounds& box) {
     for (int axis = 0; axis < 3; ++axis) {
         node.lo[axis][child] = box.lo[axis];
         node.hi[axis][child] = box.hi[axis];
     }
 }
 
-/// Builds one subtree depth first into a list of its own.
+/// A subtree built depth first with its own node numbering.
 struct Subtree {
     std::vector<TreeNode> nodes;
     TreeRef root;
     int depth = 0;
 
-    TreeRef grow(const Build& build, const Range& range) {
+    TreeRef grow(const Build& build, const PrimRange& range) {
         depth = std::max(depth, range.depth);
-        std::pair<Range, Range> halves;
+        std::pair<PrimRange, PrimRange> halves;
         if (!split(build, range, halves))
             return {static_cast<std::uint32_t>(range.begin), static_cast<std::uint32_t>(range.size())};
         const std::size_t at = nodes.size();
@@ -77,21 +79,21 @@ struct Subtree {
     }
 };
 
-/// A range of the upper tree and the place that will refer to it.
+/// A range of the upper tree and the child slot that will refer to it.
 struct Pending {
-    Range range;
+    PrimRange range;
     std::size_t parent = 0;
     std::size_t child = 0; ///< 0 or 1; 2: the root
 };
 
-/// Splits the large ranges level by level, the ranges of one level side by side; leaves the small ones in
-/// order.
-std::vector<Pending> build_top(Tree& tree, const Build& build, const Range& root, TaskPool& pool) {
+/// Splits large ranges level by level, those of one level in parallel. Returns the small ranges in order.
+std::vector<Pending> build_top(Tree& tree, const Build& build, const PrimRange& root,
+                               parallel::TaskPool& pool) {
     std::vector<Pending> small;
     std::vector<Pending> large;
     (root.size() > grain ? large : small).push_back({root, 0, 2});
     while (!large.empty()) {
-        std::vector<std::pair<Range, Range>> halves(large.size());
+        std::vector<std::pair<PrimRange, PrimRange>> halves(large.size());
         pool.run(large.size(), [&](std::size_t i, int) { split(build, large[i].range, halves[i]); });
         std::vector<Pending> level;
         for (std::size_t i = 0; i < large.size(); ++i) {
@@ -110,8 +112,8 @@ std::vector<Pending> build_top(Tree& tree, const Build& build, const Range& root
     return small;
 }
 
-/// Moves a finished subtree behind the nodes that are there already.
-void append(Tree& tree, const Pending& place, const Subtree& subtree) {
+/// Appends a subtree to the tree and links it to its slot.
+void append(Tree& tree, const Pending& slot, const Subtree& subtree) {
     const std::uint32_t base = static_cast<std::uint32_t>(tree.nodes.size());
     const auto moved = [base](TreeRef ref) { return ref.count > 0 ? ref : TreeRef{ref.first + base, 0}; };
     for (TreeNode node : subtree.nodes) {
@@ -119,20 +121,20 @@ void append(Tree& tree, const Pending& place, const Subtree& subtree) {
         node.child[1] = moved(node.child[1]);
         tree.nodes.push_back(node);
     }
-    (place.child == 2 ? tree.root : tree.nodes[place.parent].child[place.child]) = moved(subtree.root);
+    (slot.child == 2 ? tree.root : tree.nodes[slot.parent].child[slot.child]) = moved(subtree.root);
     tree.depth = std::max(tree.depth, subtree.depth);
 }
 
 } // namespace
 
-Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, TaskPool& pool) {
+Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, parallel::TaskPool& pool) {
     Tree tree;
     if (boxes.empty()) return tree;
-    std::vector<Ref> refs;
+    std::vector<PrimRef> refs;
     refs.reserve(boxes.size());
-    Range root;
+    PrimRange root;
     for (const BoxRef& box : boxes) {
-        refs.push_back(Ref::of(quad(box.lo), quad(box.hi), box.id));
+        refs.push_back(PrimRef::of(to_float4(box.lo), to_float4(box.hi), box.id));
         root.add(refs.back());
     }
     root.end = root.limit = refs.size();
@@ -153,8 +155,8 @@ Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, TaskPo
     }
 
     tree.order.reserve(refs.size());
-    for (const Ref& ref : refs) tree.order.push_back(ref.id());
+    for (const PrimRef& ref : refs) tree.order.push_back(ref.id());
     return tree;
 }
 
-} // namespace glint
+} // namespace glint::bvh

@@ -1,8 +1,8 @@
 #pragma once
-// Runs of boxes cut in two by the surface area heuristic over bins (Wald, "On fast Construction of SAH-based
-// Bounding Volume Hierarchies", 2007). Private to builders.
+// Binned SAH splits of ranges of primitive references (Wald, "On fast Construction of SAH-based Bounding
+// Volume Hierarchies", 2007). For builders only.
 
-#include "bvh/quad.h"
+#include "bvh/float4.h"
 
 #include <array>
 #include <bit>
@@ -10,91 +10,92 @@
 #include <cstdint>
 #include <utility>
 
-namespace glint {
+namespace glint::bvh {
 
-/// A box and, in lane 3 of lo, the number of what it bounds. Finite, lo <= hi.
-struct Ref {
-    Quad lo;
-    Quad hi;
+/// A primitive's box with its index in lane 3 of lo. Finite, lo <= hi.
+struct PrimRef {
+    float4 lo;
+    float4 hi;
 
-    static Ref of(Quad lo, Quad hi, std::uint32_t id) {
+    static PrimRef of(float4 lo, float4 hi, std::uint32_t id) {
         lo[3] = std::bit_cast<float>(id);
         hi[3] = 0.0f;
         return {lo, hi};
     }
     std::uint32_t id() const { return std::bit_cast<std::uint32_t>(lo[3]); }
-    QuadBox box() const { return {lo, hi}; }
-    /// Half of each summand: the sum of two large coordinates would overflow.
-    Quad middle() const { return without_last(lo) * quad(0.5f) + without_last(hi) * quad(0.5f); }
+    SimdBounds box() const { return {lo, hi}; }
+    /// Halves before adding: the sum of two large coordinates could overflow.
+    float4 center() const { return without_w(lo) * splat(0.5f) + without_w(hi) * splat(0.5f); }
 };
 
-/// A run of references, and room behind it for more.
-struct Range {
+/// A range of references with spare capacity behind it, for references that spatial splits duplicate.
+struct PrimRange {
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t limit = 0; ///< the room's end
-    QuadBox box;           ///< of the references
-    QuadBox middles;       ///< of their centres
+    std::size_t limit = 0; ///< end of the capacity
+    SimdBounds box;        ///< of the references
+    SimdBounds centers;    ///< of their centres
     int depth = 0;
-    int misses = 0; ///< of searches for more than a cut between bins, in a row
+    int failed_searches = 0; ///< consecutive searches for a spatial split that found none worth it
 
     std::size_t size() const { return end - begin; }
-    std::size_t room() const { return limit - begin; }
-    void add(const Ref& ref) {
+    std::size_t capacity() const { return limit - begin; }
+    void add(const PrimRef& ref) {
         box.grow(ref.box());
-        middles.grow(ref.middle());
+        centers.grow(ref.center());
     }
 };
 
-/// From this depth on ranges are halved, which ends after at most 32 more levels.
-inline constexpr int deepest_search = 60;
-inline constexpr int most_bins = 32;
+/// Ranges at this depth or below are split at the median, which adds at most 32 levels.
+inline constexpr int max_sah_depth = 60;
+inline constexpr int max_bins = 32;
 
-/// Which bin a centre falls into, along each axis.
+/// Maps a center to its bin along each axis.
 struct Binning {
-    Quad lo;    ///< 0 along an axis without (finite) extent
-    Quad scale; ///< 0 likewise
+    float4 lo;    ///< 0 along an axis whose extent is 0 or not finite
+    float4 scale; ///< 0 likewise
     int bins;
 
-    Binning(const QuadBox& middles, int count);
-    QuadInts operator()(Quad p) const { return __builtin_convertvector((p - lo) * scale, QuadInts); }
+    Binning(const SimdBounds& centers, int count);
+    int4 operator()(float4 p) const { return __builtin_convertvector((p - lo) * scale, int4); }
 };
 
 struct Bins {
-    std::array<std::array<QuadBox, most_bins>, 3> boxes;
-    std::array<std::array<std::uint32_t, most_bins>, 3> counts;
+    std::array<std::array<SimdBounds, max_bins>, 3> boxes;
+    std::array<std::array<std::uint32_t, max_bins>, 3> counts;
 
     void clear(int bins);
-    void fill(const Binning& binning, const Ref* begin, const Ref* end);
+    void fill(const Binning& binning, const PrimRef* begin, const PrimRef* end);
     void add(const Bins& other, int bins);
 
   private:
-    void add(const Binning& binning, const Ref& ref);
+    void add(const Binning& binning, const PrimRef& ref);
 };
 
-/// Where a range would be cut, and what that would cost: the sum of area times elements, both sides.
+/// A split candidate between two bins. Its cost is the sum over both sides of area × number of references.
 struct Cut {
-    int axis = -1; ///< -1: all centres are one
+    int axis = -1; ///< -1: all centers coincide
     int bin = 0;   ///< first bin of the right side
     float cost = std::numeric_limits<float>::infinity();
 };
 
-/// The cheapest cut between bins; areas are multiplied by scale^2. With `pairs` odd numbers of elements count
-/// as the next even one.
+/// The cheapest cut between bins; areas are multiplied by scale². With `pairs`, odd numbers of references are
+/// rounded up to even.
 Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale, bool pairs = false);
 
-/// What the bins on either side of a cut bound.
-std::pair<QuadBox, QuadBox> boxes_of(const Bins& bins, const Binning& binning, const Cut& cut);
+/// Boxes of the references on both sides of a cut.
+std::pair<SimdBounds, SimdBounds> boxes_of(const Bins& bins, const Binning& binning, const Cut& cut);
 
-/// Sorts a range to either side of a cut. The room is divided in proportion to the sizes.
-std::pair<Range, Range> split_by(const Range& range, const Bins& bins, const Binning& binning, const Cut& cut,
-                                 Ref* refs);
+/// Partitions a range at a cut. Spare capacity is divided in proportion to the sizes.
+std::pair<PrimRange, PrimRange> split_by(const PrimRange& range, const Bins& bins, const Binning& binning,
+                                         const Cut& cut, PrimRef* refs);
 
-/// Halves a range along the longest side of its centres; equal centres as they come.
-std::pair<Range, Range> split_in_half(const Range& range, Ref* refs);
+/// Splits a range at the median along the longest side of its centers' box; equal centers are ordered by
+/// index.
+std::pair<PrimRange, PrimRange> split_in_half(const PrimRange& range, PrimRef* refs);
 
-/// Gives two neighbours [begin, middle) and [middle, end) the room of a whole, in proportion to their sizes:
-/// the right one moves.
-void share_room(Range& left, Range& right, std::size_t limit, Ref* refs);
+/// Divides the capacity up to `limit` between two adjacent ranges in proportion to their sizes, moving the
+/// right range backward.
+void share_capacity(PrimRange& left, PrimRange& right, std::size_t limit, PrimRef* refs);
 
-} // namespace glint
+} // namespace glint::bvh

@@ -1,12 +1,11 @@
 #pragma once
-// A ray through a tree of boxes, nearest child first, with a callback for the leaves.
+// Ordered traversal of a binary tree with a callback for leaves.
 //
-// A box must not be culled if the test of what it bounds can hit. With u = 2^-24 and S = max|o| +
-// max|corner|, each in the largest coordinate, the triangle test (geometry/triangle.h) hits a triangle whose
-// vertices are displaced by at most 7 u S, and its t is rounded (u S along the ray). The box test itself
-// rounds the difference of plane and origin (u S), the pad (u S), the reciprocal and the product (2 u S along
-// the ray). All together is below 12 u S: boxes grown by 16 u S on every side are conservative. Quadrics err
-// by far less.
+// A box must not be culled if the test of its contents can hit. With u = 2^-24 and S = max|o| + max|corner|,
+// both maximum norms, the triangle test (geometry/triangle.h) hits a triangle whose vertices are displaced by
+// at most 7 u S, and rounds t (u S along the ray). The box test rounds the difference of plane and origin
+// (u S), the pad (u S), the reciprocal and the product (2 u S along the ray). The sum is below 12 u S, so
+// boxes grown by 16 u S on every side are conservative. Errors of quadrics are far smaller.
 
 #include "bvh/tree.h"
 #include "math/ray.h"
@@ -15,38 +14,37 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::bvh {
 
-/// A ray as the box test wants it, made once a ray and tree. Origin and direction finite, direction not zero.
+/// Constants of the slab test for one ray and tree. Origin and direction must be finite, direction not zero.
 struct BoxRay {
     float origin[3];
-    float inverse[3]; ///< 1/direction; where that is (nearly) zero, 10^18 times the least of them, never
-                      ///< infinite
-    float pad;        ///< how far boxes are grown on every side
+    float inverse[3]; ///< 1/direction, limited to 10^18 times the smallest of the three: never infinite
+    float pad;        ///< boxes are grown by this on every side
 
     BoxRay(const Ray& ray, const Bounds& bounds) {
         const vec3 d = glm::abs(ray.direction);
-        // The floor is where 1/x would overflow.
-        const float least = std::max(1e-18f * std::max({d.x, d.y, d.z}), 2.95e-39f);
-        float reach = 0;
+        // 1/x overflows below the absolute bound.
+        const float min_size = std::max(1e-18f * std::max({d.x, d.y, d.z}), 2.95e-39f);
+        float largest = 0;
         float corner = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const float size = 1.0f / std::max(d[axis], least);
+            const float size = 1.0f / std::max(d[axis], min_size);
             origin[axis] = ray.origin[axis];
             inverse[axis] = std::copysign(size, ray.direction[axis]);
-            reach = std::max(reach, std::abs(ray.origin[axis]));
+            largest = std::max(largest, std::abs(ray.origin[axis]));
             corner = std::max({corner, std::abs(bounds.lo[axis]), std::abs(bounds.hi[axis])});
         }
-        pad = 0x1p-20f * (reach + corner);
+        pad = 0x1p-20f * (largest + corner);
     }
 };
 
-/// The part of the ray within one child's box: entry <= exit unless it misses.
+/// Ray parameters where the ray enters and leaves one child's box; entry > exit if it misses.
 inline void clip(const TreeNode& node, int child, const BoxRay& ray, float& entry, float& exit) {
     entry = -std::numeric_limits<float>::infinity();
     exit = std::numeric_limits<float>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-        // The lesser of the two is the near plane: rounding is monotone, the inverse never 0.
+        // The smaller of the two is the near plane: rounding is monotone and the inverse never 0.
         const float one = (node.lo[axis][child] - ray.origin[axis] - ray.pad) * ray.inverse[axis];
         const float other = (node.hi[axis][child] - ray.origin[axis] + ray.pad) * ray.inverse[axis];
         entry = std::max(entry, std::min(one, other));
@@ -54,14 +52,14 @@ inline void clip(const TreeNode& node, int child, const BoxRay& ray, float& entr
     }
 }
 
-/// Stands for a caller who does not count nodes.
+/// Default node callback: does nothing.
 struct IgnoredNode {
     void operator()() const {}
 };
 
-/// Calls leaf(first, count) for every run of tree.order whose box meets the ray in [tmin, limit], both
-/// inclusive, nearest child first. `leaf` may lower `limit` and ends the traversal by returning true. `node`
-/// is called for every node whose boxes are tested.
+/// Calls leaf(first, count) for every leaf (a range of tree.order) whose box meets the ray in [tmin, limit],
+/// both inclusive, nearest child first. `leaf` may lower `limit`; it ends the traversal by returning true.
+/// `node` is called for every node whose boxes are tested.
 template <class Leaf, class Node = IgnoredNode>
 void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limit, Leaf&& leaf,
               Node node = {}) {
@@ -96,7 +94,7 @@ void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limi
                 continue;
             }
         }
-        // The nearest hit may have come closer than what waits on the stack.
+        // Skip entries behind the closest hit found since they were pushed.
         do {
             if (size == 0) return;
             --size;
@@ -105,4 +103,4 @@ void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limi
     }
 }
 
-} // namespace glint
+} // namespace glint::bvh

@@ -41,11 +41,11 @@ std::optional<PlainBody> PlainBody::begin(const Header& header, const Layout& la
         return {};
     body.vertices_left_ = vertices.count;
     body.faces_left_ = faces.count;
-    reserve_large(body.mesh_.positions, vertices.count);
-    if (body.normals_) reserve_large(body.mesh_.normals, vertices.count);
-    if (body.colors_) reserve_large(body.mesh_.colors, vertices.count);
-    if (body.uvs_) reserve_large(body.mesh_.uvs, vertices.count);
-    reserve_large(body.mesh_.triangles, faces.count);
+    parallel::reserve_large(body.mesh_.positions, vertices.count);
+    if (body.normals_) parallel::reserve_large(body.mesh_.normals, vertices.count);
+    if (body.colors_) parallel::reserve_large(body.mesh_.colors, vertices.count);
+    if (body.uvs_) parallel::reserve_large(body.mesh_.uvs, vertices.count);
+    parallel::reserve_large(body.mesh_.triangles, faces.count);
     return body;
 }
 

@@ -102,7 +102,8 @@ void write_node(const std::vector<Child>& children, uvec4* out, float& corner) {
 int depth_below(const MeshTree& tree, std::uint32_t node) {
     int deepest = 0;
     for (const std::uint32_t code : tree.nodes[node].child)
-        if (code != no_child && (code & leaf_bit) == 0) deepest = std::max(deepest, depth_below(tree, code));
+        if (code != invalid_index && (code & leaf_bit) == 0)
+            deepest = std::max(deepest, depth_below(tree, code));
     return deepest + 1;
 }
 
@@ -171,7 +172,7 @@ class Builder {
             children.clear();
             for (std::size_t c = 0; c < wide_children; ++c) {
                 const std::uint32_t code = node.child[c];
-                if (code == no_child) continue;
+                if (code == invalid_index) continue;
                 Child child;
                 child.box = {{node.lo[0][c], node.lo[1][c], node.lo[2][c]},
                              {node.hi[0][c], node.hi[1][c], node.hi[2][c]}};

@@ -1,4 +1,5 @@
 #pragma once
+// A pipeline with parallel producers and one ordered consumer.
 
 #include "parallel/task_pool.h"
 
@@ -8,45 +9,45 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::parallel {
 
-/// Makes things on all threads of a pool and takes them one by one in the order of their tasks, so that what
-/// is put together from them depends on no thread. make(task, worker, made) overwrites a Made, which may have
-/// been used before; take(task, made) is called for 0, 1, 2 … as soon as all before are taken, by one thread
-/// at a time, for which the others do not wait. Only what is not taken yet is kept. Exceptions as from
-/// TaskPool::run(); after one nothing more is taken.
-template <class Made, class Make, class Take>
-void run_in_order(TaskPool& pool, std::size_t count, const Make& make, const Take& take) {
+/// Produces items on all threads of a pool and consumes them in task order, so the result does not depend on
+/// scheduling. produce(task, worker, item) overwrites an Item, which may be a recycled one.
+/// consume(task, item) is called for tasks 0, 1, 2 … by one thread at a time; the other threads keep
+/// producing meanwhile. Only items not consumed yet are held. Throws like TaskPool::run(); after an exception
+/// nothing more is consumed.
+template <class Item, class Produce, class Consume>
+void run_in_order(TaskPool& pool, std::size_t count, const Produce& produce, const Consume& consume) {
     std::mutex mutex;
-    std::map<std::size_t, Made> waiting;
-    std::vector<Made> used;
-    std::size_t next = 0; ///< to be taken
-    bool is_taking = false;
+    std::map<std::size_t, Item> waiting;
+    std::vector<Item> recycled;
+    std::size_t next = 0; ///< task to consume next
+    bool is_consuming = false;
 
-    const auto empty = [&] {
+    const auto new_item = [&] {
         const std::lock_guard lock(mutex);
-        if (used.empty()) return Made();
-        Made made = std::move(used.back());
-        used.pop_back();
-        return made;
+        if (recycled.empty()) return Item();
+        Item item = std::move(recycled.back());
+        recycled.pop_back();
+        return item;
     };
     pool.run(count, [&](std::size_t task, int worker) {
-        Made made = empty();
-        make(task, worker, made);
+        Item item = new_item();
+        produce(task, worker, item);
         std::unique_lock lock(mutex);
-        waiting.emplace(task, std::move(made));
-        if (is_taking) return;
-        is_taking = true; // for good, where take() throws
+        waiting.emplace(task, std::move(item));
+        if (is_consuming) return;
+        is_consuming = true; // stays set if consume() throws
         while (!waiting.empty() && waiting.begin()->first == next) {
             auto first = waiting.extract(waiting.begin());
             lock.unlock();
-            take(first.key(), std::as_const(first.mapped()));
+            consume(first.key(), std::as_const(first.mapped()));
             lock.lock();
-            used.push_back(std::move(first.mapped()));
+            recycled.push_back(std::move(first.mapped()));
             ++next;
         }
-        is_taking = false;
+        is_consuming = false;
     });
 }
 
-} // namespace glint
+} // namespace glint::parallel

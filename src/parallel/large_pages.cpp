@@ -1,3 +1,5 @@
+// Large pages through madvise().
+
 #include "parallel/large_pages.h"
 
 #include <sys/mman.h>
@@ -5,20 +7,20 @@
 #include <cstdint>
 #include <new>
 
-namespace glint {
+namespace glint::parallel {
 namespace {
 
-/// A multiple of every usual size of small pages.
+/// A multiple of all common small page sizes.
 constexpr std::size_t small_page = std::size_t{1} << 16U;
 
-/// Advice for all whole pages in a piece of memory. A system may not know it, which changes nothing.
+/// Calls madvise() for the whole pages within a range. Failure is harmless and ignored.
 void advise(void* begin, std::size_t bytes, std::size_t page, int advice) {
     const std::size_t skipped = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
     const std::size_t whole = skipped < bytes ? (bytes - skipped) / page * page : 0;
     if (whole > 0) (void)::madvise(static_cast<char*>(begin) + skipped, whole, advice);
 }
 
-/// Memory of at least a large page begins with one.
+/// Blocks of at least one large page start at a page boundary.
 std::align_val_t aligned(std::size_t bytes, std::size_t alignment) {
     return std::align_val_t(bytes >= large_page ? large_page : alignment);
 }
@@ -46,4 +48,4 @@ void delete_in_large_pages(void* at, std::size_t bytes, std::size_t alignment) {
     ::operator delete(at, aligned(bytes, alignment));
 }
 
-} // namespace glint
+} // namespace glint::parallel

@@ -1,4 +1,5 @@
 #pragma once
+// Memory backed by large pages (2 MiB), which cost far fewer page faults than pages of 4 KiB.
 
 #include <cstddef>
 #include <new>
@@ -6,31 +7,30 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::parallel {
 
 inline constexpr std::size_t large_page = std::size_t{1} << 21U;
 
-/// Asks the system for large pages behind fresh memory, where it has them: much fewer faults while large
-/// arrays are filled. Only advice; short arrays are left alone.
+/// Advises the system to back fresh memory with large pages. No effect on arrays shorter than one page.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
-/// Gives the pages within a piece of memory back to the system until they are written to again. What was in
-/// it is lost.
+/// Returns the whole pages within a memory range to the system; their contents are lost. They are mapped
+/// again at the next write.
 void return_pages(void* begin, std::size_t bytes);
 
-/// reserve(), in large pages.
+/// reserve() with large pages.
 template <class Value>
 void reserve_large(std::vector<Value>& values, std::size_t count) {
     values.reserve(count);
     prefer_large_pages(values.data(), values.capacity() * sizeof(Value));
 }
 
-/// Memory in large pages, where a piece is long enough for one. As operator new and delete with a size and an
-/// alignment, which delete must be told again.
+/// Like operator new and delete with size and alignment, with large pages for blocks of at least one page.
+/// delete needs the size and alignment given to new. new throws std::bad_alloc.
 void* new_in_large_pages(std::size_t bytes, std::size_t alignment);
 void delete_in_large_pages(void* at, std::size_t bytes, std::size_t alignment);
 
-/// Puts a vector in large pages. resize() leaves new values of simple types unset.
+/// Allocator for LargeVector. resize() default-initializes: new values of simple types are indeterminate.
 template <class Value>
 struct LargePageAllocator {
     using value_type = Value;
@@ -46,13 +46,13 @@ struct LargePageAllocator {
     void deallocate(Value* at, std::size_t count) {
         delete_in_large_pages(at, count * sizeof(Value), alignof(Value));
     }
-    template <class Made>
-    void construct(Made* at) {
-        ::new (static_cast<void*>(at)) Made;
+    template <class Element>
+    void construct(Element* at) {
+        ::new (static_cast<void*>(at)) Element;
     }
-    template <class Made, class... From>
-    void construct(Made* at, From&&... from) {
-        ::new (static_cast<void*>(at)) Made(std::forward<From>(from)...);
+    template <class Element, class... Arguments>
+    void construct(Element* at, Arguments&&... arguments) {
+        ::new (static_cast<void*>(at)) Element(std::forward<Arguments>(arguments)...);
     }
     bool operator==(const LargePageAllocator&) const = default;
 };
@@ -60,11 +60,15 @@ struct LargePageAllocator {
 template <class Value>
 using LargeVector = std::vector<Value, LargePageAllocator<Value>>;
 
-/// Gives what lies behind a vector's last value back to the system, which may have put a large page there.
-/// The capacity stays.
+/// Returns the pages of a vector's unused capacity to the system. The capacity does not change.
 template <class Value>
-void return_room(LargeVector<Value>& values) {
+void return_unused(LargeVector<Value>& values) {
     return_pages(values.data() + values.size(), (values.capacity() - values.size()) * sizeof(Value));
 }
 
+} // namespace glint::parallel
+
+namespace glint {
+using parallel::prefer_large_pages;
+using parallel::reserve_large;
 } // namespace glint

@@ -1,3 +1,5 @@
+// Workers take task numbers from one atomic counter.
+
 #include "parallel/task_pool.h"
 
 #include <atomic>
@@ -8,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace glint {
+namespace glint::parallel {
 
 int available_threads() {
     const unsigned cores = std::thread::hardware_concurrency();
@@ -22,7 +24,7 @@ struct TaskPool::State {
     std::vector<std::thread> helpers; ///< workers 1, 2, …; the caller of run() is worker 0
     const std::atomic<bool>* cancel = nullptr;
 
-    // The job, written under the mutex before `generation` moves on and constant until `busy` is 0 again.
+    // The job: written under the mutex before `generation` is incremented, then constant until `busy` is 0.
     const std::function<void(std::size_t, int)>* body = nullptr;
     std::size_t count = 0;
     std::uint64_t generation = 0;
@@ -41,7 +43,7 @@ struct TaskPool::State {
         stopped.store(true, std::memory_order_relaxed);
     }
 
-    /// One worker's share of the job: its own first task, then whatever is next.
+    /// Runs one worker's tasks: its own first one, then whichever is next.
     void work(int worker) {
         try {
             std::size_t task = static_cast<std::size_t>(worker);
@@ -55,7 +57,7 @@ struct TaskPool::State {
         }
     }
 
-    /// The life of a helper: sleep, work, report.
+    /// Main loop of a helper thread.
     void serve(int worker) {
         std::uint64_t seen = 0;
         for (;;) {
@@ -84,7 +86,7 @@ struct TaskPool::State {
 TaskPool::TaskPool(int threads, const std::atomic<bool>* cancel) : state_(std::make_unique<State>()) {
     state_->cancel = cancel;
     const int wanted = threads > 0 ? threads : available_threads();
-    // A machine that refuses a thread refuses the pool: those already started must end first.
+    // If a thread cannot be started, join the others before the exception leaves.
     try {
         state_->helpers.reserve(static_cast<std::size_t>(wanted - 1));
         for (int worker = 1; worker < wanted; ++worker)
@@ -107,9 +109,9 @@ void TaskPool::run(std::size_t count, const std::function<void(std::size_t task,
         state.count = count;
         state.failure = nullptr;
         state.stopped.store(false, std::memory_order_relaxed);
-        // Tasks below the number of workers are the workers' first ones.
+        // Tasks below the number of workers are each worker's first task.
         state.next.store(state.helpers.size() + 1, std::memory_order_relaxed);
-        // A single task is the caller's: nobody need be woken.
+        // Run a single task on the caller; wake no helper.
         state.busy = count > 1 ? static_cast<int>(state.helpers.size()) : 0;
         if (state.busy > 0) ++state.generation;
     }
@@ -126,4 +128,4 @@ void TaskPool::run(std::size_t count, const std::function<void(std::size_t task,
     if (failure) std::rethrow_exception(failure);
 }
 
-} // namespace glint
+} // namespace glint::parallel

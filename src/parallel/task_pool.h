@@ -1,5 +1,5 @@
 #pragma once
-// The one owner of threads. No other room starts, joins or counts them.
+// The thread pool. No other part of the library starts or joins threads.
 
 #include <atomic>
 #include <cstddef>
@@ -7,21 +7,21 @@
 #include <functional>
 #include <memory>
 
-namespace glint {
+namespace glint::parallel {
 
-/// The number of cores that this process may use, at least 1.
+/// Number of cores available to this process, at least 1.
 int available_threads();
 
-/// Thrown by TaskPool::run() where the pool's flag was set.
+/// Thrown by TaskPool::run() if the pool was cancelled.
 class TasksCancelled : public std::exception {
   public:
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Exactly `threads` threads, the caller's among them, parked between jobs.
+/// A pool of exactly `threads` threads including the caller's; helpers sleep between jobs.
 class TaskPool {
   public:
-    /// 0: available_threads(). Once `cancel` is set, no task begins any more.
+    /// threads = 0: available_threads(). Once `*cancel` is set, no further task starts.
     explicit TaskPool(int threads = 0, const std::atomic<bool>* cancel = nullptr);
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
@@ -29,10 +29,10 @@ class TaskPool {
 
     int threads() const;
 
-    /// Calls body(task, worker) once for each task in [0, count), worker in [0, threads()), and returns when
-    /// all are done. Worker w begins with task w, so that every thread takes part whenever count ≥ threads();
-    /// the rest is handed out in order. The first exception ends the hand-out and is thrown again here;
-    /// TasksCancelled where tasks were left out because the pool was cancelled. Not reentrant.
+    /// Calls body(task, worker) once for each task in [0, count), with worker in [0, threads()), and returns
+    /// when all are done. Worker w starts with task w, so every thread takes part if count ≥ threads(); the
+    /// remaining tasks are handed out in order. The first exception stops the hand-out and is rethrown here;
+    /// throws TasksCancelled if cancelling left tasks undone. Not reentrant.
     void run(std::size_t count, const std::function<void(std::size_t task, int worker)>& body);
 
   private:
@@ -40,4 +40,10 @@ class TaskPool {
     std::unique_ptr<State> state_;
 };
 
+} // namespace glint::parallel
+
+namespace glint {
+using parallel::available_threads;
+using parallel::TaskPool;
+using parallel::TasksCancelled;
 } // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// Bits to bytes, for kernels that find out about many rays at once. Private to this room.
+// Expands bit masks to bytes, for kernels that test many rays at once. Private to this room.
 
 #include <bit>
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// Writes the lowest bits, at most 64, a byte of 0 or 1 each.
+/// Writes the lowest `count` bits, at most 64, as one byte of 0 or 1 each.
 inline void write_flags(std::uint64_t bits, std::uint8_t* flags, std::size_t count) {
     for (std::size_t i = 0; i < count; i += 8) {
         const std::uint64_t one_each = (bits >> i & 255u) * 0x0101010101010101u & 0x8040201008040201u;

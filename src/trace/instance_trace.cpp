@@ -1,6 +1,6 @@
-// Rays through an InstanceTree, one by one and in batches. A batch goes down as lists of rays, filtered at
-// each box (Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", 2014), so that an instance gets all
-// rays that meet its box at once.
+// Tracing an InstanceTree with single rays and batches. A batch descends as lists of rays filtered at each
+// box (Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", 2014), so an instance gets all rays that
+// meet its box at once.
 
 #include "math/offset.shared.h"
 #include "trace/instance_tree.h"
@@ -10,28 +10,28 @@ namespace glint {
 namespace {
 
 constexpr std::size_t batch_rays = 4096;
-/// Fewer rays at a node go on one by one.
-constexpr std::size_t few_rays = 8;
-/// Incoherent rays spread over all instances: with fewer for each, lists of them do not pay.
-constexpr std::size_t rays_an_instance = 16;
+/// Fewer rays at a node are traced one by one.
+constexpr std::size_t min_batch = 8;
+/// Incoherent rays spread over all instances: with fewer rays for each, lists do not pay.
+constexpr std::size_t min_rays_per_instance = 16;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The ray up to `limit`, inclusive.
+/// The ray with tmax such that `limit` is included.
 Ray limited(Ray ray, float limit) {
     ray.tmax = next_float(limit, 1.0f);
     return ray;
 }
 
-/// Keeps the least of what instances report.
+/// Keeps the lesser of two hits.
 void keep(const TriangleRecord& found, std::uint32_t instance, InstanceRecord& best, float& limit) {
-    if (found.triangle == no_triangle) return;
+    if (found.triangle == invalid_index) return;
     if (found.t == best.t && instance > best.instance) return;
     best = {found.t, found.u, found.v, found.triangle, instance};
     limit = found.t;
 }
 
-/// A ray that waits for a node, and where it enters the node's box.
+/// A queued ray, and where it enters the node's box.
 struct Active {
     std::uint32_t ray;
     float entry;
@@ -43,20 +43,20 @@ struct InstanceTree::Batch {
     std::span<const Ray> rays;
     RayHint hint = RayHint::coherent;
     KernelChoice choice;
-    InstanceRecord* records = nullptr; ///< of closest hits
-    std::uint8_t* blocked = nullptr;   ///< of any hits
-    std::vector<Query> queries;        ///< by ray; those that can hit nothing have one too
-    std::vector<float> limits;         ///< by ray: the greatest t still wanted, inclusive
+    InstanceRecord* records = nullptr; ///< output of closest(), null otherwise
+    std::uint8_t* blocked = nullptr;   ///< output of occluded(), null otherwise
+    std::vector<Query> queries;        ///< by ray, including rays that cannot hit anything
+    std::vector<float> limits;         ///< by ray: upper bound of t, inclusive
 
-    /// A node and its rays, a range of `waiting`.
+    /// A node and its rays: a range of `waiting`.
     struct Pending {
         TreeRef ref;
         std::size_t first;
     };
-    std::vector<Pending> stack; ///< the ranges follow each other, the top's last
+    std::vector<Pending> stack; ///< ranges are adjacent, that of the top entry last
     std::vector<Active> waiting;
-    std::vector<Active> active; ///< those at the node in hand
-    std::vector<float> entries; ///< two for each of `active`
+    std::vector<Active> active; ///< rays at the current node
+    std::vector<float> entries; ///< two for each ray in `active`
 
     std::vector<Ray> local_rays;
     std::vector<TriangleRecord> local_records;
@@ -74,7 +74,7 @@ struct InstanceTree::Batch {
         stack.push_back({tree.tree_.root, 0});
     }
 
-    /// Takes the top of the stack, without the rays that have found something nearer since.
+    /// Pops the top of the stack and drops rays that have found a closer hit since.
     TreeRef pop() {
         const Pending top = stack.back();
         stack.pop_back();
@@ -98,10 +98,10 @@ struct InstanceTree::Batch {
     }
 };
 
-/// One instance for all rays at its box.
+/// Traces all active rays through one instance.
 template <bool any>
-void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
-    const MeshTree& mesh = *places_[instance].mesh;
+void InstanceTree::trace_instance(std::uint32_t instance, Batch& batch) const {
+    const MeshTree& mesh = *instances_[instance].mesh;
     batch.local_rays.clear();
     for (const Active& at : batch.active)
         batch.local_rays.push_back(to_local(instance, limited(batch.rays[at.ray], batch.limits[at.ray])));
@@ -121,9 +121,9 @@ void InstanceTree::ask(std::uint32_t instance, Batch& batch) const {
     }
 }
 
-/// All below a node for each ray alone.
+/// Traces each active ray by itself through the subtree of a node.
 template <bool any>
-void InstanceTree::ask_one_by_one(TreeRef from, Batch& batch) const {
+void InstanceTree::trace_each(TreeRef from, Batch& batch) const {
     for (const Active& at : batch.active) {
         float& limit = batch.limits[at.ray];
         visit_below(from, batch.queries[at.ray], limit, [&](std::uint32_t instance) {
@@ -144,16 +144,16 @@ void InstanceTree::ask_one_by_one(TreeRef from, Batch& batch) const {
 template <bool any>
 void InstanceTree::trace(Batch& batch) const {
     const bool spread =
-        batch.hint == RayHint::incoherent && batch.rays.size() < rays_an_instance * places_.size();
-    const std::size_t few = spread ? batch_rays + 1 : few_rays;
+        batch.hint == RayHint::incoherent && batch.rays.size() < min_rays_per_instance * instances_.size();
+    const std::size_t few = spread ? batch_rays + 1 : min_batch;
     while (!batch.stack.empty()) {
         const TreeRef at = batch.pop();
         if (batch.active.size() < few) {
-            ask_one_by_one<any>(at, batch);
+            trace_each<any>(at, batch);
             continue;
         }
         if (at.count > 0) {
-            ask<any>(tree_.order[at.first], batch);
+            trace_instance<any>(tree_.order[at.first], batch);
             continue;
         }
         batch.entries.clear();
@@ -167,7 +167,7 @@ void InstanceTree::trace(Batch& batch) const {
             batch.entries.push_back(second);
             second_nearer += second < first ? 1u : 0u;
         }
-        // What is nearer for most goes on top.
+        // Push the child that is nearer for most rays last.
         const std::size_t near = 2 * second_nearer > batch.active.size() ? 1 : 0;
         const TreeNode& node = tree_.nodes[at.first];
         batch.push(node.child[1 - near], 1 - near);

@@ -1,15 +1,16 @@
 #pragma once
-// Meshes at many places: a tree over the boxes of instances, whose leaves take rays to the space of a mesh
-// and ask the mesh's own kernels. Each mesh is stored once.
+// A two-level BVH: a tree over the boxes of instances, whose leaves transform rays to the local space of a
+// mesh and trace the mesh's own tree. Each mesh is stored once.
 //
-// A ray is taken to local space in double and rounded once; its direction keeps its length there, so that t
-// means the same in both spaces. That one rounding, and the mesh's own test, may hit what is up to
+// A ray is transformed in double precision and rounded once; its direction is not normalized, so t is the
+// same in both spaces. That rounding, together with the mesh's own test, may hit geometry up to
 //
 //     12 u |L| (|L⁻¹| (|o| + |c|) + S')
 //
-// away in the world (u = 2^-24; L the linear part, c the translation; maximum norms; S' the largest
-// |coordinate| of the mesh; bvh/traverse.h accounts for the rest). Boxes are grown by 16 u of what does not
-// depend on the ray, and the box test by 16 u |L| |L⁻¹| |o|, kept for every node as the largest below it.
+// away in world space (u = 2^-24; L the linear part, c the translation; maximum norms; S' the largest
+// |coordinate| of the mesh; bvh/traverse.h accounts for the rest). Boxes are grown by 16 u of the terms that
+// do not depend on the ray, and the box test by 16 u |L| |L⁻¹| |o|, stored for every node as the maximum of
+// its subtree.
 
 #include "bvh/traverse.h"
 #include "bvh/tree.h"
@@ -26,18 +27,22 @@
 
 namespace glint {
 
-inline constexpr std::uint32_t no_instance = 0xffffffffu;
+using bvh::BoxRay;
+using bvh::BoxRef;
+using bvh::Tree;
+using bvh::TreeNode;
+using bvh::TreeRef;
 
-/// The least (t, instance, triangle) of a ray, or instance = no_instance.
+/// The least (t, instance, triangle) of a ray, or instance = invalid_index.
 struct InstanceRecord {
     float t = std::numeric_limits<float>::infinity();
     float u = 0;
     float v = 0;
-    std::uint32_t triangle = no_triangle;
-    std::uint32_t instance = no_instance;
+    std::uint32_t triangle = invalid_index;
+    std::uint32_t instance = invalid_index;
 };
 
-/// A mesh, and p_world = linear · p_local + translation.
+/// An instance of a mesh: p_world = linear · p_local + translation.
 struct MeshInstance {
     const MeshTree* mesh = nullptr;
     dmat3 linear{1.0};
@@ -47,62 +52,65 @@ struct MeshInstance {
 class InstanceTree {
   public:
     InstanceTree() = default;
-    /// Instances are numbered in the order given; the meshes must outlive the tree, which does not depend on
-    /// the pool. Throws std::invalid_argument for a transform that is not finite, or singular: one that
-    /// squeezes some direction more than a million times as much as another, or beyond the range of floats.
-    InstanceTree(std::span<const MeshInstance> instances, TaskPool& pool);
+    /// Instances are numbered in the order given. Meshes must outlive the tree. The tree does not depend on
+    /// the number of threads. Throws std::invalid_argument for a transform that is not finite, nearly
+    /// singular (condition number above 2^20, about a million), or that exceeds the range of floats.
+    InstanceTree(std::span<const MeshInstance> instances, parallel::TaskPool& pool);
 
-    /// Does the constructor take it?
-    static bool takes(const MeshInstance& instance);
+    /// Whether the constructor accepts the instance.
+    static bool accepts(const MeshInstance& instance);
 
-    /// One ray.
+    /// Single-ray queries.
     InstanceRecord closest(const Ray& ray, const KernelChoice& choice = {}) const;
     bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
 
-    /// The least (t, instance, triangle) with tmin < t < tmax of each ray. rays and records have one length.
+    /// The least (t, instance, triangle) with tmin < t < tmax of each ray. `rays` and `records` have equal
+    /// length.
     void closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint,
                  const KernelChoice& choice = {}) const;
-    /// Whether each ray hits anything with tmin < t < tmax: 1 or 0. rays and blocked have one length.
+    /// Whether each ray hits anything with tmin < t < tmax: 1 or 0. `rays` and `blocked` have equal length.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                   const KernelChoice& choice = {}) const;
 
-    /// Calls visit(number) for every instance whose box meets the finite ray in [tmin, limit], roughly
-    /// nearest first. `visit` may lower `limit` and ends the search by returning true.
+    /// Calls visit(index) for every instance whose box meets the finite ray in [tmin, limit], roughly nearest
+    /// first. `visit` may lower `limit`; it ends the search by returning true.
     template <class Visit>
     void visit(const Ray& ray, const float& limit, Visit&& visit) const;
 
-    /// The same ray in an instance's space: as the kernels see it, to the bit.
+    /// The ray in local space of an instance, bit for bit as the kernels see it.
     Ray to_local(std::uint32_t instance, const Ray& ray) const {
-        const Place& place = places_[instance];
-        return {vec3(place.inverse * (dvec3(ray.origin) - place.translation)), ray.tmin,
-                vec3(place.inverse * dvec3(ray.direction)), ray.tmax};
+        const Instance& at = instances_[instance];
+        return {vec3(at.inverse * (dvec3(ray.origin) - at.translation)), ray.tmin,
+                vec3(at.inverse * dvec3(ray.direction)), ray.tmax};
     }
-    const MeshTree& mesh(std::uint32_t instance) const { return *places_[instance].mesh; }
-    const dmat3& inverse(std::uint32_t instance) const { return places_[instance].inverse; }
-    const dvec3& translation(std::uint32_t instance) const { return places_[instance].translation; }
+    const MeshTree& mesh(std::uint32_t instance) const { return *instances_[instance].mesh; }
+    const dmat3& inverse(std::uint32_t instance) const { return instances_[instance].inverse; }
+    const dvec3& translation(std::uint32_t instance) const { return instances_[instance].translation; }
 
-    const Tree& tree() const { return tree_; } ///< over the boxes of the instances, one a leaf
-    std::size_t size() const { return places_.size(); }
-    const Bounds& bounds() const { return tree_.bounds; } ///< of the boxes: a little more than the triangles
-    /// How far a ray must grow these bounds on every side, in its origin's largest |coordinate|, besides what
-    /// every box test grows boxes by.
-    float slack() const { return most_slack_; }
+    const Tree& tree() const { return tree_; } ///< over the boxes of the instances, one instance a leaf
+    std::size_t size() const { return instances_.size(); }
+    const Bounds& bounds() const {
+        return tree_.bounds;
+    } ///< of the boxes, slightly larger than those of the triangles
+    /// Factor of the origin's largest |coordinate| by which a ray must grow these bounds on every side, in
+    /// addition to the pad of every box test.
+    float slack() const { return max_slack_; }
     int depth() const { return tree_.depth; }
     std::size_t nodes() const { return tree_.nodes.size(); }
     std::size_t bytes() const; ///< without the meshes
 
   private:
-    struct Place {
+    struct Instance {
         const MeshTree* mesh = nullptr;
         dmat3 inverse{1.0};
         dvec3 translation{0.0};
     };
 
-    /// A ray against the boxes of this tree.
+    /// A ray with constants for the box tests of this tree.
     struct Query {
         BoxRay box;
         float tmin;
-        float reach; ///< the origin's largest |coordinate|
+        float reach; ///< largest |coordinate| of the origin
 
         Query(const Ray& ray, const Bounds& bounds)
             : box(ray, bounds), tmin(ray.tmin),
@@ -112,7 +120,7 @@ class InstanceTree {
 
     float fill_slack(TreeRef ref, const std::vector<float>& slack_of_instance);
 
-    /// Where the ray enters a child's box within [tmin, limit]; infinite if it does not.
+    /// Where the ray enters a child's box within [tmin, limit]; infinite if it misses.
     float entry(const Query& query, std::uint32_t node, std::size_t child, float limit) const {
         const TreeNode& boxes = tree_.nodes[node];
         const float pad = query.box.pad + slack_[node][child] * query.reach;
@@ -129,21 +137,22 @@ class InstanceTree {
         return first <= last ? first : std::numeric_limits<float>::infinity();
     }
 
-    /// visit() below a node, for a ray that may enter it.
+    /// visit() of a subtree, for a ray that may enter it.
     template <class Visit>
     void visit_below(TreeRef from, const Query& query, const float& limit, Visit&& visit) const;
 
     template <bool any>
     void trace(Batch& batch) const;
     template <bool any>
-    void ask(std::uint32_t instance, Batch& batch) const;
+    void trace_instance(std::uint32_t instance, Batch& batch) const;
     template <bool any>
-    void ask_one_by_one(TreeRef from, Batch& batch) const;
+    void trace_each(TreeRef from, Batch& batch) const;
 
-    std::vector<Place> places_;
+    std::vector<Instance> instances_;
     Tree tree_;
-    std::vector<std::array<float, 2>> slack_; ///< [node][child]: the box test's, in origins' |coordinates|
-    float most_slack_ = 0;                    ///< of all
+    std::vector<std::array<float, 2>>
+        slack_;           ///< [node][child]: growth of the box test per unit of the origin's |coordinate|
+    float max_slack_ = 0; ///< maximum of slack_
 };
 
 template <class Visit>

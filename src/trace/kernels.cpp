@@ -1,3 +1,5 @@
+// Runtime dispatch: detects the SIMD targets of the machine and calls the kernels.
+
 #include "trace/kernel_table.h"
 
 #include <stdexcept>
@@ -9,9 +11,9 @@
 namespace glint {
 namespace {
 
-/// How many rows of the table the processor and the system have the instructions for, as Highway assumes them
-/// for its targets. Highway can tell as well, but its library measures the clock for two milliseconds or
-/// three when it is loaded.
+/// Number of table rows whose instructions processor and system support, by the requirements of Highway for
+/// its targets. Highway can detect this as well, but loading its library takes two to three milliseconds, as
+/// it measures the clock.
 std::size_t count_rows() {
 #if defined(__x86_64__)
     __builtin_cpu_init();
@@ -38,13 +40,13 @@ std::size_t count_rows() {
 #endif
 }
 
-/// Asked of the machine once; a function's static costs one branch.
+/// Detected once; the static costs one branch.
 bool has(std::size_t row) {
     static const std::size_t rows = count_rows();
     return batch_kernels[row].closest != nullptr && row < rows;
 }
 
-/// The table's row of the widest target.
+/// Row of the widest available target.
 std::size_t best_row() {
     static const std::size_t best = [] {
         std::size_t row = kernel_targets - 1;
@@ -54,7 +56,7 @@ std::size_t best_row() {
     return best;
 }
 
-/// The table's row of a target that is not the best: they stand in one order.
+/// Row of a named target: enumerators and rows have the same order.
 std::size_t own_row(SimdTarget target) {
     return static_cast<std::size_t>(target) - static_cast<std::size_t>(SimdTarget::plain);
 }
@@ -77,17 +79,17 @@ bool is_available(SimdTarget target) { return target == SimdTarget::best || has(
 
 TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice) {
     if (choice.kernel == Kernel::scalar) return closest_scalar(tree, ray);
-    return lone_kernels[row_of(choice.target)].closest(tree, ray);
+    return single_kernels[row_of(choice.target)].closest(tree, ray);
 }
 
 bool occluded(const MeshTree& tree, const Ray& ray, const KernelChoice& choice) {
     if (choice.kernel == Kernel::scalar) return occluded_scalar(tree, ray);
-    return lone_kernels[row_of(choice.target)].occluded(tree, ray);
+    return single_kernels[row_of(choice.target)].occluded(tree, ray);
 }
 
 void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records, RayHint hint,
              const KernelChoice& choice) {
-    if (choice.kernel == Kernel::scalar || choice.kernel == Kernel::lone) {
+    if (choice.kernel == Kernel::scalar || choice.kernel == Kernel::single) {
         for (std::size_t i = 0; i < rays.size(); ++i) records[i] = closest(tree, rays[i], choice);
         return;
     }
@@ -97,7 +99,7 @@ void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<Triangle
 
 void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
               const KernelChoice& choice) {
-    if (choice.kernel == Kernel::scalar || choice.kernel == Kernel::lone) {
+    if (choice.kernel == Kernel::scalar || choice.kernel == Kernel::single) {
         for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = occluded(tree, rays[i], choice) ? 1 : 0;
         return;
     }

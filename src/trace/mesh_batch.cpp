@@ -1,11 +1,11 @@
-// Batches of rays through a MeshTree, for every SIMD target: groups of up to 64 rays, mostly of one octant,
-// go down together, a 64-bit mask for each node telling which of them are there.
+// Batch kernels for every SIMD target: groups of up to 64 rays, mostly of one octant, traverse a MeshTree
+// together; each stack entry carries a 64-bit mask of the rays that enter the node.
 //
 // Coherent groups are bounded by a shaft that culls eight children, or the triangles of a leaf, at once
-// before any ray is looked at (after Reshetov, Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008);
-// incoherent ones are filtered ray by ray, each node fetched once for all (Barringer and Akenine-Möller,
-// "Dynamic Ray Stream Traversal", 2014). The answer is the least (t, triangle), so neither order nor kernel
-// nor vector width shows in it.
+// before any ray is tested (after Reshetov, Soupikov, Hurley 2005 and Boulos, Wald, Benthin 2008). Incoherent
+// groups are filtered ray by ray with each node fetched once for all (Barringer and Akenine-Möller, "Dynamic
+// Ray Stream Traversal", 2014). The result is the least (t, triangle), so it depends on neither traversal
+// order, kernel nor vector width.
 
 #include "trace/flags.h"
 #include "trace/kernel_table.h"
@@ -25,8 +25,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray);
-bool occluded_lone(const MeshTree& tree, const Ray& ray);
+TriangleRecord closest_single(const MeshTree& tree, const Ray& ray);
+bool occluded_single(const MeshTree& tree, const Ray& ray);
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -43,10 +43,10 @@ void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked
 
 namespace {
 
-/// What is still to be visited.
+/// A stack entry: a node or leaf and the rays that enter it.
 struct Entry {
     std::uint32_t code;
-    float key; ///< where the rays may enter it: the nearer goes first
+    float key; ///< lower bound of the entry distances; nearer entries are visited first
     std::uint64_t mask;
 };
 
@@ -59,7 +59,7 @@ HWY_INLINE void prefetch(const MeshTree& tree, std::uint32_t code) {
     for (std::size_t line = 0; line < 256; line += 64) hwy::Prefetch(at + line);
 }
 
-/// Puts the children that rays enter on the stack, the nearest on top.
+/// Pushes the entered children, nearest on top.
 HWY_INLINE std::size_t push(const MeshTree& tree, const WideNode& node, const Entered& entered, Entry* stack,
                             std::size_t size) {
     const std::size_t base = size;
@@ -74,8 +74,8 @@ HWY_INLINE std::size_t push(const MeshTree& tree, const WideNode& node, const En
     return size;
 }
 
-/// Those rays of a mask that still want what begins at `key`.
-HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float key) {
+/// Rays of a mask whose current hit is not closer than `key`.
+HWY_INLINE std::uint64_t still_active(const Group& group, std::uint64_t mask, float key) {
     std::uint64_t wants = 0;
     for (std::uint64_t rest = vectors_of(mask); rest != 0; rest &= rest - 1) {
         const std::size_t i = first_bit(rest);
@@ -84,26 +84,27 @@ HWY_INLINE std::uint64_t wanting(const Group& group, std::uint64_t mask, float k
     return wants & mask;
 }
 
-/// Fewer rays than this are not worth a look at the box that they sweep.
-constexpr int least_swept = 16;
-/// What a vector of rays against one box costs, in rays against eight boxes.
-constexpr int vector_price = ray_lanes > lanes ? 2 : 1;
+/// Groups with fewer rays skip the test of their swept box.
+constexpr int min_swept = 16;
+/// Cost of testing a vector of rays against one box, in units of testing one ray against eight boxes.
+constexpr int vector_cost = ray_lanes > lanes ? 2 : 1;
 
-/// The rays that enter each child which the sweep meets, box by box; false where ray by ray is cheaper.
+/// Tests children that the swept box overlaps, one box at a time; returns false if testing ray by ray is
+/// cheaper.
 template <bool is_mixed>
 HWY_INLINE bool enter_swept(const float* node, const Sweep* sweep, const Group& group, std::uint64_t mask,
                             Entered& entered) {
     const int rays = std::popcount(mask);
-    if (sweep == nullptr || rays < least_swept) return false;
+    if (sweep == nullptr || rays < min_swept) return false;
     const std::uint32_t met = sweep->meets(node);
     const std::uint64_t vectors = vectors_of(mask);
-    if (vector_price * std::popcount(met) * std::popcount(vectors) >= rays) return false;
+    if (vector_cost * std::popcount(met) * std::popcount(vectors) >= rays) return false;
     enter_boxes<true, is_mixed>(node, met, group, vectors, mask, entered);
     return true;
 }
 
-/// Those rays of a group that `alive` names, ray by ray from a node on; returns the rays that hit.
-/// `sweep` culls children for all of them; it may be missing.
+/// Traverses from a node with the rays in `alive`, filtering ray by ray; returns the rays that hit. `sweep`,
+/// if not null, culls children for all of them.
 template <bool any, bool is_mixed = false>
 std::uint64_t trace_stream(const MeshTree& tree, const Sweep* sweep, Group& group, std::uint32_t code,
                            std::uint64_t alive) {
@@ -113,7 +114,7 @@ std::uint64_t trace_stream(const MeshTree& tree, const Sweep* sweep, Group& grou
     stack[size++] = {code, -infinity, alive};
     while (size > 0) {
         const Entry entry = stack[--size];
-        const std::uint64_t mask = any ? entry.mask & alive : wanting(group, entry.mask, entry.key);
+        const std::uint64_t mask = any ? entry.mask & alive : still_active(group, entry.mask, entry.key);
         if (mask == 0) continue;
         if ((entry.code & leaf_bit) != 0) {
             tally(&TraceCounters::leaves, 1);
@@ -133,13 +134,13 @@ std::uint64_t trace_stream(const MeshTree& tree, const Sweep* sweep, Group& grou
     return hits;
 }
 
-/// A group of one dominant axis within its shaft; returns the rays that hit.
+/// Traverses with a group of one dominant axis bounded by a shaft; returns the rays that hit.
 template <bool any>
-std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& group) {
+std::uint64_t trace_packet(const MeshTree& tree, const TreeConstants& constants, Group& group) {
     const std::size_t axis = group.axis_rays[0] != 0 ? 0u : (group.axis_rays[1] != 0 ? 1u : 2u);
     std::uint64_t alive = group.all();
     std::uint64_t hits = 0;
-    Shaft shaft(group, frame, axis);
+    Shaft shaft(group, constants, axis);
     bool is_stale = false;
     Entry stack[stack_size];
     std::size_t size = 0;
@@ -147,9 +148,9 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
     while (size > 0) {
         const Entry entry = stack[--size];
         const std::uint64_t mask =
-            any ? entry.mask & alive : (hits == 0 ? entry.mask : wanting(group, entry.mask, entry.key));
+            any ? entry.mask & alive : (hits == 0 ? entry.mask : still_active(group, entry.mask, entry.key));
         if (mask == 0) continue;
-        // The shaft ends behind the farthest hit, once all rays have one.
+        // Once all rays have a hit, shorten the shaft to the farthest one.
         if (!any && is_stale && hits == alive) {
             shaft.shorten(group);
             is_stale = false;
@@ -169,7 +170,7 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
         Entered entered;
         const std::uint32_t met = shaft.meets(node, group, entered.key);
         if (met == 0) continue;
-        // Where few rays are left in each vector they go on one by one.
+        // With few active rays in each vector, continue ray by ray.
         const std::uint64_t vectors = vectors_of(mask);
         if (std::popcount(met) * std::popcount(vectors) > std::popcount(mask) + 2) {
             const std::uint64_t found = trace_stream<any>(tree, nullptr, group, entry.code, mask);
@@ -185,12 +186,12 @@ std::uint64_t trace_packet(const MeshTree& tree, const Frame& frame, Group& grou
     return hits;
 }
 
-/// The records of a group's rays, in its order.
+/// Writes the records of a group in its order.
 void write_records(const Group& group, TriangleRecord* records) {
     const hn::RebindToUnsigned<decltype(df)> du;
     for (std::size_t i = 0; i < group.count; i += lanes) {
         const auto triangle = hn::Load(du, group.triangle + i);
-        const auto missed = hn::RebindMask(df, hn::Eq(triangle, hn::Set(du, no_triangle)));
+        const auto missed = hn::RebindMask(df, hn::Eq(triangle, hn::Set(du, invalid_index)));
         const Floats t = hn::IfThenElse(missed, hn::Set(df, infinity), hn::Load(df, group.limit + i));
         hn::StoreInterleaved4(t, hn::Load(df, group.u + i), hn::Load(df, group.v + i),
                               hn::BitCast(df, triangle), df, reinterpret_cast<float*>(records + i));
@@ -200,27 +201,29 @@ static_assert(sizeof(TriangleRecord) == 16);
 
 constexpr std::size_t octants = 8;
 constexpr std::size_t class_count = 3 * octants; ///< octant × dominant axis
-/// Fewer rays than this make no packet.
-constexpr std::size_t least_packet = 8;
-/// Fewer rays than this of an octant are traced with those of others.
-constexpr std::size_t least_stream = 32;
+/// Smaller groups are not traced as packets.
+constexpr std::size_t min_packet = 8;
+/// Groups of one octant smaller than this are merged with others.
+constexpr std::size_t min_stream = 32;
 
-/// Scattered rays that start side by side share more nodes than those of one octant from farther apart,
-/// unless they pass much before they hit: measured with scans (crossings of 0.7 to 1.2) and architecture
-/// (3.0). Rays that may end at any hit see so little that this pays only where nodes come from memory.
-constexpr double most_crossings = 2.0;
+/// Incoherent rays with neighbouring origins share more nodes than rays of one octant from farther apart,
+/// unless they pass many surfaces before they hit: measured on scans (depth complexity 0.7 to 1.2) and
+/// architecture (3.0). For any-hit rays keeping neighbours together pays only in trees too large for the
+/// caches.
+constexpr double max_mixed_complexity = 2.0;
 constexpr std::size_t large_tree = std::size_t{1} << 25U;
 
-/// Parts a batch into groups and traces them. Tiles of 64 rays of one class go at once, in some trees all
-/// tiles do; others' rays wait in the queue of their class until that is full or the batch ends.
+/// Divides a batch into groups and traces them. Tiles of 64 consecutive rays of one class are traced at once,
+/// in some trees all tiles are; other rays are queued by class until the queue is full or the batch ends.
 template <bool any>
 class Batch {
   public:
-    using Answer = std::conditional_t<any, std::uint8_t, TriangleRecord>;
+    using Result = std::conditional_t<any, std::uint8_t, TriangleRecord>;
 
-    Batch(const MeshTree& tree, const Ray* rays, Answer* answers, BatchForm form)
-        : tree_(tree), frame_(tree), rays_(rays), answers_(answers), by_axis_(form == BatchForm::packets),
-          mixes_(!by_axis_ && tree.crossings < most_crossings && (!any || tree.bytes() >= large_tree)) {}
+    Batch(const MeshTree& tree, const Ray* rays, Result* results, BatchForm form)
+        : tree_(tree), constants_(tree), rays_(rays), results_(results), by_axis_(form == BatchForm::packets),
+          keeps_neighbours_(!by_axis_ && tree.depth_complexity < max_mixed_complexity &&
+                            (!any || tree.bytes() >= large_tree)) {}
 
     void run(std::size_t count) {
         for (std::size_t at = 0; at < count; at += group_rays) tile(at, std::min(group_rays, count - at));
@@ -234,23 +237,24 @@ class Batch {
     };
 
     void tile(std::size_t at, std::size_t count) {
-        const Signs signs = load_tile(group_, frame_, rays_ + at, count);
+        const Signs signs = load_tile(group_, constants_, rays_ + at, count);
         const std::uint64_t live = count == group_rays ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-        const std::uint64_t odd = signs.odd & live;
-        const std::uint64_t usual = live & ~odd;
-        const bool are_alike = usual != 0 && (usual & ~signs.alike(first_bit(usual), by_axis_)) == 0;
-        if (std::popcount(odd) < std::popcount(usual) && (are_alike || mixes_)) {
-            // A usual ray stands in for each odd one, so that a few of these leave the others together.
-            for (std::uint64_t r = signs.odd; r != 0; r &= r - 1)
-                stand_in(group_, first_bit(usual), first_bit(r));
+        const std::uint64_t ungrouped = signs.ungrouped & live;
+        const std::uint64_t grouped = live & ~ungrouped;
+        const bool are_alike = grouped != 0 && (grouped & ~signs.alike(first_bit(grouped), by_axis_)) == 0;
+        if (std::popcount(ungrouped) < std::popcount(grouped) && (are_alike || keeps_neighbours_)) {
+            // Replace each ungrouped ray by a copy of a grouped one, so that a few of them do not break up
+            // the tile.
+            for (std::uint64_t r = signs.ungrouped; r != 0; r &= r - 1)
+                duplicate_ray(group_, first_bit(grouped), first_bit(r));
             trace_tile(at, count, !are_alike);
         } else {
-            sort(at, usual, signs);
+            sort(at, grouped, signs);
         }
-        for (std::uint64_t r = odd; r != 0; r &= r - 1) trace_lone(at + first_bit(r));
+        for (std::uint64_t r = ungrouped; r != 0; r &= r - 1) trace_single(at + first_bit(r));
     }
 
-    /// Puts rays of a tile in the queues of their classes, and traces those that fill.
+    /// Queues the rays of a tile by class and traces full queues.
     void sort(std::size_t at, std::uint64_t rays, const Signs& signs) {
         for (std::uint64_t rest = rays; rest != 0;) {
             const std::size_t first = first_bit(rest);
@@ -264,13 +268,13 @@ class Batch {
         }
     }
 
-    /// Traces what still waits. Classes of few rays go together, whatever their octants and axes.
+    /// Traces all queued rays. Small classes are merged across octants and axes.
     void flush() {
         Queue few;
         std::uint32_t classes = 0;
         for (std::size_t c = 0; c < class_count; ++c) {
             Queue& queue = queues_[c];
-            if (queue.count >= (by_axis_ ? least_packet : least_stream)) {
+            if (queue.count >= (by_axis_ ? min_packet : min_stream)) {
                 trace_queue(queue, by_axis_);
                 continue;
             }
@@ -285,63 +289,63 @@ class Batch {
         trace_queue(few, false, !std::has_single_bit(classes));
     }
 
-    void trace_lone(std::size_t i) {
+    void trace_single(std::size_t i) {
         if constexpr (any) {
-            answers_[i] = occluded_lone(tree_, rays_[i]) ? 1 : 0;
+            results_[i] = occluded_single(tree_, rays_[i]) ? 1 : 0;
         } else {
-            answers_[i] = closest_lone(tree_, rays_[i]);
+            results_[i] = closest_single(tree_, rays_[i]);
         }
     }
 
     std::uint64_t trace_group(bool is_packet) {
-        if (is_packet) return trace_packet<any>(tree_, frame_, group_);
-        const Sweep sweep(group_, frame_);
+        if (is_packet) return trace_packet<any>(tree_, constants_, group_);
+        const Sweep sweep(group_, constants_);
         if (group_.is_mixed) return trace_stream<any, true>(tree_, &sweep, group_, 0, group_.all());
         return trace_stream<any>(tree_, &sweep, group_, 0, group_.all());
     }
 
     void trace_tile(std::size_t at, std::size_t count, bool is_mixed) {
-        set_up(group_, frame_, is_mixed);
-        const std::uint64_t hits = trace_group(by_axis_ && count >= least_packet);
+        set_up(group_, constants_, is_mixed);
+        const std::uint64_t hits = trace_group(by_axis_ && count >= min_packet);
         if constexpr (any) {
-            write_flags(hits, answers_ + at, count);
+            write_flags(hits, results_ + at, count);
         } else if (count == group_rays) {
-            write_records(group_, answers_ + at);
+            write_records(group_, results_ + at);
         } else {
             TriangleRecord found[group_rays];
             write_records(group_, found);
-            std::copy_n(found, count, answers_ + at);
+            std::copy_n(found, count, results_ + at);
         }
     }
 
     void trace_queue(Queue& queue, bool is_packet, bool is_mixed = false) {
         if (queue.count == 0) return;
         load_numbered(group_, rays_, queue.rays, queue.count);
-        set_up(group_, frame_, is_mixed);
+        set_up(group_, constants_, is_mixed);
         const std::uint64_t hits = trace_group(is_packet);
         if constexpr (any) {
-            for (std::size_t i = 0; i < queue.count; ++i) answers_[queue.rays[i]] = hits >> i & 1u;
+            for (std::size_t i = 0; i < queue.count; ++i) results_[queue.rays[i]] = hits >> i & 1u;
         } else {
             TriangleRecord found[group_rays];
             write_records(group_, found);
-            for (std::size_t i = 0; i < queue.count; ++i) answers_[queue.rays[i]] = found[i];
+            for (std::size_t i = 0; i < queue.count; ++i) results_[queue.rays[i]] = found[i];
         }
         queue.count = 0;
     }
 
     const MeshTree& tree_;
-    const Frame frame_;
+    const TreeConstants constants_;
     const Ray* rays_;
-    Answer* answers_;
+    Result* results_;
     bool by_axis_;
-    bool mixes_; ///< neighbours stay together, whatever their octants
+    bool keeps_neighbours_; ///< trace tiles of several octants as they are
     Queue queues_[class_count];
     Group group_;
 };
 
 } // namespace
 
-// What the table holds: anonymous functions cannot be exported.
+// Exported to the kernel table.
 void closest_batch(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
                    BatchForm form) {
     if (tree.nodes.empty()) {

@@ -1,4 +1,4 @@
-// A group's rays against the eight boxes of a node, for every SIMD target.
+// Tests of a group of rays against the eight boxes of a node, for every SIMD target.
 
 #include "trace/mesh_tree.h"
 
@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 namespace {
 
-/// One vector of each of the six planes, grown by the group's pad.
+/// The six planes of one or more boxes, grown by the group's pad.
 template <class V>
 struct GrownPlanes {
     V near[3];
@@ -37,8 +37,8 @@ struct GrownPlanes {
     }
 };
 
-/// Narrows [entry, exit], of a ray or of many, to what lies within the planes of a box, or of many. Mixed
-/// rays may meet either of two planes first.
+/// Slab test: narrows [entry, exit] of one ray for many boxes or of many rays for one box. For mixed rays
+/// either plane of an axis may be the near one.
 template <bool is_mixed, class V>
 HWY_INLINE void clip(const GrownPlanes<V>& planes, const V (&inverse)[3], const V (&offset)[3], V& entry,
                      V& exit) {
@@ -56,14 +56,14 @@ HWY_INLINE void clip(const GrownPlanes<V>& planes, const V (&inverse)[3], const 
     exit = hn::Min(hn::Min(far[0], far[1]), hn::Min(far[2], exit));
 }
 
-/// Which rays enter which child.
+/// The rays that enter each child.
 struct Entered {
-    std::uint32_t children = 0; ///< a bit for each with a ray
+    std::uint32_t children = 0; ///< bit set of children entered by any ray
     alignas(32) float key[wide_children];
-    alignas(64) std::uint64_t mask[wide_children]; ///< only of those children
+    alignas(64) std::uint64_t mask[wide_children]; ///< valid for these children only
 };
 
-/// A bit of each of 64 bytes.
+/// Gathers one bit of each of 64 bytes.
 HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 #if HWY_TARGET == HWY_AVX3
     const hn::ScalableTag<std::uint8_t> d8;
@@ -91,12 +91,12 @@ HWY_INLINE std::uint64_t column(const std::uint8_t* rows, std::uint32_t bit) {
 #endif
 }
 
-/// Each ray against eight boxes at once. `with_keys` asks for the nearest entry into each child.
+/// Tests ray by ray, eight boxes at once. `with_keys` computes the nearest entry into each child.
 template <bool with_keys, bool is_mixed>
 HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_t mask, Entered& entered) {
     tally(&TraceCounters::ray_nodes, static_cast<std::uint64_t>(std::popcount(mask)));
 #if HWY_TARGET == HWY_AVX3
-    // What a ray enters is a mask of lanes already: it sets the ray's bit in the mask of each child.
+    // A comparison yields a lane mask of children: set the ray's bit in the masks of these children.
     __m512i masks = _mm512_setzero_si512();
 #else
     alignas(64) std::uint8_t rows[group_rays] = {};
@@ -110,7 +110,7 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
                                hn::Load(df, node + group.far_at[1] + i),
                                hn::Load(df, node + group.far_at[2] + i)};
         const GrownPlanes<Floats> planes(group, near, far);
-        // Without an order of planes the inverted box of a missing child is as good as any.
+        // Ordering planes makes the inverted box of a missing child look real, so mask it out.
         const auto exists = hn::Le(near[0], far[0]);
         Floats key = hn::Set(df, infinity);
         for (std::uint64_t rest = mask; rest != 0; rest &= rest - 1) {
@@ -148,7 +148,8 @@ HWY_INLINE void enter_by_ray(const float* node, const Group& group, std::uint64_
 #endif
 }
 
-/// The rays that enter one box, of those vectors that have a bit. `with_key` asks for the nearest entry.
+/// Returns the rays that enter one box, testing the vectors whose first bit is set. `with_key` computes the
+/// nearest entry.
 template <bool with_key, bool is_mixed>
 HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const Group& group,
                                    std::uint64_t vectors, float& key) {
@@ -179,8 +180,8 @@ HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const G
     return inside;
 }
 
-/// The same for those children of a node that `met` names, none of them missing if rays are mixed, and those
-/// rays that `mask` does. Without keys entered.key stays as it is.
+/// Tests the children in `met` one box at a time, for the rays in `mask`; with mixed rays, `met` must not
+/// contain missing children. Without keys entered.key is not written.
 template <bool with_keys, bool is_mixed>
 HWY_INLINE void enter_boxes(const float* node, std::uint32_t met, const Group& group, std::uint64_t vectors,
                             std::uint64_t mask, Entered& entered) {

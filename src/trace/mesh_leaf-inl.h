@@ -1,5 +1,5 @@
-// A leaf of a MeshTree against rays one by one, for every SIMD target. Included once a target by the kernels,
-// with Highway's toggled guard.
+// Tests of single rays against a leaf of a MeshTree, for every SIMD target. Included once a target by the
+// kernels, with Highway's toggled guard.
 
 #include "geometry/triangle.h"
 #include "math/offset.shared.h"
@@ -32,10 +32,10 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-/// Directions are taken as no smaller than this, against their largest component …
-constexpr float least_direction = 1e-18f;
-/// … and this, against the largest coordinate: so that origin · 1/direction stays finite.
-constexpr float least_of_scale = 1e-37f;
+/// Direction components are clamped to this times the largest one …
+constexpr float min_direction_ratio = 1e-18f;
+/// … and to this times the largest coordinate, which keeps origin · 1/direction finite.
+constexpr float min_scale_ratio = 1e-37f;
 
 const hn::CappedTag<float, 8> df;
 const hn::RebindToSigned<decltype(df)> di;
@@ -43,17 +43,17 @@ using Floats = hn::Vec<decltype(df)>;
 using Integers = hn::Vec<decltype(di)>;
 using Lanes = hn::Mask<decltype(df)>;
 constexpr std::size_t lanes = hn::MaxLanes(df);
-/// Vectors that hold eight floats.
+/// Number of vectors for eight floats.
 constexpr std::size_t parts = 8 / lanes;
-/// x, y, z, x …: a remainder would be computed by long products.
+/// Cyclic successor and predecessor of an axis: cheaper than a remainder.
 constexpr std::size_t axis_after[3] = {1, 2, 0};
 constexpr std::size_t axis_before[3] = {2, 0, 1};
 
-/// A mask's lanes as bits; Highway's own way leads through memory.
+/// Converts a lane mask to bits; Highway's own conversion goes through memory.
 template <class D, class M>
 HWY_INLINE std::uint32_t bits_of(D d, M mask) {
 #if HWY_TARGET == HWY_AVX3
-    // Left to itself, g++ 12 keeps one byte of the mask in memory and reads four.
+    // g++ 12 otherwise stores one byte of the mask and loads four.
     std::uint32_t bits;
     if constexpr (hn::MaxLanes(D()) == 16) {
         asm("kmovw %1, %0" : "=r"(bits) : "k"(mask.raw));
@@ -78,12 +78,12 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
 }
 HWY_INLINE std::uint32_t bits_of(Lanes mask) { return bits_of(df, mask); }
 
-/// The lowest bit's place.
+/// Index of the lowest set bit.
 HWY_INLINE std::size_t first_bit(std::uint64_t mask) {
     return static_cast<std::size_t>(std::countr_zero(mask));
 }
 
-/// Where a leaf's words are.
+/// Pointers to the parts of a leaf.
 struct Leaf {
     const std::uint32_t* corners;
     const float* axis[3];
@@ -105,15 +105,15 @@ struct Leaf {
     std::uint32_t all() const { return (1u << count) - 1u; }
 };
 
-/// The words of eight triangles' corners, a triangle a lane.
+/// Corner words of eight triangles, one triangle a lane.
 HWY_INLINE Integers corner_words(const Leaf& leaf, std::size_t first) {
     const hn::Rebind<std::uint16_t, decltype(df)> d16;
     return hn::PromoteTo(di, hn::LoadU(d16, reinterpret_cast<const std::uint16_t*>(leaf.corners) + first));
 }
 
-/// A leaf's vertices, eight at once, in the order of a ray's axes. Beyond the last, x and y hold anything,
-/// and z is 0: it is multiplied, and triangles' numbers, which may stand there, are denormal floats, whose
-/// products take some processors a hundred cycles.
+/// The vertices of a leaf with axes permuted for a ray. Lanes beyond the last vertex are arbitrary in x and y
+/// but 0 in z, which is multiplied: triangle indices may follow there, which are denormal floats, and
+/// multiplying those takes a hundred cycles on some processors.
 struct LeafVectors {
     Floats x[parts], y[parts], z[parts];
 
@@ -128,30 +128,30 @@ struct LeafVectors {
     }
 };
 
-/// Where three edges' values rule a triangle out, as in surely_outside(): the product of the least and the
-/// greatest is negative, or vanishes, where both signs occur.
+/// Lanes whose edge functions exclude a hit, as in surely_outside(): the product of the least and the
+/// greatest is negative (or underflows) if both signs occur.
 template <class V>
 HWY_INLINE hn::Mask<hn::DFromV<V>> outside(V u, V v, V w) {
     const V least = hn::Min(u, hn::Min(v, w));
     const V most = hn::Max(u, hn::Max(v, w));
     return hn::Lt(hn::Mul(least, most), hn::Zero(hn::DFromV<V>()));
 }
-HWY_INLINE std::uint32_t not_outside(Floats u, Floats v, Floats w) { return ~bits_of(outside(u, v, w)); }
+HWY_INLINE std::uint32_t candidates_of(Floats u, Floats v, Floats w) { return ~bits_of(outside(u, v, w)); }
 
-/// One ray as a leaf sees it, with what it has found.
-struct Probe {
+/// One ray in sheared coordinates, and its closest hit so far.
+struct LeafRay {
     float ox, oy, oz, sx, sy, sz;
     float tmin;
     float limit; ///< the greatest t still wanted, inclusive
     float u = 0, v = 0;
-    std::uint32_t triangle = no_triangle;
+    std::uint32_t triangle = invalid_index;
 };
 
-/// Tests those of a leaf's triangles whose bits are set, by sheared vertices. Returns whether one was hit;
-/// closest hits are recorded.
+/// Tests the triangles in `candidates` against one ray by their sheared vertices. Returns whether any was
+/// hit; records the closest hit unless `any`.
 template <bool any>
 HWY_INLINE bool test_candidates(const Leaf& leaf, std::uint32_t candidates, const float* x, const float* y,
-                                const float* z, Probe& probe) {
+                                const float* z, LeafRay& leaf_ray) {
     bool found = false;
     for (; candidates != 0; candidates &= candidates - 1) {
         const auto i = static_cast<std::uint32_t>(std::countr_zero(candidates));
@@ -163,25 +163,26 @@ HWY_INLINE bool test_candidates(const Leaf& leaf, std::uint32_t candidates, cons
         if (lanes != 8 && surely_outside(a, b, c)) continue;
         tally(&TraceCounters::exact, 1);
         TriangleHit hit;
-        if (!intersect_sheared(a, b, c, probe.sz, probe.tmin, probe.limit, hit)) continue;
+        if (!intersect_sheared(a, b, c, leaf_ray.sz, leaf_ray.tmin, leaf_ray.limit, hit)) continue;
         if (any) return true;
-        if (hit.t == probe.limit && leaf.triangles[i] > probe.triangle) continue;
-        probe.limit = hit.t;
-        probe.u = hit.u;
-        probe.v = hit.v;
-        probe.triangle = leaf.triangles[i];
+        if (hit.t == leaf_ray.limit && leaf.triangles[i] > leaf_ray.triangle) continue;
+        leaf_ray.limit = hit.t;
+        leaf_ray.u = hit.u;
+        leaf_ray.v = hit.v;
+        leaf_ray.triangle = leaf.triangles[i];
         found = true;
     }
     return found;
 }
 
-/// One ray against those triangles of a leaf whose bits are set in `wanted`: vertices are sheared eight at a
-/// time, triangles tested eight at a time.
+/// Tests one ray against the triangles in `wanted`, shearing eight vertices and testing eight triangles at
+/// once.
 template <bool any>
-HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uint32_t wanted, Probe& probe) {
+HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uint32_t wanted,
+                         LeafRay& leaf_ray) {
     tally(&TraceCounters::ray_leaves, 1);
-    const Floats ox = hn::Set(df, probe.ox), oy = hn::Set(df, probe.oy), oz = hn::Set(df, probe.oz);
-    const Floats sx = hn::Set(df, probe.sx), sy = hn::Set(df, probe.sy);
+    const Floats ox = hn::Set(df, leaf_ray.ox), oy = hn::Set(df, leaf_ray.oy), oz = hn::Set(df, leaf_ray.oz);
+    const Floats sx = hn::Set(df, leaf_ray.sx), sy = hn::Set(df, leaf_ray.sy);
     Floats vx[parts], vy[parts], vz[parts];
     for (std::size_t i = 0; i < parts; ++i) {
         vz[i] = hn::Sub(vertices.z[i], oz);
@@ -198,9 +199,9 @@ HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uin
         const Floats ax = hn::TableLookupLanes(vx[0], ia), ay = hn::TableLookupLanes(vy[0], ia);
         const Floats bx = hn::TableLookupLanes(vx[0], ib), by = hn::TableLookupLanes(vy[0], ib);
         const Floats cx = hn::TableLookupLanes(vx[0], ic), cy = hn::TableLookupLanes(vy[0], ic);
-        candidates &=
-            not_outside(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)), hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
-                        hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)));
+        candidates &= candidates_of(hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx)),
+                                    hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx)),
+                                    hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax)));
         if (candidates == 0) return false;
     }
     alignas(32) float x[8], y[8], z[8];
@@ -209,7 +210,7 @@ HWY_INLINE bool test_ray(const Leaf& leaf, const LeafVectors& vertices, std::uin
         hn::Store(vy[i], df, y + i * lanes);
         hn::Store(vz[i], df, z + i * lanes);
     }
-    return test_candidates<any>(leaf, candidates, x, y, z, probe);
+    return test_candidates<any>(leaf, candidates, x, y, z, leaf_ray);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Rays of a group, one after the other, against the triangles of a leaf, for every SIMD target.
+// Tests of the rays of a group, one after another, against the triangles of a leaf, for every SIMD target.
 
 #include "trace/mesh_tree.h"
 
@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 namespace {
 
-/// As many doubles as a vector holds, up to eight, and floats for them.
+/// Vectors of up to eight doubles, and floats of the same count.
 const hn::CappedTag<double, 8> dd;
 const hn::Rebind<float, decltype(dd)> dfe;
 using ExactFloats = hn::Vec<decltype(dfe)>;
@@ -32,16 +32,16 @@ using Doubles = hn::Vec<decltype(dd)>;
 constexpr std::size_t exact_lanes = hn::MaxLanes(dd);
 constexpr std::uint32_t exact_mask = (1u << exact_lanes) - 1u;
 
-/// A vertex of a triangle a lane, sheared and scaled.
+/// Sheared and scaled vertices, one triangle a lane.
 struct ExactVertex {
     ExactFloats x, y, z;
 };
 
-/// The exact part of the test, operation by operation intersect_sheared(), for a vector of rays and a
-/// triangle for each.
+/// The double-precision part of the triangle test for one (ray, triangle) pair a lane: the operations of
+/// intersect_sheared().
 struct Exact {
     Doubles v, w, det;
-    ExactFloats t; ///< NaN where the ray does not hit within (tmin, infinity)
+    ExactFloats t; ///< NaN if the ray does not hit within (tmin, infinity)
 
     HWY_INLINE Exact(const ExactVertex& a, const ExactVertex& b, const ExactVertex& c, ExactFloats least_t) {
         const Doubles ax = hn::PromoteTo(dd, a.x), ay = hn::PromoteTo(dd, a.y);
@@ -59,8 +59,8 @@ struct Exact {
         const Doubles cz = hn::PromoteTo(dd, c.z);
         const Doubles exact = hn::Div(hn::Add(hn::Add(hn::Mul(u, az), hn::Mul(v, bz)), hn::Mul(w, cz)), det);
         const Doubles tmin = hn::PromoteTo(dd, least_t);
-        // Where det is 0, t is NaN or infinite. What rounds to infinity is left out before: without vectors
-        // Highway would take it to the greatest float.
+        // If det is 0, t is NaN or infinite. Values that would round to infinity are excluded before: without
+        // SIMD Highway converts them to the largest float.
         const auto good =
             hn::AndNot(mixed, hn::And(hn::Gt(exact, tmin), hn::Lt(exact, hn::Set(dd, 0x1.ffffffp127))));
         const Doubles none = hn::Set(dd, std::numeric_limits<double>::quiet_NaN());
@@ -70,8 +70,8 @@ struct Exact {
     HWY_INLINE ExactFloats weight_2() const { return hn::DemoteTo(dfe, hn::Div(w, det)); }
 };
 
-/// The rays of a mask against those triangles of a leaf whose bits are set in `wanted`, each ray by itself.
-/// Returns the rays that hit; closest hits are recorded.
+/// Tests the rays in `mask` one by one against the triangles in `wanted`. Returns the rays that hit; records
+/// closest hits unless `any`.
 template <bool any>
 HWY_INLINE std::uint64_t test_each(const Leaf& leaf, Group& group, std::size_t kz, std::uint64_t mask,
                                    const LeafVectors& vertices, std::uint32_t wanted) {
@@ -79,41 +79,40 @@ HWY_INLINE std::uint64_t test_each(const Leaf& leaf, Group& group, std::size_t k
     std::uint64_t hits = 0;
     for (; mask != 0; mask &= mask - 1) {
         const std::size_t r = first_bit(mask);
-        Probe probe{group.origin[kx][r],
-                    group.origin[ky][r],
-                    group.origin[kz][r],
-                    group.shear_x[r],
-                    group.shear_y[r],
-                    group.shear_z[r],
-                    group.tmin[r],
-                    group.limit[r],
-                    0.0f,
-                    0.0f,
-                    group.triangle[r]};
-        if (!test_ray<any>(leaf, vertices, wanted, probe)) continue;
+        LeafRay leaf_ray{group.origin[kx][r],
+                         group.origin[ky][r],
+                         group.origin[kz][r],
+                         group.shear_x[r],
+                         group.shear_y[r],
+                         group.shear_z[r],
+                         group.tmin[r],
+                         group.limit[r],
+                         0.0f,
+                         0.0f,
+                         group.triangle[r]};
+        if (!test_ray<any>(leaf, vertices, wanted, leaf_ray)) continue;
         hits |= std::uint64_t{1} << r;
         if (any) continue;
-        group.limit[r] = probe.limit;
-        group.u[r] = probe.u;
-        group.v[r] = probe.v;
-        group.triangle[r] = probe.triangle;
+        group.limit[r] = leaf_ray.limit;
+        group.u[r] = leaf_ray.u;
+        group.v[r] = leaf_ray.v;
+        group.triangle[r] = leaf_ray.triangle;
     }
     return hits;
 }
 
 #if HWY_TARGET == HWY_AVX3
 
-/// Up to eight rays with a triangle each that the sieve has not ruled out, a pair a lane, for the exact part
-/// of the test.
+/// Up to eight (ray, triangle) pairs that passed the float test and await the exact one, one pair a lane.
 struct Pairs {
     ExactVertex a, b, c;
     Floats tmin, limit;
-    Integers ray;      ///< its place in the group
-    Integers triangle; ///< its number
+    Integers ray;      ///< index in the group
+    Integers triangle; ///< triangle index
     std::uint32_t count = 0;
 };
 
-/// Tests all pairs and forgets them. Returns the rays that hit; closest hits are recorded.
+/// Tests and clears all pairs. Returns the rays that hit; records closest hits unless `any`.
 template <bool any>
 HWY_INLINE std::uint64_t test_pairs(Pairs& pairs, Group& group) {
     tally(&TraceCounters::exact, 1);
@@ -148,15 +147,15 @@ HWY_INLINE std::uint64_t test_pairs(Pairs& pairs, Group& group) {
     return hits;
 }
 
-/// The same for rays together: about half of them come through the sieve, which nothing can foretell, so no
-/// branch asks for it. What comes through is gathered in registers and tested eight at a time.
+/// Like test_each(). About half of the rays have candidates, unpredictably, so no branch depends on it:
+/// candidates of several rays are collected in registers and tested eight at a time.
 template <bool any>
 HWY_INLINE std::uint64_t test_together(const Leaf& leaf, Group& group, std::size_t kz, std::uint64_t mask,
                                        const LeafVectors& vertices, std::uint32_t wanted) {
     const std::size_t kx = axis_after[kz], ky = axis_before[kz];
     const Lanes asked = Lanes{static_cast<__mmask8>(wanted)};
     const Integers seven = hn::Set(di, 7);
-    // Behind a triangle's corners stands its place in the leaf.
+    // Bits 9 and up hold the triangle's position in the leaf.
     const Integers words = hn::Or(corner_words(leaf, 0), hn::ShiftLeft<9>(hn::Iota(di, 0)));
     const Integers numbers = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(leaf.triangles));
     const auto ia = hn::IndicesFromVec(df, hn::And(words, seven));
@@ -188,7 +187,8 @@ HWY_INLINE std::uint64_t test_together(const Leaf& leaf, Group& group, std::size
         if (pairs.count + more > lanes) hits |= test_pairs<any>(pairs, group);
         const auto there = static_cast<std::int32_t>(pairs.count);
         const Lanes to = Lanes{static_cast<__mmask8>(((1u << more) - 1u) << there)};
-        // What is left moves behind the pairs already there by where its vertices are looked up.
+        // Append the candidates to the pairs: compress their corner words, rotate them behind the existing
+        // pairs, and look up the vertices.
         const Integers front = hn::Compress(words, hn::RebindMask(di, left));
         const Integers from = hn::And(hn::Sub(hn::Iota(di, 0), hn::Set(di, there)), seven);
         const Integers moved = hn::TableLookupLanes(front, hn::IndicesFromVec(di, from));
@@ -221,7 +221,7 @@ HWY_INLINE std::uint64_t test_together(const Leaf& leaf, Group& group, std::size
 
 #endif
 
-/// Whichever is faster. AVX2 has too few registers to gather in.
+/// Chooses the faster of the two. AVX2 has too few registers for test_together().
 template <bool any>
 HWY_INLINE std::uint64_t test_rays(const Leaf& leaf, Group& group, std::size_t kz, std::uint64_t mask,
                                    const LeafVectors& vertices, std::uint32_t wanted) {

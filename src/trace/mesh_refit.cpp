@@ -1,4 +1,4 @@
-// A tree that follows its vertices.
+// Refitting: new vertex positions in an existing tree.
 
 #include "math/finite.h"
 #include "trace/mesh_pack.h"
@@ -12,7 +12,7 @@
 namespace glint {
 namespace {
 
-/// Nodes of one task.
+/// Nodes per task.
 constexpr std::size_t grain = 256;
 
 void store_box(WideNode& node, std::size_t child, const Bounds& box) {
@@ -25,7 +25,7 @@ void store_box(WideNode& node, std::size_t child, const Bounds& box) {
 Bounds bounds_of(const WideNode& node) {
     Bounds box;
     for (std::size_t child = 0; child < wide_children; ++child)
-        if (node.child[child] != no_child)
+        if (node.child[child] != invalid_index)
             box.grow(Bounds{{node.lo[0][child], node.lo[1][child], node.lo[2][child]},
                             {node.hi[0][child], node.hi[1][child], node.hi[2][child]}});
     return box;
@@ -36,26 +36,26 @@ class Refitter {
     Refitter(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles)
         : tree_(tree), positions_(positions), triangles_(triangles) {}
 
-    void run(TaskPool& pool) {
-        std::vector<std::vector<Place>> broken((tree_.nodes.size() + grain - 1) / grain);
+    void run(parallel::TaskPool& pool) {
+        std::vector<std::vector<ChildSlot>> broken((tree_.nodes.size() + grain - 1) / grain);
         pool.run(broken.size(), [&](std::size_t task, int) {
             const std::size_t end = std::min((task + 1) * grain, tree_.nodes.size());
             for (std::size_t node = task * grain; node < end; ++node) move_leaves(node, broken[task]);
         });
-        mend(broken);
+        rewrite(broken);
         grow_boxes();
     }
 
   private:
-    struct Place {
+    struct ChildSlot {
         std::size_t node;
         std::size_t child;
     };
 
-    void move_leaves(std::size_t at, std::vector<Place>& broken) {
+    void move_leaves(std::size_t at, std::vector<ChildSlot>& broken) {
         WideNode& node = tree_.nodes[at];
         for (std::size_t child = 0; child < wide_children; ++child) {
-            if (node.child[child] == no_child || (node.child[child] & leaf_bit) == 0) continue;
+            if (node.child[child] == invalid_index || (node.child[child] & leaf_bit) == 0) continue;
             const LeafCode leaf{node.child[child]};
             store_box(node, child, box_of(leaf));
             if (!move(leaf)) broken.push_back({at, child});
@@ -73,7 +73,7 @@ class Refitter {
         return box;
     }
 
-    /// Gives the leaf's vertices their new positions, or false where two that were one are no more.
+    /// Writes the new positions of a leaf. Returns false if vertices that shared a position no longer do.
     bool move(LeafCode leaf) {
         std::uint32_t* words = tree_.leaf_words.data() + leaf.word();
         const std::uint32_t n = leaf.vertices();
@@ -95,28 +95,28 @@ class Refitter {
         return true;
     }
 
-    /// Leaves whose vertices came apart are written anew, behind the others.
-    void mend(const std::vector<std::vector<Place>>& broken) {
+    /// Appends new versions of leaves whose shared vertices came apart.
+    void rewrite(const std::vector<std::vector<ChildSlot>>& broken) {
         tree_.leaf_words.resize(tree_.leaf_words.size() - tail_words);
-        for (const auto& places : broken)
-            for (const Place& place : places) {
-                const LeafCode leaf{tree_.nodes[place.node].child[place.child]};
-                std::array<std::uint32_t, wide_leaf> numbers;
+        for (const auto& slots : broken)
+            for (const ChildSlot& slot : slots) {
+                const LeafCode leaf{tree_.nodes[slot.node].child[slot.child]};
+                std::array<std::uint32_t, max_leaf_size> numbers;
                 for (std::uint32_t i = 0; i < leaf.triangles(); ++i) numbers[i] = number(leaf, i);
                 const std::uint32_t code = write(std::span(numbers).first(leaf.triangles()));
-                tree_.nodes[place.node].child[place.child] = code;
+                tree_.nodes[slot.node].child[slot.child] = code;
             }
         tree_.leaf_words.resize(tree_.leaf_words.size() + tail_words);
     }
 
-    /// Writes a leaf, or a node over leaves of two triangles, which always have room for their vertices.
+    /// Writes a leaf or, if its vertices do not fit, a node over leaves of two triangles, which always fit.
     std::uint32_t write(std::span<const std::uint32_t> numbers) {
-        const LeafDraft leaf = draft_leaf(positions_, triangles_, numbers, Sameness::index);
+        const LeafDraft leaf = draft_leaf(positions_, triangles_, numbers, VertexIdentity::index);
         if (leaf.fits()) return append_leaf(leaf, tree_.leaf_words);
         WideNode node;
         for (std::size_t child = 0; child < wide_children; ++child) {
             store_box(node, child, Bounds{});
-            node.child[child] = no_child;
+            node.child[child] = invalid_index;
             if (2 * child >= numbers.size()) continue;
             node.child[child] =
                 write(numbers.subspan(2 * child, std::min<std::size_t>(2, numbers.size() - 2 * child)));
@@ -126,7 +126,7 @@ class Refitter {
         return static_cast<std::uint32_t>(tree_.nodes.size() - 1);
     }
 
-    /// Children stand behind their parents, so that one pass from the end meets them first.
+    /// Updates boxes bottom-up: children come after their parents, so one backward pass suffices.
     void grow_boxes() {
         std::vector<int> heights(tree_.nodes.size(), 1);
         for (std::size_t at = tree_.nodes.size(); at-- > 0;) {
@@ -156,7 +156,7 @@ bool all_finite(std::span<const vec3> positions, std::span<const uvec3> triangle
 } // namespace
 
 void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles,
-           TaskPool& pool) {
+           parallel::TaskPool& pool) {
     if (triangles.size() != tree.triangles)
         throw std::invalid_argument("a tree can follow the triangles only that it was built over");
     if (tree.left_out > 0 || !all_finite(positions, triangles)) {

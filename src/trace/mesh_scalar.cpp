@@ -1,4 +1,4 @@
-// The kernels' oracle, and what runs where they cannot.
+// The scalar kernel: reference for tests, and fallback for machines without SIMD.
 
 #include "math/offset.shared.h"
 #include "trace/mesh_walk.h"
@@ -23,7 +23,7 @@ bool search(const MeshTree& tree, const Ray& ray, bool any, TriangleRecord& reco
         }
         return false;
     });
-    return record.triangle != no_triangle;
+    return record.triangle != invalid_index;
 }
 
 } // namespace

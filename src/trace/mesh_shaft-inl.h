@@ -1,4 +1,4 @@
-// The space that a group's rays sweep, as a shaft or a box, for every SIMD target.
+// Bounds of the space swept by a group of rays, as a shaft or a box, for every SIMD target.
 
 #include "trace/mesh_tree.h"
 
@@ -24,40 +24,40 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 namespace {
 
-/// The space that a group's rays sweep between two planes square to their dominant axis, bounded by a
-/// straight line on each of four sides. Each ray is a line there, so lines through the outermost places on
-/// both planes bound them all. The group must be of one dominant axis.
+/// The space that a group's rays sweep between two planes perpendicular to their dominant axis, bounded by a
+/// linear function on each of four sides. Rays are lines there, so lines through the extreme points on both
+/// planes bound them all. All rays must have one dominant axis.
 class Shaft {
   public:
-    Shaft(const Group& group, const Frame& frame, std::size_t kz)
+    Shaft(const Group& group, const TreeConstants& constants, std::size_t kz)
         : kx(axis_after[kz]), ky(axis_before[kz]), kz(kz), end_of_rays_(group.count),
           backward_(group.negative[kz]) {
         const int axis = static_cast<int>(kz);
-        start_ = backward_ ? frame.bounds.hi[axis] : frame.bounds.lo[axis];
-        leave_ = backward_ ? frame.bounds.lo[axis] : frame.bounds.hi[axis];
+        start_ = backward_ ? constants.bounds.hi[axis] : constants.bounds.lo[axis];
+        exit_ = backward_ ? constants.bounds.lo[axis] : constants.bounds.hi[axis];
         if (!group.reaches_back) start_within(group);
         slack_ = 4.0f * group.pad;
         shorten(group);
         bound_sides(group);
     }
 
-    /// Moves the far end to the farthest place that any ray still wants.
+    /// Moves the far plane to the largest extent of any ray.
     void shorten(const Group& group) {
-        RayFloats most = hn::Set(dr, backward_ ? infinity : -infinity);
+        RayFloats max = hn::Set(dr, backward_ ? infinity : -infinity);
         for (std::size_t i = 0; i < end_of_rays_; i += ray_lanes) {
-            const RayFloats place =
+            const RayFloats point =
                 hn::MulAdd(hn::Load(dr, group.limit + i), hn::Load(dr, group.direction[kz] + i),
                            hn::Load(dr, group.origin[kz] + i));
-            most = backward_ ? hn::Min(most, place) : hn::Max(most, place);
+            max = backward_ ? hn::Min(max, point) : hn::Max(max, point);
         }
-        end_ = backward_ ? std::max(leave_, hn::GetLane(hn::MinOfLanes(dr, most)))
-                         : std::min(leave_, hn::GetLane(hn::MaxOfLanes(dr, most)));
+        end_ = backward_ ? std::max(exit_, hn::GetLane(hn::MinOfLanes(dr, max)))
+                         : std::min(exit_, hn::GetLane(hn::MaxOfLanes(dr, max)));
     }
 
-    /// The children of a node that the shaft meets, as bits, and where they begin.
+    /// The children that the shaft meets as bits, and their near depths.
     HWY_INLINE std::uint32_t meets(const float* node, const Group& group, float* keys) const {
         std::uint32_t met = 0;
-        // Depths count along the rays: what goes backward is turned over.
+        // Depth increases along the rays: flip signs if they go in the negative direction.
         const Floats turn = hn::Set(df, backward_ ? -0.0f : 0.0f);
         const Floats start = hn::Xor(turn, hn::Set(df, backward_ ? start_ + slack_ : start_ - slack_));
         const Floats end = hn::Xor(turn, hn::Set(df, backward_ ? end_ - slack_ : end_ + slack_));
@@ -67,10 +67,10 @@ class Shaft {
             auto hit = hn::And(hn::Le(near, end), hn::Ge(far, start));
             for (std::size_t side = 0; side < 2; ++side) {
                 const float* const planes = node + low_planes(side == 0 ? kx : ky) + i;
-                const Floats least = low(side, hn::Load(df, node + low_at_[side] + i));
-                const Floats most = high(side, hn::Load(df, node + high_at_[side] + i));
-                hit = hn::And(hit, hn::And(hn::Ge(hn::Load(df, planes + between_planes), least),
-                                           hn::Le(hn::Load(df, planes), most)));
+                const Floats min = low(side, hn::Load(df, node + low_at_[side] + i));
+                const Floats max = high(side, hn::Load(df, node + high_at_[side] + i));
+                hit = hn::And(hit, hn::And(hn::Ge(hn::Load(df, planes + high_planes_offset), min),
+                                           hn::Le(hn::Load(df, planes), max)));
             }
             met |= bits_of(hit) << i;
             hn::Store(near, df, keys + i);
@@ -78,9 +78,9 @@ class Shaft {
         return met;
     }
 
-    /// The triangles of a leaf that do not lie beyond one of the four sides, as bits: which of the vertices
-    /// do is one byte a side, looked up for three vertices a triangle.
-    HWY_INLINE std::uint32_t keeps(const Leaf& leaf, const LeafVectors& vertices) const {
+    /// The triangles of a leaf, as bits, that are not entirely outside one of the four sides. Each side has a
+    /// byte with the vertices outside of it, which is indexed by the vertices of each triangle.
+    HWY_INLINE std::uint32_t candidates(const Leaf& leaf, const LeafVectors& vertices) const {
         std::uint32_t outside = 0;
         for (std::size_t i = 0; i < parts; ++i) {
             const std::size_t at = i * lanes;
@@ -108,7 +108,7 @@ class Shaft {
     const std::size_t kx, ky, kz;
 
   private:
-    /// Rays that start inside the tree begin there.
+    /// Moves the near plane to the first origin if that lies inside the tree.
     void start_within(const Group& group) {
         RayFloats first = hn::Set(dr, backward_ ? -infinity : infinity);
         for (std::size_t i = 0; i < end_of_rays_; i += ray_lanes) {
@@ -131,7 +131,7 @@ class Shaft {
         const bool sound = backward_ ? length < 0 : length > 0;
         for (std::size_t side = 0; side < 2; ++side) {
             float low[2], high[2];
-            reach(group, side, low, high);
+            bound_side(group, side, low, high);
             const float low_slope = (low[1] - low[0]) / length;
             const float high_slope = (high[1] - high[0]) / length;
             const bool usable = sound && std::abs(low_slope) < 4.0f && std::abs(high_slope) < 4.0f;
@@ -140,29 +140,29 @@ class Shaft {
             low_base_[side] = (usable ? low[0] - low_slope * start_ : std::min(low[0], low[1])) - 4 * slack_;
             high_base_[side] =
                 (usable ? high[0] - high_slope * start_ : std::max(high[0], high[1])) + 4 * slack_;
-            // A line is lowest, or highest, at one end of a box, by its slope alone.
-            low_at_[side] = low_planes(kz) + (low_slope_[side] > 0 ? 0 : between_planes);
-            high_at_[side] = low_planes(kz) + (high_slope_[side] > 0 ? between_planes : 0);
+            // Over a box a line is extremal at one end, which its slope determines.
+            low_at_[side] = low_planes(kz) + (low_slope_[side] > 0 ? 0 : high_planes_offset);
+            high_at_[side] = low_planes(kz) + (high_slope_[side] > 0 ? high_planes_offset : 0);
         }
     }
 
-    /// The outermost rays on one side where they pass the two planes.
-    void reach(const Group& group, std::size_t side, float (&low)[2], float (&high)[2]) const {
+    /// The extreme coordinates of the rays on one axis where they cross both planes.
+    void bound_side(const Group& group, std::size_t side, float (&low)[2], float (&high)[2]) const {
         const float* slope = side == 0 ? group.shear_x : group.shear_y;
         const float* origin = group.origin[side == 0 ? kx : ky];
         const RayFloats planes[2] = {hn::Set(dr, start_), hn::Set(dr, end_)};
-        RayFloats least[2] = {hn::Set(dr, infinity), hn::Set(dr, infinity)};
-        RayFloats most[2] = {hn::Set(dr, -infinity), hn::Set(dr, -infinity)};
+        RayFloats min[2] = {hn::Set(dr, infinity), hn::Set(dr, infinity)};
+        RayFloats max[2] = {hn::Set(dr, -infinity), hn::Set(dr, -infinity)};
         for (std::size_t i = 0; i < end_of_rays_; i += ray_lanes)
             for (std::size_t at = 0; at < 2; ++at) {
                 const RayFloats way = hn::Sub(planes[at], hn::Load(dr, group.origin[kz] + i));
-                const RayFloats place = hn::MulAdd(way, hn::Load(dr, slope + i), hn::Load(dr, origin + i));
-                least[at] = hn::Min(least[at], place);
-                most[at] = hn::Max(most[at], place);
+                const RayFloats point = hn::MulAdd(way, hn::Load(dr, slope + i), hn::Load(dr, origin + i));
+                min[at] = hn::Min(min[at], point);
+                max[at] = hn::Max(max[at], point);
             }
         for (std::size_t at = 0; at < 2; ++at) {
-            low[at] = hn::GetLane(hn::MinOfLanes(dr, least[at]));
-            high[at] = hn::GetLane(hn::MaxOfLanes(dr, most[at]));
+            low[at] = hn::GetLane(hn::MinOfLanes(dr, min[at]));
+            high[at] = hn::GetLane(hn::MaxOfLanes(dr, max[at]));
         }
     }
 
@@ -170,53 +170,54 @@ class Shaft {
     bool backward_;
     float start_ = 0; ///< along the dominant axis
     float end_ = 0;
-    float leave_ = 0; ///< where the tree ends
+    float exit_ = 0; ///< far side of the tree
     float slack_ = 0;
     float low_slope_[2] = {}, low_base_[2] = {};
     float high_slope_[2] = {}, high_base_[2] = {};
-    std::size_t low_at_[2] = {}, high_at_[2] = {}; ///< the planes of a node where the lines are compared
+    std::size_t low_at_[2] = {},
+                high_at_[2] = {}; ///< offsets of the node planes at which the lines are evaluated
 };
 
-/// The box that a group's rays sweep, whatever their octants and axes.
+/// The bounding box of the segments of a group of rays of any octants.
 class Sweep {
   public:
-    Sweep(const Group& group, const Frame& frame) {
+    Sweep(const Group& group, const TreeConstants& constants) {
         const float slack = 4.0f * group.pad;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            RayFloats least = hn::Set(dr, infinity);
-            RayFloats most = hn::Set(dr, -infinity);
+            RayFloats min = hn::Set(dr, infinity);
+            RayFloats max = hn::Set(dr, -infinity);
             for (std::size_t i = 0; i < group.count; i += ray_lanes) {
                 const RayFloats o = hn::Load(dr, group.origin[axis] + i);
                 const RayFloats d = hn::Load(dr, group.direction[axis] + i);
-                const auto place = [&](RayFloats t) {
+                const auto point_at = [&](RayFloats t) {
                     const RayFloats way = hn::Mul(d, t);
-                    // Without a limit, what stands still would go NaN far.
+                    // 0 · ∞ is NaN: a zero component does not move.
                     return hn::Add(o, hn::IfThenElse(hn::Eq(way, way), way, hn::Zero(dr)));
                 };
-                const RayFloats begin = group.reaches_back ? place(hn::Load(dr, group.tmin + i)) : o;
-                const RayFloats end = place(hn::Load(dr, group.limit + i));
-                least = hn::Min(least, hn::Min(begin, end));
-                most = hn::Max(most, hn::Max(begin, end));
+                const RayFloats begin = group.reaches_back ? point_at(hn::Load(dr, group.tmin + i)) : o;
+                const RayFloats end = point_at(hn::Load(dr, group.limit + i));
+                min = hn::Min(min, hn::Min(begin, end));
+                max = hn::Max(max, hn::Max(begin, end));
             }
-            // Beyond the tree there is nothing to be told apart, and floats are coarse.
-            const float low = hn::GetLane(hn::MinOfLanes(dr, least));
-            const float high = hn::GetLane(hn::MaxOfLanes(dr, most));
-            low_[axis] = low >= frame.bounds.lo[static_cast<int>(axis)] ? low - slack : -infinity;
-            high_[axis] = high <= frame.bounds.hi[static_cast<int>(axis)] ? high + slack : infinity;
+            // Sides beyond the tree need no bound, and large floats are coarse.
+            const float low = hn::GetLane(hn::MinOfLanes(dr, min));
+            const float high = hn::GetLane(hn::MaxOfLanes(dr, max));
+            low_[axis] = low >= constants.bounds.lo[static_cast<int>(axis)] ? low - slack : -infinity;
+            high_[axis] = high <= constants.bounds.hi[static_cast<int>(axis)] ? high + slack : infinity;
         }
     }
 
-    /// The children of a node that the box meets, as bits.
+    /// The children that the box overlaps as bits.
     HWY_INLINE std::uint32_t meets(const float* node) const {
         std::uint32_t met = 0;
         for (std::size_t i = 0; i < 8; i += lanes) {
             const auto overlap = [&](std::size_t axis) {
                 const float* const planes = node + low_planes(axis) + i;
                 return hn::And(hn::Le(hn::Load(df, planes), hn::Set(df, high_[axis])),
-                               hn::Ge(hn::Load(df, planes + between_planes), hn::Set(df, low_[axis])));
+                               hn::Ge(hn::Load(df, planes + high_planes_offset), hn::Set(df, low_[axis])));
             };
-            // The inverted box of a missing child overlaps a box without bounds.
-            const auto exists = hn::Le(hn::Load(df, node + i), hn::Load(df, node + between_planes + i));
+            // The inverted box of a missing child would overlap an unbounded box.
+            const auto exists = hn::Le(hn::Load(df, node + i), hn::Load(df, node + high_planes_offset + i));
             met |= bits_of(hn::And(hn::And(overlap(0), overlap(1)), hn::And(overlap(2), exists))) << i;
         }
         return met;

@@ -1,3 +1,5 @@
+// The choice between binned and spatial splits.
+
 #include "trace/mesh_split.h"
 
 #include "trace/mesh_spatial.h"
@@ -6,30 +8,29 @@ namespace glint {
 
 int bins_for(std::size_t size, BuildQuality quality) {
     if (quality == BuildQuality::fast) return size > 1024 ? 16 : 8;
-    return size > 256 ? most_bins : size > 16 ? 16 : 8;
+    return size > 256 ? bvh::max_bins : size > 16 ? 16 : 8;
 }
 
 namespace {
 
-// When triangles are cut. Measured: scans, whose triangles are small against their nodes, are hardly tried
-// and not changed; architecture costs 9 % less by the surface area heuristic for 2 % more references.
+// Parameters of spatial splits. Measured: scans, whose triangles are small relative to their nodes, are
+// hardly searched and not changed; on architecture the SAH cost drops by 9 % for 2 % more references.
 
-/// Ranges of fewer references are not worth the search.
-constexpr std::size_t least_cut = 64;
-/// The sides of the best cut without cutting triangles overlap by these parts, of everything and of
-/// themselves.
-constexpr float least_overlap_of_all = 1e-3f;
-constexpr float least_overlap_of_range = 0.3f;
-/// A cut through triangles must be cheaper by this factor.
-constexpr float gain = 0.98f;
-/// After as many searches in vain on the way to a range, it is not searched.
-constexpr int most_misses = 3;
+/// Smaller ranges are not searched.
+constexpr std::size_t min_spatial_size = 64;
+/// Minimal overlap of the best binned split's sides, relative to the root and to the range.
+constexpr float min_overlap_of_root = 1e-3f;
+constexpr float min_overlap_of_range = 0.3f;
+/// A spatial split must cost less than this times the best binned one.
+constexpr float max_cost_ratio = 0.98f;
+/// After this many consecutive searches without success, ranges below are not searched.
+constexpr int max_failed_searches = 3;
 
-/// Whether cutting triangles could pay: where the sides of the best cut without overlap much.
-bool may_pay(const MeshBuild& build, const Range& range, const Bins& bins, const Binning& binning,
+/// Whether a spatial split could pay: the sides of the best binned split overlap much.
+bool may_pay(const MeshBuild& build, const PrimRange& range, const Bins& bins, const Binning& binning,
              const Cut& cut) {
-    if (build.quality != BuildQuality::high || range.limit == range.end || range.size() < least_cut ||
-        range.misses >= most_misses)
+    if (build.quality != BuildQuality::high || range.limit == range.end || range.size() < min_spatial_size ||
+        range.failed_searches >= max_failed_searches)
         return false;
     if (cut.axis < 0) return true;
     auto [both, other] = boxes_of(bins, binning, cut);
@@ -37,26 +38,26 @@ bool may_pay(const MeshBuild& build, const Range& range, const Bins& bins, const
     for (int axis = 0; axis < 3; ++axis)
         if (both.lo[axis] > both.hi[axis]) return false;
     const float overlap = half_area(both, build.scale);
-    return overlap > least_overlap_of_all * build.root_area &&
-           overlap > least_overlap_of_range * half_area(range.box, build.scale);
+    return overlap > min_overlap_of_root * build.root_area &&
+           overlap > min_overlap_of_range * half_area(range.box, build.scale);
 }
 
 } // namespace
 
-std::pair<Range, Range> split(const MeshBuild& build, const Range& whole, const Binning& binning, Bins& bins,
-                              bool filled) {
-    Range range = whole;
-    if (range.depth >= deepest_search) return split_in_half(range, build.refs);
+std::pair<PrimRange, PrimRange> split(const MeshBuild& build, const PrimRange& whole, const Binning& binning,
+                                      Bins& bins, bool filled) {
+    PrimRange range = whole;
+    if (range.depth >= bvh::max_sah_depth) return split_in_half(range, build.refs);
     if (!filled) {
         bins.clear(binning.bins);
         bins.fill(binning, build.refs + range.begin, build.refs + range.end);
     }
-    const Cut cut = cheapest_cut(bins, binning, build.scale, build.thrift >= 1.0f);
-    std::pair<Range, Range> sides;
+    const Cut cut = cheapest_cut(bins, binning, build.scale, build.leaf_memory_cost >= 1.0f);
+    std::pair<PrimRange, PrimRange> sides;
     if (may_pay(build, range, bins, binning, cut)) {
         const SpatialCut spatial = cheapest_spatial_cut(build, range);
-        if (spatial.cost < gain * cut.cost && split_at(build, range, spatial, sides)) return sides;
-        ++range.misses;
+        if (spatial.cost < max_cost_ratio * cut.cost && split_at(build, range, spatial, sides)) return sides;
+        ++range.failed_searches;
     }
     if (cut.axis < 0) return split_in_half(range, build.refs);
     return split_by(range, bins, binning, cut, build.refs);

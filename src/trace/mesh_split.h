@@ -1,5 +1,5 @@
 #pragma once
-// How the triangles of a MeshTree's node are divided among its children. Private to this room.
+// Splitting ranges of triangles, by bins or spatially. Private to this room.
 
 #include "bvh/split.h"
 #include "trace/mesh_tree.h"
@@ -10,27 +10,39 @@
 
 namespace glint {
 
+using bvh::Binning;
+using bvh::Bins;
+using bvh::Cut;
+using bvh::float4;
+using bvh::half_area;
+using bvh::PrimRange;
+using bvh::PrimRef;
+using bvh::SimdBounds;
+using bvh::splat;
+using bvh::to_float4;
+using bvh::without_w;
+
 inline constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// What all steps of a build share.
+/// Parameters shared by all steps of a build.
 struct MeshBuild {
     std::span<const vec3> positions;
     std::span<const uvec3> triangles;
     BuildQuality quality;
-    float scale;     ///< of areas, see half_area()
-    float root_area; ///< of everything
-    Ref* refs;
-    /// The price of each leaf for the memory it takes, in steps into a node of the size of its triangles. 1
-    /// and above: leaves shall be pairs of triangles, the most that fit without a shared vertex.
-    float thrift = 0;
+    float scale;     ///< scale of areas, see half_area()
+    float root_area; ///< half area of the root
+    PrimRef* refs;
+    /// Cost of each leaf for the memory it takes, relative to visiting a node of the triangles' size. From 1
+    /// on, leaves should be pairs of triangles, the most that fit without shared vertices.
+    float leaf_memory_cost = 0;
 };
 
-/// How many bins a range of this size is worth.
+/// Number of bins for a range of this size.
 int bins_for(std::size_t size, BuildQuality quality);
 
-/// Cuts a range of two references or more in two, none of them empty. `bins` hold its references already
-/// where they are `filled`, else they are scratch.
-std::pair<Range, Range> split(const MeshBuild& build, const Range& range, const Binning& binning, Bins& bins,
-                              bool filled);
+/// Splits a range of at least two references into two non-empty ones. `bins` contain its references if
+/// `filled`, otherwise they are scratch memory.
+std::pair<PrimRange, PrimRange> split(const MeshBuild& build, const PrimRange& range, const Binning& binning,
+                                      Bins& bins, bool filled);
 
 } // namespace glint

@@ -1,3 +1,6 @@
+// Building a part of a tree: splits down to blocks of eight references, which are cut into leaves by full
+// sweeps.
+
 #include "trace/mesh_subtree.h"
 
 #include "trace/mesh_pack.h"
@@ -7,48 +10,49 @@
 namespace glint {
 namespace {
 
-/// Prices of a leaf in steps into a node, measured: one round of eight vertices and triangles, and each more.
-constexpr float leaf_base = 0.7f;
-constexpr float leaf_more = 0.12f;
-/// Ranges of this size will soon be leaves.
-constexpr std::size_t soon_wanted = 24;
+/// Leaf costs relative to visiting a node, measured: a fixed part for one round of eight vertices and
+/// triangles, and one for each triangle.
+constexpr float leaf_cost_base = 0.7f;
+constexpr float leaf_cost_per_triangle = 0.12f;
+/// Triangles of ranges of at most this size are prefetched, as they soon become leaves.
+constexpr std::size_t prefetch_size = 24;
 
-/// Where a block of references would be cut.
+/// A split candidate of a block.
 struct BlockCut {
-    std::array<std::uint8_t, wide_leaf> order; ///< along the axis
-    std::uint32_t left = 0;                    ///< references on the left side
+    std::array<std::uint8_t, max_leaf_size> order; ///< along the axis
+    std::uint32_t left = 0;                        ///< number of references on the left
     float cost = infinite;
-    QuadBox left_box, right_box;
+    SimdBounds left_box, right_box;
 };
 
-/// The order of up to eight references along an axis: each one's rank is the number of those before it.
-std::array<std::uint8_t, wide_leaf> order_along(int axis, const Ref* refs, std::uint32_t count) {
-    std::array<Quad, 2> at{quad(infinite), quad(infinite)};
+/// The order of up to eight references along an axis: the rank of each is the number of those before it.
+std::array<std::uint8_t, max_leaf_size> order_along(int axis, const PrimRef* refs, std::uint32_t count) {
+    std::array<float4, 2> at{splat(infinite), splat(infinite)};
     for (std::uint32_t i = 0; i < count; ++i)
         at[i / 4][i % 4] = refs[i].lo[axis] * 0.5f + refs[i].hi[axis] * 0.5f;
-    std::array<QuadInts, 2> rank{};
-    const std::array<QuadInts, 2> lane{QuadInts{0, 1, 2, 3}, QuadInts{4, 5, 6, 7}};
+    std::array<int4, 2> rank{};
+    const std::array<int4, 2> lane{int4{0, 1, 2, 3}, int4{4, 5, 6, 7}};
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Quad x = quad(at[i / 4][i % 4]);
+        const float4 x = splat(at[i / 4][i % 4]);
         const auto n = static_cast<std::int32_t>(i);
-        const QuadInts self{n, n, n, n};
+        const int4 self{n, n, n, n};
         for (std::size_t half = 0; half < 2; ++half)
             rank[half] -= (x < at[half]) | ((x == at[half]) & (self < lane[half]));
     }
-    std::array<std::uint8_t, wide_leaf> order{};
+    std::array<std::uint8_t, max_leaf_size> order{};
     for (std::uint32_t i = 0; i < count; ++i)
         order[static_cast<std::size_t>(rank[i / 4][i % 4])] = static_cast<std::uint8_t>(i);
     return order;
 }
 
-/// Tries all cuts along an axis.
-void sweep(int axis, const Ref* refs, std::uint32_t count, const MeshBuild& build, BlockCut& best) {
+/// Evaluates all cuts along an axis.
+void sweep(int axis, const PrimRef* refs, std::uint32_t count, const MeshBuild& build, BlockCut& best) {
     const float scale = build.scale;
-    // Where pairs are wanted, at most one triangle is left over.
-    const std::uint32_t step = build.thrift >= 1.0f && count > 2 ? 2 : 1;
+    // With pairs, at most one triangle is left over.
+    const std::uint32_t step = build.leaf_memory_cost >= 1.0f && count > 2 ? 2 : 1;
     const auto order = order_along(axis, refs, count);
-    std::array<QuadBox, wide_leaf> right;
-    QuadBox box;
+    std::array<SimdBounds, max_leaf_size> right;
+    SimdBounds box;
     for (std::uint32_t i = count; --i > 0;) {
         box.grow(refs[order[i]].box());
         right[i] = box;
@@ -63,17 +67,18 @@ void sweep(int axis, const Ref* refs, std::uint32_t count, const MeshBuild& buil
     }
 }
 
-/// Without a call, as the oldest machines have no instruction for it.
+/// Population count without a library call: the baseline target has no instruction for it.
 std::uint32_t count_bits(std::uint32_t x) {
     x -= x >> 1 & 0x55555555u;
     x = (x & 0x33333333u) + (x >> 2 & 0x33333333u);
     return ((x + (x >> 4)) & 0x0f0f0f0fu) * 0x01010101u >> 24;
 }
 
-LeafDraft draft_of(const MeshBuild& build, const Ref* refs, std::uint32_t count) {
-    std::array<std::uint32_t, wide_leaf> numbers;
+LeafDraft draft_of(const MeshBuild& build, const PrimRef* refs, std::uint32_t count) {
+    std::array<std::uint32_t, max_leaf_size> numbers;
     for (std::uint32_t i = 0; i < count; ++i) numbers[i] = refs[i].id();
-    return draft_leaf(build.positions, build.triangles, std::span(numbers).first(count), Sameness::position);
+    return draft_leaf(build.positions, build.triangles, std::span(numbers).first(count),
+                      VertexIdentity::position);
 }
 
 } // namespace
@@ -97,49 +102,50 @@ void SubtreeBuilder::run(const MeshBuild& build, const MeshTop& top, std::uint32
     subtree.depth = writer.depth();
 }
 
-std::uint32_t SubtreeBuilder::add_children(const QuadBox& left, const QuadBox& right) {
+std::uint32_t SubtreeBuilder::add_children(const SimdBounds& left, const SimdBounds& right) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back().box = left;
     nodes_.emplace_back().box = right;
     return at;
 }
 
-/// The top's nodes are continued below its leaves.
+/// Copies the top's nodes and continues below its leaves.
 void SubtreeBuilder::inherit(const MeshTop& top, std::uint32_t from, std::uint32_t at) {
     const BinaryNode& node = top.nodes[from];
     if (node.is_leaf) {
-        // Nothing is cut any more. Without room nothing moves either: a part may be built again.
-        Range range = top.ranges[node.first];
+        // No spatial splits from here. Without spare capacity no reference moves either, so that a part can
+        // be built again.
+        PrimRange range = top.ranges[node.first];
         range.limit = range.end;
         return grow(range, at);
     }
     const std::uint32_t children = add_children(top.nodes[node.left].box, top.nodes[node.left + 1].box);
     inherit(top, node.left, children);
     inherit(top, node.left + 1, children + 1);
-    price(at, children);
+    set_costs(at, children);
 }
 
-void SubtreeBuilder::price(std::uint32_t at, std::uint32_t children) {
+void SubtreeBuilder::set_costs(std::uint32_t at, std::uint32_t children) {
     nodes_[at].left = children;
-    // Where memory counts, nodes are to be full.
-    price_split(nodes_[at], nodes_[children], nodes_[children + 1],
-                half_area(nodes_[at].box, build_->scale) + 8.0f * leaf_price_, infinite);
+    // With a memory cost, nodes should be full.
+    set_split_cost(nodes_[at], nodes_[children], nodes_[children + 1],
+                   half_area(nodes_[at].box, build_->scale) + 8.0f * leaf_memory_cost_, infinite);
 }
 
-void SubtreeBuilder::grow(const Range& range, std::uint32_t at) {
-    if (range.size() <= wide_leaf) return grow_block(range, at);
-    if (range.size() <= soon_wanted)
+void SubtreeBuilder::grow(const PrimRange& range, std::uint32_t at) {
+    if (range.size() <= max_leaf_size) return grow_block(range, at);
+    if (range.size() <= prefetch_size)
         for (std::size_t i = range.begin; i < range.end; ++i)
             __builtin_prefetch(&build_->triangles[build_->refs[i].id()]);
-    const Binning binning(range.middles, bins_for(range.size(), build_->quality));
+    const Binning binning(range.centers, bins_for(range.size(), build_->quality));
     const auto [left, right] = split(*build_, range, binning, bins_, false);
     const std::uint32_t children = add_children(left.box, right.box);
     grow(left, children);
     grow(right, children + 1);
-    price(at, children);
+    set_costs(at, children);
 }
 
-void SubtreeBuilder::grow_block(const Range& range, std::uint32_t at) {
+void SubtreeBuilder::grow_block(const PrimRange& range, std::uint32_t at) {
     block_ = range.begin;
     const auto count = static_cast<std::uint32_t>(range.size());
     draft_ = draft_of(*build_, build_->refs + range.begin, count);
@@ -147,11 +153,11 @@ void SubtreeBuilder::grow_block(const Range& range, std::uint32_t at) {
         order_[i] = static_cast<std::uint8_t>(i);
         vertices_[i] = draft_.vertices_of(i);
     }
-    leaf_price_ = 0;
-    if (build_->thrift > 0.0f)
+    leaf_memory_cost_ = 0;
+    if (build_->leaf_memory_cost > 0.0f)
         for (std::uint32_t i = 0; i < count; ++i)
-            leaf_price_ += build_->thrift / static_cast<float>(count) *
-                           half_area(build_->refs[range.begin + i].box(), build_->scale);
+            leaf_memory_cost_ += build_->leaf_memory_cost / static_cast<float>(count) *
+                                 half_area(build_->refs[range.begin + i].box(), build_->scale);
     nodes_[at].first = static_cast<std::uint32_t>(range.begin);
     nodes_[at].count = count & 0x3fffffffu;
     cut_block(at);
@@ -161,31 +167,32 @@ float SubtreeBuilder::leaf_cost(const BinaryNode& node, float area) const {
     std::uint32_t vertices = 0;
     for (std::uint32_t i = 0; i < node.count; ++i) vertices |= vertices_[node.first - block_ + i];
     if (count_bits(vertices) > leaf_vertices) return infinite;
-    return area * (leaf_base + leaf_more * static_cast<float>(node.count)) + leaf_price_;
+    return area * (leaf_cost_base + leaf_cost_per_triangle * static_cast<float>(node.count)) +
+           leaf_memory_cost_;
 }
 
-/// Cuts down to single triangles, or, for the fast quality, to what fits into leaves.
+/// Splits down to single triangles or, for the fast quality, to what fits into leaves.
 void SubtreeBuilder::cut_block(std::uint32_t at) {
     const std::uint32_t first = nodes_[at].first;
     const std::uint32_t count = nodes_[at].count;
     const float area = half_area(nodes_[at].box, build_->scale);
     const float as_leaf = leaf_cost(nodes_[at], area);
     if (build_->quality == BuildQuality::fast && as_leaf < infinite) {
-        // It is a leaf for good, and can be written now.
+        // It is final, so write the leaf now.
         nodes_[at].first = append_leaf(
             count == draft_.triangles ? draft_
                                       : part_of(draft_, std::span(order_).subspan(first - block_, count)),
             *words_);
-        return price_leaf(nodes_[at], as_leaf);
+        return set_leaf_cost(nodes_[at], as_leaf);
     }
-    if (count == 1) return price_leaf(nodes_[at], as_leaf);
+    if (count == 1) return set_leaf_cost(nodes_[at], as_leaf);
 
-    Ref* refs = build_->refs + first;
+    PrimRef* refs = build_->refs + first;
     BlockCut cut;
     for (int axis = 0; axis < 3; ++axis) sweep(axis, refs, count, *build_, cut);
-    std::array<Ref, wide_leaf> old_refs;
-    std::array<std::uint32_t, wide_leaf> old_vertices;
-    std::array<std::uint8_t, wide_leaf> old_order;
+    std::array<PrimRef, max_leaf_size> old_refs;
+    std::array<std::uint32_t, max_leaf_size> old_vertices;
+    std::array<std::uint8_t, max_leaf_size> old_order;
     std::copy_n(refs, count, old_refs.begin());
     std::copy_n(vertices_.begin() + static_cast<std::ptrdiff_t>(first - block_), count, old_vertices.begin());
     std::copy_n(order_.begin() + static_cast<std::ptrdiff_t>(first - block_), count, old_order.begin());
@@ -202,7 +209,8 @@ void SubtreeBuilder::cut_block(std::uint32_t at) {
     cut_block(children);
     cut_block(children + 1);
     nodes_[at].left = children;
-    price_split(nodes_[at], nodes_[children], nodes_[children + 1], area + 8.0f * leaf_price_, as_leaf);
+    set_split_cost(nodes_[at], nodes_[children], nodes_[children + 1], area + 8.0f * leaf_memory_cost_,
+                   as_leaf);
 }
 
 } // namespace glint

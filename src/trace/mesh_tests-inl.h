@@ -1,4 +1,4 @@
-// A group's rays against the triangles of a leaf, for every SIMD target.
+// Tests of a group of rays against the triangles of a leaf, for every SIMD target.
 
 #include "trace/mesh_tree.h"
 
@@ -25,8 +25,8 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR
 namespace {
 
-/// One triangle for as many rays of a group, from `first` on. Returns the rays that hit; closest hits are
-/// recorded, of equal ones the lower number.
+/// Tests one triangle against a vector of rays starting at `first`. Returns the rays that hit; records
+/// closest hits unless `any`, at equal t the lower triangle index.
 template <bool any>
 HWY_INLINE std::uint32_t intersect(const Exact& exact, std::uint32_t triangle, Group& group,
                                    std::size_t first) {
@@ -50,8 +50,9 @@ HWY_INLINE std::uint32_t intersect(const Exact& exact, std::uint32_t triangle, G
     return hits;
 }
 
-/// One vector of rays against those triangles of a leaf whose bits are set: each vertex is sheared once, each
-/// triangle tested for all rays. All rays of the vector are tested: what any of them hits is a hit of its.
+/// Tests one vector of rays against the triangles in `wanted`: each vertex in `used` is sheared once, each
+/// triangle tested for all rays. Inactive rays of the vector are tested too, which is harmless: their hits
+/// are valid.
 template <bool any>
 HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::uint32_t wanted,
                                      std::uint32_t used, Group& group, std::size_t first) {
@@ -99,7 +100,7 @@ HWY_INLINE std::uint32_t test_vector(const Leaf& leaf, const Shaft& shaft, std::
     return hits;
 }
 
-/// The vertices of those triangles whose bits are set, as bits.
+/// The vertices of the triangles in `wanted` as bits.
 HWY_INLINE std::uint32_t vertices_of(const Leaf& leaf, std::uint32_t wanted) {
     std::uint32_t used = 0;
     for (; wanted != 0; wanted &= wanted - 1) {
@@ -109,12 +110,12 @@ HWY_INLINE std::uint32_t vertices_of(const Leaf& leaf, std::uint32_t wanted) {
     return used;
 }
 
-/// A leaf for the rays of a mask within a shaft; returns those that hit.
+/// Tests the rays in `mask` against a leaf, culling triangles by the shaft; returns the rays that hit.
 template <bool any>
 HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Group& group,
                                        std::uint64_t mask) {
     const LeafVectors vertices(leaf, shaft.kx, shaft.ky, shaft.kz);
-    const std::uint32_t wanted = shaft.keeps(leaf, vertices);
+    const std::uint32_t wanted = shaft.candidates(leaf, vertices);
     if (wanted == 0) return 0;
     const std::uint32_t used = vertices_of(leaf, wanted);
     std::uint64_t hits = 0;
@@ -122,7 +123,7 @@ HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Gro
     for (std::uint64_t rest = vectors_of(mask); rest != 0; rest &= rest - 1) {
         const std::size_t first = first_bit(rest);
         const auto live = static_cast<std::uint32_t>(mask >> first) & ray_lane_mask;
-        // A vector costs about as much as three lone rays.
+        // A vector costs about as much as three single rays.
         if (std::popcount(live) <= 2) {
             sparse |= std::uint64_t{live} << first;
             continue;
@@ -132,7 +133,7 @@ HWY_INLINE std::uint64_t test_in_shaft(const Leaf& leaf, const Shaft& shaft, Gro
     return hits | test_rays<any>(leaf, group, shaft.kz, sparse, vertices, wanted);
 }
 
-/// A leaf for the rays of a mask one by one, each in the order of its axes.
+/// Tests the rays in `mask` one by one, grouped by dominant axis.
 template <bool any>
 HWY_INLINE std::uint64_t test_one_by_one(const Leaf& leaf, Group& group, std::uint64_t mask) {
     std::uint64_t hits = 0;

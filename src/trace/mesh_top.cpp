@@ -1,3 +1,5 @@
+// The top of the tree: large ranges level by level with parallel binning, then one task for each small range.
+
 #include "trace/mesh_top.h"
 
 #include "parallel/in_order.h"
@@ -8,22 +10,22 @@
 namespace glint {
 namespace {
 
-/// Ranges with more references than this are split level by level, their references binned in pieces of this
-/// size, whatever the number of threads. Ranges below are one task each.
+/// Larger ranges are split level by level, with references binned in chunks of this size for any number of
+/// threads. Smaller ranges are one task each.
 constexpr std::size_t piece = 32768;
-/// Nodes with at most this many references may be the root of a part.
-constexpr std::uint32_t most_of_part = 8192;
-/// The top's leaves hardly ever have fewer references than so many on average.
+/// Maximum number of references of a part.
+constexpr std::uint32_t max_part_size = 8192;
+/// Lower estimate of the average number of references in the top's leaves.
 constexpr std::size_t expected_grain = top_grain / 2;
-/// What a range of some hundred references saves, in steps into a node, by standing with 1, 2 … 7 roots
-/// instead of one. Measured on scans and architecture, where it differs by few per cent.
+/// Cost saved, relative to visiting a node, by representing a range of some hundred references by 1, 2 … 7
+/// roots instead of one. Measured on scans and architecture, where it varies by few per cent.
 constexpr RootCosts saved_by_roots{0.0f, 0.28f, 0.45f, 0.585f, 0.71f, 0.82f, 0.915f};
 
-Binning binning_of(const MeshBuild& build, const Range& range) {
-    return {range.middles, bins_for(range.size(), build.quality)};
+Binning binning_of(const MeshBuild& build, const PrimRange& range) {
+    return {range.centers, bins_for(range.size(), build.quality)};
 }
 
-void make_leaf(MeshTop& top, const Range& range, std::uint32_t node) {
+void make_leaf(MeshTop& top, const PrimRange& range, std::uint32_t node) {
     top.nodes[node].box = range.box;
     top.nodes[node].first = static_cast<std::uint32_t>(top.ranges.size());
     top.nodes[node].count = static_cast<std::uint32_t>(range.size()) & 0x3fffffffu;
@@ -31,8 +33,8 @@ void make_leaf(MeshTop& top, const Range& range, std::uint32_t node) {
     top.ranges.push_back(range);
 }
 
-/// Makes room for a split node's children.
-std::uint32_t add_children(MeshTop& top, const Range& range, std::uint32_t node) {
+/// Appends the children of a split node.
+std::uint32_t add_children(MeshTop& top, const PrimRange& range, std::uint32_t node) {
     const auto children = static_cast<std::uint32_t>(top.nodes.size());
     top.nodes[node].box = range.box;
     top.nodes[node].left = children;
@@ -42,17 +44,17 @@ std::uint32_t add_children(MeshTop& top, const Range& range, std::uint32_t node)
 }
 
 /// Splits a range depth first.
-void grow(const MeshBuild& build, const Range& range, std::uint32_t node, Bins& bins, MeshTop& top) {
-    if (range.room() <= top_grain) return make_leaf(top, range, node);
+void grow(const MeshBuild& build, const PrimRange& range, std::uint32_t node, Bins& bins, MeshTop& top) {
+    if (range.capacity() <= top_grain) return make_leaf(top, range, node);
     const auto [left, right] = split(build, range, binning_of(build, range), bins, false);
     const std::uint32_t children = add_children(top, range, node);
     grow(build, left, children, bins, top);
     grow(build, right, children + 1, bins, top);
 }
 
-/// Puts a tree in the place of a node of another.
+/// Replaces a node by a tree.
 void graft(MeshTop& top, std::uint32_t node, const MeshTop& branch) {
-    // Node 0 goes to the place of `node`, the others to the end.
+    // Node 0 replaces `node`, the others are appended.
     const auto nodes_before = static_cast<std::uint32_t>(top.nodes.size()) - 1;
     const auto ranges_before = static_cast<std::uint32_t>(top.ranges.size());
     for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
@@ -68,16 +70,16 @@ void graft(MeshTop& top, std::uint32_t node, const MeshTop& branch) {
 }
 
 struct Pending {
-    Range range;
+    PrimRange range;
     std::uint32_t node;
-    std::vector<Bins> bins{}; ///< of each piece
+    std::vector<Bins> bins{}; ///< one for each chunk
 };
 
 class TopBuilder {
   public:
-    TopBuilder(const MeshBuild& build, TaskPool& pool) : build_(build), pool_(pool) {}
+    TopBuilder(const MeshBuild& build, parallel::TaskPool& pool) : build_(build), pool_(pool) {}
 
-    MeshTop run(const Range& root) {
+    MeshTop run(const PrimRange& root) {
         top_.nodes.emplace_back();
         add(root, 0);
         while (!large_.empty()) split_level();
@@ -86,13 +88,13 @@ class TopBuilder {
     }
 
   private:
-    void add(const Range& range, std::uint32_t node) {
+    void add(const PrimRange& range, std::uint32_t node) {
         (range.size() > piece ? large_ : small_).push_back({range, node});
     }
 
     void split_level() {
         fill_bins();
-        std::vector<std::pair<Range, Range>> halves(large_.size());
+        std::vector<std::pair<PrimRange, PrimRange>> halves(large_.size());
         pool_.run(large_.size(), [&](std::size_t i, int) { halves[i] = halve(large_[i]); });
         const std::vector<Pending> level = std::exchange(large_, {});
         for (std::size_t i = 0; i < level.size(); ++i) {
@@ -102,7 +104,7 @@ class TopBuilder {
         }
     }
 
-    /// All pieces of all ranges of the level side by side.
+    /// Bins all chunks of all ranges of a level in parallel.
     void fill_bins() {
         std::vector<std::pair<std::size_t, std::size_t>> tasks;
         for (std::size_t i = 0; i < large_.size(); ++i) {
@@ -119,7 +121,7 @@ class TopBuilder {
         });
     }
 
-    std::pair<Range, Range> halve(Pending& pending) const {
+    std::pair<PrimRange, PrimRange> halve(Pending& pending) const {
         const Binning binning = binning_of(build_, pending.range);
         for (std::size_t k = 1; k < pending.bins.size(); ++k)
             pending.bins[0].add(pending.bins[k], binning.bins);
@@ -130,7 +132,7 @@ class TopBuilder {
         top_.nodes.reserve(top_.nodes.size() + 2 * build_.triangles.size() / expected_grain);
         top_.ranges.reserve(build_.triangles.size() / expected_grain);
         std::vector<Bins> bins(static_cast<std::size_t>(pool_.threads()));
-        run_in_order<MeshTop>(
+        parallel::run_in_order<MeshTop>(
             pool_, small_.size(),
             [&](std::size_t i, int worker, MeshTop& branch) {
                 branch.nodes.assign(1, {});
@@ -141,7 +143,7 @@ class TopBuilder {
     }
 
     const MeshBuild& build_;
-    TaskPool& pool_;
+    parallel::TaskPool& pool_;
     MeshTop top_;
     std::vector<Pending> large_;
     std::vector<Pending> small_;
@@ -149,7 +151,7 @@ class TopBuilder {
 
 void collect_parts(const MeshTop& top, std::uint32_t at, std::vector<std::uint32_t>& parts) {
     const BinaryNode& node = top.nodes[at];
-    if (node.is_leaf || node.count <= most_of_part) {
+    if (node.is_leaf || node.count <= max_part_size) {
         parts.push_back(at);
         return;
     }
@@ -159,7 +161,7 @@ void collect_parts(const MeshTop& top, std::uint32_t at, std::vector<std::uint32
 
 } // namespace
 
-MeshTop build_top(const MeshBuild& build, const Range& root, TaskPool& pool) {
+MeshTop build_top(const MeshBuild& build, const PrimRange& root, parallel::TaskPool& pool) {
     return TopBuilder(build, pool).run(root);
 }
 
@@ -169,12 +171,12 @@ std::vector<std::uint32_t> choose_parts(MeshTop& top, float scale) {
         const float area = half_area(node.box, scale);
         if (node.is_leaf) {
             for (std::size_t i = 0; i < node.costs.size(); ++i)
-                node.costs[i] = area * (wide_node_cost - saved_by_roots[i]);
+                node.costs[i] = area * (bvh::wide_node_cost - saved_by_roots[i]);
         } else {
             const BinaryNode& left = top.nodes[node.left];
             const BinaryNode& right = top.nodes[node.left + 1];
             node.count = (left.count + right.count) & 0x3fffffffu;
-            price_split(node, left, right, area, infinite);
+            set_split_cost(node, left, right, area, infinite);
         }
     }
     std::vector<std::uint32_t> parts;

@@ -1,6 +1,5 @@
 #pragma once
-// The upper part of a MeshTree's binary tree, and its division into parts to be built for themselves. Private
-// to this room.
+// The upper part of a MeshTree's binary tree, and its division into independent parts. Private to this room.
 
 #include "bvh/wide.h"
 #include "parallel/large_pages.h"
@@ -12,21 +11,25 @@
 
 namespace glint {
 
-/// Ranges with more room than this are split; the others are the leaves of the top.
+using bvh::BinaryNode;
+using bvh::RootCosts;
+using bvh::WideRoots;
+
+/// Ranges with more capacity than this are split; the others are the leaves of the top.
 inline constexpr std::size_t top_grain = 64;
 
-/// Binary nodes, parents before children, and the ranges that its leaves stand for: a leaf's `first` is an
-/// index into them.
+/// Binary nodes, parents before children, and the ranges of its leaves: a leaf's `first` is an index into
+/// `ranges`.
 struct MeshTop {
-    LargeVector<BinaryNode> nodes;
-    LargeVector<Range> ranges;
+    parallel::LargeVector<BinaryNode> nodes;
+    parallel::LargeVector<PrimRange> ranges;
 };
 
-MeshTop build_top(const MeshBuild& build, const Range& root, TaskPool& pool);
+MeshTop build_top(const MeshBuild& build, const PrimRange& root, parallel::TaskPool& pool);
 
-/// The nodes below which the tree is to be built in parts, in order. Each part's root will stand for itself
-/// in the wide tree, and is chosen so that it would nearly have done so anyway: by pricing the top with what
-/// is known of trees below it.
+/// Returns the nodes at which parts are rooted, in order. A part's root becomes a root in the wide tree; it
+/// is chosen such that optimal collapsing would nearly have done the same, from estimated costs of the trees
+/// below the top.
 std::vector<std::uint32_t> choose_parts(MeshTop& top, float scale);
 
 } // namespace glint

@@ -1,5 +1,5 @@
-// From triangles to a tree: the top level by level, then the parts below it, one a task. Each goes to the end
-// of the tree as soon as those before it are there, so that nothing of the whole is held twice.
+// Building a MeshTree: first the top, then the parts below it, one task each. Each part is appended as soon
+// as all parts before it are there, so nothing of the whole tree is held twice.
 
 #include "trace/mesh_tree.h"
 
@@ -18,81 +18,82 @@
 namespace glint {
 namespace {
 
-/// Triangles of one task.
+/// Triangles per task.
 constexpr std::size_t piece = 32768;
 
-/// How many references a tree may have: cut triangles count for each part.
+/// Maximum number of references: a clipped triangle counts once for each part.
 std::size_t room_for(std::size_t triangles, BuildQuality quality) {
     return quality == BuildQuality::high ? triangles + triangles * 15 / 100 : triangles;
 }
 
-/// The area of one triangle in so many is looked at, see MeshTree::crossings. A prime: grids repeat.
-constexpr std::size_t measured = 17;
+/// Every 17th triangle is measured for MeshTree::depth_complexity: a prime, as grids are periodic.
+constexpr std::size_t sampling_stride = 17;
 
 double area_of(const vec3& a, const vec3& b, const vec3& c) {
     return 0.5 * glm::length(glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a)));
 }
 
 struct References {
-    Range all;
-    double surface = 0; ///< about
+    PrimRange all;
+    double surface = 0; ///< estimate
 };
 
-/// References to all triangles whose vertices are finite, in order.
-References fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, Ref* refs,
-                     TaskPool& pool) {
-    std::vector<Range> parts((triangles.size() + piece - 1) / piece);
+/// Fills in references to all triangles with finite vertices, in order.
+References fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, PrimRef* refs,
+                     parallel::TaskPool& pool) {
+    std::vector<PrimRange> parts((triangles.size() + piece - 1) / piece);
     std::vector<double> surfaces(parts.size());
     pool.run(parts.size(), [&](std::size_t task, int) {
-        Range part;
+        PrimRange part;
         part.begin = part.end = task * piece;
         double areas = 0;
-        int looked_at = 0;
+        int samples = 0;
         for (std::size_t i = part.begin; i < std::min(part.begin + piece, triangles.size()); ++i) {
             const vec3& a = positions[triangles[i].x];
             const vec3& b = positions[triangles[i].y];
             const vec3& c = positions[triangles[i].z];
             if (!is_finite(a) || !is_finite(b) || !is_finite(c)) continue;
-            QuadBox box{quad(a), quad(a)};
-            box.grow(quad(b));
-            box.grow(quad(c));
-            if (part.size() % measured == 0) {
+            SimdBounds box{to_float4(a), to_float4(a)};
+            box.grow(to_float4(b));
+            box.grow(to_float4(c));
+            if (part.size() % sampling_stride == 0) {
                 areas += area_of(a, b, c);
-                ++looked_at;
+                ++samples;
             }
-            refs[part.end] = Ref::of(box.lo, box.hi, static_cast<std::uint32_t>(i));
+            refs[part.end] = PrimRef::of(box.lo, box.hi, static_cast<std::uint32_t>(i));
             part.add(refs[part.end++]);
         }
         parts[task] = part;
-        if (looked_at > 0) surfaces[task] = areas * static_cast<double>(part.size()) / looked_at;
+        if (samples > 0) surfaces[task] = areas * static_cast<double>(part.size()) / samples;
     });
-    Range all;
-    for (const Range& part : parts) {
+    PrimRange all;
+    for (const PrimRange& part : parts) {
         if (all.end != part.begin) std::copy(refs + part.begin, refs + part.end, refs + all.end);
         all.end += part.size();
         all.box.grow(part.box);
-        all.middles.grow(part.middles);
+        all.centers.grow(part.centers);
     }
     all.limit = all.end;
     return {all, std::accumulate(surfaces.begin(), surfaces.end(), 0.0)};
 }
 
-/// Of so many parts about a sixteenth is built first, to learn how much memory leaves take; of fewer all.
-constexpr std::size_t least_sampled = 32;
+/// With at least this many parts, about a sixteenth of them is built first to learn the memory use of leaves;
+/// otherwise all are.
+constexpr std::size_t min_sampled_parts = 32;
 
-/// Whether a part is of the sample: scattered, as neighbours are alike.
+/// Whether a part belongs to the sample: scattered, as neighbours are alike.
 bool is_sampled(std::size_t part) { return (static_cast<std::uint32_t>(part) * 0x9e3779b9u) >> 28 == 0; }
 
-/// Bytes a triangle that a tree may take: over shared vertices, and else.
+/// Memory budget in bytes a triangle, with and without shared vertices.
 constexpr double budget_shared = 47.5;
-constexpr double budget_apart = 71.5;
-/// How thrifty leaves may have to be for that, see MeshBuild::thrift.
-constexpr std::array<float, 5> thrifts{0.0f, 0.25f, 1.0f, 8.0f, 30000.0f};
+constexpr double budget_unshared = 71.5;
+/// Values of MeshBuild::leaf_memory_cost to try.
+constexpr std::array<float, 5> leaf_memory_costs{0.0f, 0.25f, 1.0f, 8.0f, 30000.0f};
 
-/// Whether triangles share vertices, by their numbers.
+/// Whether triangles share vertices, judged by the numbers of both.
 bool shares_vertices(const MeshBuild& build) { return build.positions.size() < 2 * build.triangles.size(); }
 
-/// The top's tree down to the parts, which are leaves with their number.
+/// The binary tree above the parts; each part is a leaf with its index in `first`.
 class UpperTree {
   public:
     UpperTree(const MeshTop& top, const std::vector<std::uint32_t>& parts, float scale)
@@ -105,19 +106,19 @@ class UpperTree {
     void copy(std::uint32_t from, std::size_t to) {
         const BinaryNode& node = top_.nodes[from];
         nodes_[to].box = node.box;
-        // Parts are met in their order. What one costs is the same whatever is above it: here it costs
-        // nothing.
+        // Parts are visited in order. The cost of a part does not depend on what is above it, so it counts as
+        // 0.
         if (next_ < parts_.size() && from == parts_[next_]) {
             nodes_[to].first = next_++;
-            return price_leaf(nodes_[to], 0.0f);
+            return set_leaf_cost(nodes_[to], 0.0f);
         }
         const std::size_t children = nodes_.size();
         nodes_[to].left = static_cast<std::uint32_t>(children);
         nodes_.resize(children + 2);
         copy(node.left, children);
         copy(node.left + 1, children + 1);
-        price_split(nodes_[to], nodes_[children], nodes_[children + 1], half_area(nodes_[to].box, scale_),
-                    infinite);
+        set_split_cost(nodes_[to], nodes_[children], nodes_[children + 1], half_area(nodes_[to].box, scale_),
+                       infinite);
     }
 
     const MeshTop& top_;
@@ -127,13 +128,13 @@ class UpperTree {
     std::uint32_t next_ = 0; ///< part
 };
 
-/// Writes a tree: what is above the parts first, then parts, one behind the other.
+/// Writes a tree: first the nodes above the parts, then the parts one after another.
 class TreeWriter {
   public:
     TreeWriter(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
                MeshTree& tree)
         : tree_(tree), parts_(parts.size()) {
-        // Bytes a reference, hardly ever too few.
+        // Estimates of bytes a reference that are rarely too low.
         const bool shares = shares_vertices(build);
         const std::size_t node_bytes = shares ? 16 : 24;
         const std::size_t leaf_bytes = shares ? 40 : 56;
@@ -146,10 +147,10 @@ class TreeWriter {
         upper_nodes_ = tree_.nodes.size();
     }
 
-    /// Bytes of all parts.
+    /// Memory of all parts added, in bytes.
     std::size_t bytes() const { return tree_.bytes() - upper_nodes_ * sizeof(WideNode); }
 
-    /// Takes all parts away.
+    /// Removes all parts.
     void clear() {
         tree_.nodes.resize(upper_nodes_);
         tree_.leaf_words.clear();
@@ -158,9 +159,9 @@ class TreeWriter {
     void add(std::size_t part, const Subtree& subtree) {
         const auto nodes = static_cast<std::uint32_t>(tree_.nodes.size());
         const auto blocks = static_cast<std::uint32_t>(tree_.leaf_words.size() / 4);
-        if (blocks + subtree.words.size() / 4 > most_leaf_blocks) throw_too_many_leaves();
+        if (blocks + subtree.words.size() / 4 > max_leaf_blocks) throw_too_many_leaves();
         const auto moved = [&](std::uint32_t code) {
-            return code == no_child ? code : code + ((code & leaf_bit) != 0 ? blocks : nodes);
+            return code == invalid_index ? code : code + ((code & leaf_bit) != 0 ? blocks : nodes);
         };
         tree_.leaf_words.resize(4 * std::size_t{blocks} + subtree.words.size());
         std::copy(subtree.words.begin(), subtree.words.end(),
@@ -175,27 +176,27 @@ class TreeWriter {
         parts_[part] = {moved(subtree.root), subtree.depth};
     }
 
-    /// All parts are there.
+    /// To be called when all parts were added.
     void finish() {
         link();
         tree_.leaf_words.resize(tree_.leaf_words.size() + tail_words, 0u);
-        return_room(tree_.nodes);
-        return_room(tree_.leaf_words);
+        parallel::return_unused(tree_.nodes);
+        parallel::return_unused(tree_.leaf_words);
     }
 
   private:
     struct Part {
-        std::uint32_t root = no_child;
+        std::uint32_t root = invalid_index;
         int depth = 0;
     };
 
-    /// Puts the parts' roots in the place of their numbers.
+    /// Replaces the parts' indices by their roots.
     void link() {
-        if (upper_nodes_ == 0) return stand_alone();
+        if (upper_nodes_ == 0) return promote_only_part();
         std::vector<int> heights(upper_nodes_, 1);
         for (std::size_t at = upper_nodes_; at-- > 0;) {
             for (std::uint32_t& child : tree_.nodes[at].child) {
-                if (child == no_child) continue;
+                if (child == invalid_index) continue;
                 int height = 0;
                 if ((child & leaf_bit) == 0) {
                     height = heights[child];
@@ -210,12 +211,13 @@ class TreeWriter {
         tree_.depth = heights[0];
     }
 
-    /// The only part is the tree. If it is a leaf, that needs a node above it.
-    void stand_alone() {
+    /// The only part is the whole tree. If it is a leaf, it gets a node above it.
+    void promote_only_part() {
         tree_.depth = parts_[0].depth;
         if ((parts_[0].root & leaf_bit) == 0) return;
-        tree_.nodes.push_back(empty_node());
-        set_child(tree_.nodes[0], 0, {quad(tree_.bounds.lo), quad(tree_.bounds.hi)}, parts_[0].root);
+        tree_.nodes.push_back(bvh::empty_node());
+        set_child(tree_.nodes[0], 0, {to_float4(tree_.bounds.lo), to_float4(tree_.bounds.hi)},
+                  parts_[0].root);
         tree_.depth = 1;
     }
 
@@ -224,11 +226,11 @@ class TreeWriter {
     std::size_t upper_nodes_ = 0;
 };
 
-/// Builds the parts below the top, with leaves as thrifty as the memory budget asks for.
+/// Builds the parts below the top with the smallest leaf memory cost that keeps to the budget.
 class PartBuilder {
   public:
     PartBuilder(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
-                TaskPool& pool, TreeWriter& writer)
+                parallel::TaskPool& pool, TreeWriter& writer)
         : build_(build), top_(top), parts_(parts), pool_(pool), writer_(writer),
           builders_(static_cast<std::size_t>(pool.threads())) {}
 
@@ -236,16 +238,17 @@ class PartBuilder {
         std::vector<std::size_t> sample;
         std::vector<std::size_t> others;
         for (std::size_t i = 0; i < parts_.size(); ++i)
-            (parts_.size() < least_sampled || is_sampled(i) ? sample : others).push_back(i);
-        if (!shares_vertices(build_) || !fit(sample, budget_shared)) fit(sample, budget_apart);
+            (parts_.size() < min_sampled_parts || is_sampled(i) ? sample : others).push_back(i);
+        if (!shares_vertices(build_) || !fit(sample, budget_shared)) fit(sample, budget_unshared);
         grow(others, true);
     }
 
   private:
-    /// Builds the sample with the least thrift that keeps to a budget; false if none does.
+    /// Builds the sample with increasing leaf memory cost until it fits the budget; returns false if it never
+    /// does.
     bool fit(const std::vector<std::size_t>& sample, double budget) {
-        for (const float thrift : thrifts) {
-            build_.thrift = thrift;
+        for (const float leaf_memory_cost : leaf_memory_costs) {
+            build_.leaf_memory_cost = leaf_memory_cost;
             writer_.clear();
             grow(sample, false);
             if (bytes_a_reference(sample) * references_a_triangle() <= budget) return true;
@@ -253,31 +256,31 @@ class PartBuilder {
         return false;
     }
 
-    /// `for_good`: no part before these will be built again. Parts are in the order of their references.
-    void grow(const std::vector<std::size_t>& which, bool for_good) {
-        run_in_order<Subtree>(
+    /// `is_final`: no part before these will be built again. Parts are in the order of their references.
+    void grow(const std::vector<std::size_t>& which, bool is_final) {
+        parallel::run_in_order<Subtree>(
             pool_, which.size(),
             [&](std::size_t task, int worker, Subtree& subtree) {
                 builders_[static_cast<std::size_t>(worker)].run(build_, top_, parts_[which[task]], subtree);
             },
             [&](std::size_t task, const Subtree& subtree) {
                 writer_.add(which[task], subtree);
-                if (for_good) return_references(which[task]);
+                if (is_final) return_references(which[task]);
             });
     }
 
-    /// Gives the memory of the references before a part back to the system, which the tree is growing into.
+    /// Returns the memory of the references before a part to the system: the tree grows meanwhile.
     void return_references(std::size_t part) {
-        constexpr std::size_t page = large_page / sizeof(Ref);
+        constexpr std::size_t page = parallel::large_page / sizeof(PrimRef);
         std::uint32_t at = parts_[part];
         while (!top_.nodes[at].is_leaf) at = top_.nodes[at].left;
         const std::size_t done = top_.ranges[top_.nodes[at].first].begin / page * page;
         if (done <= returned_) return;
-        return_pages(build_.refs + returned_, (done - returned_) * sizeof(Ref));
+        parallel::return_pages(build_.refs + returned_, (done - returned_) * sizeof(PrimRef));
         returned_ = done;
     }
 
-    /// Where the sample is all that was built.
+    /// Valid if only the sample was built.
     double bytes_a_reference(const std::vector<std::size_t>& sample) const {
         std::size_t references = 0;
         for (const std::size_t i : sample) references += top_.nodes[parts_[i]].count;
@@ -291,27 +294,27 @@ class PartBuilder {
     MeshBuild build_;
     const MeshTop& top_;
     const std::vector<std::uint32_t>& parts_;
-    TaskPool& pool_;
+    parallel::TaskPool& pool_;
     TreeWriter& writer_;
     std::vector<SubtreeBuilder> builders_;
-    std::size_t returned_ = 0; ///< references whose memory is the system's again
+    std::size_t returned_ = 0; ///< references whose memory was returned to the system
 };
 
 } // namespace
 
-MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool,
-                         BuildQuality quality) {
+MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles,
+                         parallel::TaskPool& pool, BuildQuality quality) {
     MeshTree tree;
     tree.triangles = triangles.size();
     tree.quality = quality;
     const std::size_t limit = room_for(triangles.size(), quality);
-    LargeVector<Ref> refs(limit);
+    parallel::LargeVector<PrimRef> refs(limit);
     auto [all, surface] = fill_refs(positions, triangles, refs.data(), pool);
     tree.left_out = triangles.size() - all.size();
     tree.bounds = all.box.bounds();
     if (all.size() == 0) return tree;
 
-    tree.crossings = surface / static_cast<double>(tree.bounds.half_area());
+    tree.depth_complexity = surface / static_cast<double>(tree.bounds.half_area());
     all.limit = limit;
     const float scale = area_scale(all.box);
     const MeshBuild build{positions, triangles, quality, scale, half_area(all.box, scale), refs.data()};

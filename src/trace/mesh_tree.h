@@ -1,10 +1,12 @@
 #pragma once
-// Triangles in a wide tree with compact leaves, and the batches of rays that go through it.
+// A BVH over triangles with eight children a node and compact leaves, and the kernels that trace rays through
+// it.
 
 #include "bvh/tree.h"
 #include "bvh/wide.h"
 #include "glint/kernels.h"
 #include "math/bounds.h"
+#include "math/index.h"
 #include "math/ray.h"
 #include "math/vec.h"
 #include "parallel/large_pages.h"
@@ -17,29 +19,33 @@
 
 namespace glint {
 
-/// The least (t, triangle) of a ray, or triangle = no_triangle.
+using bvh::leaf_bit;
+using bvh::max_tree_depth;
+using bvh::wide_children;
+using bvh::WideNode;
+
+/// The least (t, triangle) of a ray, or triangle = invalid_index.
 struct TriangleRecord {
     float t = std::numeric_limits<float>::infinity();
     float u = 0; ///< weight of vertex 1
     float v = 0; ///< weight of vertex 2
-    std::uint32_t triangle = 0xffffffffu;
+    std::uint32_t triangle = invalid_index;
 };
-inline constexpr std::uint32_t no_triangle = 0xffffffffu;
 
-/// What a caller knows of the rays of a batch. It decides the speed, never the answer.
+/// Hint on the rays of a batch. Affects speed, never results.
 enum class RayHint {
-    coherent,  ///< neighbours in the batch go nearly the same way
-    incoherent ///< they do not
+    coherent,  ///< neighbouring rays have similar origins and directions
+    incoherent ///< neighbouring rays are unrelated
 };
 
-/// What a build strives for. It decides the speed of rays, never their answers.
+/// Trade-off of a build. Affects the speed of tracing, never results.
 enum class BuildQuality {
-    fast, ///< soon: to be built often, or for few rays
-    high  ///< for many rays
+    fast, ///< fast build, for trees that change often or serve few rays
+    high  ///< best tracing speed, for many rays
 };
 
-/// A leaf's place in MeshTree::leaf_words: leaf_bit | triangles − 1 (3 bits) | vertices − 1 (3 bits) | offset
-/// in units of 16 bytes (25 bits).
+/// Position of a leaf in MeshTree::leaf_words: leaf_bit | triangles − 1 (3 bits) | vertices − 1 (3 bits) |
+/// offset in units of 16 bytes (25 bits).
 struct LeafCode {
     std::uint32_t code;
     std::uint32_t triangles() const { return ((code >> 28) & 7u) + 1; }
@@ -47,50 +53,51 @@ struct LeafCode {
     std::size_t word() const { return std::size_t(code & 0x01ffffffu) * 4; }
 };
 
-/// Triangles over shared vertices, numbered from 0 in the order given.
+/// A tree over indexed triangles, which are numbered from 0 in the order given.
 ///
-/// A leaf is a block of 32-bit words: eight 16-bit words, each three 3-bit numbers of vertices (v0 in the low
-/// bits), then x, y and z of all its vertices, then the numbers of its triangles. Vertices that triangles of
-/// the leaf share are stored once.
+/// A leaf is a block of 32-bit words: eight 16-bit words, each with three 3-bit vertex indices (v0 in the low
+/// bits), then x, y and z of all its vertices, then the triangle indices. Vertices shared by triangles of the
+/// leaf are stored once.
 struct MeshTree {
-    LargeVector<WideNode> nodes;           ///< children: a node, or a LeafCode
-    LargeVector<std::uint32_t> leaf_words; ///< with a tail that vector loads may read
+    parallel::LargeVector<WideNode> nodes;           ///< child codes: a node index or a LeafCode
+    parallel::LargeVector<std::uint32_t> leaf_words; ///< with padding at the end for vector loads
     Bounds bounds;
     int depth = 0;
-    /// How often a line through the bounds meets the surface on average: the triangles' area by half that of
-    /// the bounds (Crofton's formula), estimated from some of them when it was built. It decides speed alone.
-    double crossings = 0;
-    std::size_t triangles = 0; ///< as given
-    std::size_t left_out = 0;  ///< of these, with a vertex that is not finite
+    /// Average number of surface crossings of a random line through the bounds: triangle area divided by half
+    /// the area of the bounds (Crofton's formula), estimated from a subset at build time. Affects speed only.
+    double depth_complexity = 0;
+    std::size_t triangles = 0; ///< number of triangles given
+    std::size_t left_out = 0;  ///< number of these with a vertex that is not finite
     BuildQuality quality = BuildQuality::high;
 
     std::size_t bytes() const { return nodes.size() * sizeof(WideNode) + leaf_words.size() * 4; }
 };
 
-/// Builds the tree with the pool's threads; it does not depend on their number. Triangles with a vertex that
-/// is not finite are left out: nothing hits them. Throws std::length_error where the leaves exceed 512 MiB.
-MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool,
-                         BuildQuality quality = BuildQuality::high);
+/// Builds a tree; it does not depend on the number of threads. Triangles with a vertex that is not finite are
+/// left out, so nothing hits them. Throws std::length_error if the leaves exceed 512 MiB.
+MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles,
+                         parallel::TaskPool& pool, BuildQuality quality = BuildQuality::high);
 
-/// Follows vertices that moved: leaves take the new positions, boxes grow and shrink with them, the shape of
-/// the tree stays. Every ray is answered as by a new tree; after large movements more slowly. Where a vertex
-/// is or was not finite the tree is built anew. Throws std::invalid_argument if the number of triangles is
-/// not that of the build.
-void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles, TaskPool& pool);
+/// Updates a tree for moved vertices: leaves get the new positions and boxes are recomputed; the topology
+/// stays. Rays get the same results as from a new tree, more slowly after large movements. If a vertex is or
+/// was not finite the tree is rebuilt. Throws std::invalid_argument if the number of triangles differs from
+/// that of the build.
+void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles,
+           parallel::TaskPool& pool);
 
-/// One ray in plain C++, as the kernels must answer it.
+/// Scalar single-ray queries: the reference for all kernels.
 TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray);
 bool occluded_scalar(const MeshTree& tree, const Ray& ray);
 
-/// The same with the machine's vectors.
+/// Single-ray queries with the chosen kernel.
 TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});
 bool occluded(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});
 
-/// The least (t, triangle) with tmin < t < tmax of each ray. rays and records have one length.
+/// The least (t, triangle) with tmin < t < tmax of each ray. `rays` and `records` have equal length.
 void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records, RayHint hint,
              const KernelChoice& choice = {});
 
-/// Whether each ray hits anything with tmin < t < tmax: 1 or 0. rays and blocked have one length.
+/// Whether each ray hits anything with tmin < t < tmax: 1 or 0. `rays` and `blocked` have equal length.
 void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
               const KernelChoice& choice = {});
 

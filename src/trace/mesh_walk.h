@@ -1,6 +1,6 @@
 #pragma once
-// One ray through a MeshTree in plain C++, with a callback for the leaves: for searches that the kernels do
-// not know, and as their oracle. Private to this room.
+// Scalar traversal of a MeshTree with a callback for leaves, for queries that the kernels do not offer and as
+// their reference. Private to this room.
 
 #include "bvh/traverse.h"
 #include "geometry/triangle.h"
@@ -13,10 +13,13 @@
 
 namespace glint {
 
-/// The greatest float below tmax: what is asked for as t < tmax is tested as t <= limit.
+using bvh::BoxRay;
+using bvh::IgnoredNode;
+
+/// The largest float below tmax: the condition t < tmax is tested as t <= limit.
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
-/// The vertices and the number of triangle i of a leaf.
+/// The vertices and the index of triangle i of a leaf.
 inline TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::uint32_t i,
                                       std::uint32_t& number) {
     const std::uint32_t* words = tree.leaf_words.data() + leaf.word();
@@ -30,7 +33,7 @@ inline TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::
     return vertices;
 }
 
-/// Where the ray enters a child's box within [tmin, limit]; infinite if it does not.
+/// Where the ray enters a child's box within [tmin, limit]; infinite if it misses.
 inline float entry_of(const WideNode& node, int child, const BoxRay& ray, float tmin, float limit) {
     float entry = tmin;
     float exit = limit;
@@ -44,8 +47,8 @@ inline float entry_of(const WideNode& node, int child, const BoxRay& ray, float 
 }
 
 /// Calls leaf(LeafCode) for every leaf whose box meets the ray in [tmin, limit], both inclusive, nearest
-/// child first. `leaf` may lower `limit` and ends the walk by returning true. The ray must be finite and have
-/// a direction. `node` is called for every node whose boxes are tested.
+/// child first. `leaf` may lower `limit`; it ends the traversal by returning true. The ray must be finite
+/// with a non-zero direction. `node` is called for every node whose boxes are tested.
 template <class Leaf, class Node = IgnoredNode>
 void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, Leaf&& leaf, Node node = {}) {
     struct Entry {
@@ -69,10 +72,10 @@ void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, 
         const std::size_t base = size;
         for (int child = 0; child < wide_children; ++child) {
             const float t = entry_of(boxes, child, box_ray, tmin, limit);
-            if (boxes.child[child] == no_child || !(t <= limit)) continue;
-            std::size_t place = size++;
-            for (; place > base && stack[place - 1].t < t; --place) stack[place] = stack[place - 1];
-            stack[place] = {boxes.child[child], t};
+            if (boxes.child[child] == invalid_index || !(t <= limit)) continue;
+            std::size_t slot = size++;
+            for (; slot > base && stack[slot - 1].t < t; --slot) stack[slot] = stack[slot - 1];
+            stack[slot] = {boxes.child[child], t};
         }
     }
 }

@@ -10,13 +10,13 @@ namespace {
 constexpr double lost = 0x1p-45;
 
 /// Where p is NaN the box stays.
-void grow(QuadBox& box, Quad p) {
-    box.lo = lesser(p, box.lo);
-    box.hi = greater(p, box.hi);
+void grow(SimdBounds& box, float4 p) {
+    box.lo = bvh::min4(p, box.lo);
+    box.hi = bvh::max4(p, box.hi);
 }
 
 /// The largest |coordinate|; infinite where one is not known.
-double size_of(const QuadBox& box) {
+double size_of(const SimdBounds& box) {
     double most = 0;
     for (int axis = 0; axis < 3; ++axis)
         for (const float x : {box.lo[axis], box.hi[axis]})
@@ -30,7 +30,7 @@ struct Dots {
     double lo = 0;
     double hi = 0;
 
-    Dots(const dvec3& normal, const QuadBox& box) {
+    Dots(const dvec3& normal, const SimdBounds& box) {
         for (int axis = 0; axis < 3; ++axis) {
             const double a = normal[axis] * double(box.lo[axis]);
             const double b = normal[axis] * double(box.hi[axis]);
@@ -44,11 +44,11 @@ struct Dots {
 
 void RayBoxes::add(const Ray& ray) {
     if (!(ray.tmin < ray.tmax)) return;
-    const Quad origin{ray.origin.x, ray.origin.y, ray.origin.z, ray.tmin};
-    const Quad direction{ray.direction.x, ray.direction.y, ray.direction.z, ray.tmax};
+    const float4 origin{ray.origin.x, ray.origin.y, ray.origin.z, ray.tmin};
+    const float4 direction{ray.direction.x, ray.direction.y, ray.direction.z, ray.tmax};
     grow(starts, origin);
     grow(directions, direction);
-    grow(ends, origin + direction * quad(ray.tmax));
+    grow(ends, origin + direction * splat(ray.tmax));
 }
 
 Reach::Reach(const RayBoxes& boxes)

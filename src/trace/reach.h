@@ -3,7 +3,7 @@
 // interval arithmetic after Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray
 // Packets", 2006. Private to this room.
 
-#include "bvh/quad.h"
+#include "bvh/float4.h"
 #include "trace/world_data.h"
 
 #include <algorithm>
@@ -12,12 +12,16 @@
 
 namespace glint {
 
+using bvh::float4;
+using bvh::SimdBounds;
+using bvh::splat;
+
 /// Boxes around what a batch of rays is made of. A ray with an empty interval may be left out, and one with
 /// NaN, as they hit nothing; elsewhere NaN stands for not knowing.
 struct RayBoxes {
-    QuadBox starts;     ///< origins; in lane 3, tmin
-    QuadBox directions; ///< in lane 3, tmax
-    QuadBox ends;       ///< points at tmax, in float; may be left empty
+    SimdBounds starts;     ///< origins; in lane 3, tmin
+    SimdBounds directions; ///< in lane 3, tmax
+    SimdBounds ends;       ///< points at tmax, in float; may be left empty
 
     void add(const Ray& ray);
 };
@@ -38,7 +42,7 @@ class Reach {
   private:
     bool passes_by(const Bounds& box, double pad) const;
 
-    QuadBox starts_, directions_, ends_;
+    SimdBounds starts_, directions_, ends_;
     double start_size_; ///< the largest |coordinate|
     double direction_size_;
     double end_pad_; ///< what `ends_` may have lost by rounding

@@ -243,7 +243,7 @@ struct Extremes {
         hi = hn::Max(hn::IfThenElse(where, x, hi), hi);
     }
     /// What the even lanes, or the odd ones, have found.
-    void give(std::size_t odd, int axis, QuadBox& box) const {
+    void give(std::size_t odd, int axis, SimdBounds& box) const {
         alignas(64) float least[hn::MaxLanes(halves)], greatest[hn::MaxLanes(halves)];
         hn::Store(lo, halves, least);
         hn::Store(hi, halves, greatest);

@@ -1,19 +1,19 @@
 #pragma once
-// What the kernels do, counted where the build defines GLINT_TRACE_COUNTERS; else nothing is left of it.
+// Counters of kernel operations, compiled in only if GLINT_TRACE_COUNTERS is defined.
 
 #include <cstdint>
 
 namespace glint {
 
-/// Steps of the kernels on this thread since it began.
+/// Counts of this thread since its start.
 struct TraceCounters {
-    std::uint64_t nodes = 0;      ///< nodes visited, once for all rays of a group
-    std::uint64_t ray_nodes = 0;  ///< single rays against the eight boxes of a node
-    std::uint64_t boxes = 0;      ///< vectors of rays against one box
-    std::uint64_t leaves = 0;     ///< leaves visited, once for all rays of a group
-    std::uint64_t ray_leaves = 0; ///< single rays against the triangles of a leaf
-    std::uint64_t vectors = 0;    ///< vectors of rays against one triangle
-    std::uint64_t exact = 0;      ///< single rays or half vectors that took the exact part of the test
+    std::uint64_t nodes = 0;      ///< nodes visited, once for a group
+    std::uint64_t ray_nodes = 0;  ///< tests of a ray against the eight boxes of a node
+    std::uint64_t boxes = 0;      ///< tests of a vector of rays against one box
+    std::uint64_t leaves = 0;     ///< leaves visited, once for a group
+    std::uint64_t ray_leaves = 0; ///< tests of a ray against the triangles of a leaf
+    std::uint64_t vectors = 0;    ///< tests of a vector of rays against one triangle
+    std::uint64_t exact = 0;      ///< rays or half vectors that reached the exact part of the test
 };
 
 #ifdef GLINT_TRACE_COUNTERS

@@ -1,4 +1,4 @@
-// The public tracing interface: checks what callers give and hands it to the trees.
+// The public tracing interface: validates arguments and calls the trees.
 
 #include "glint/trace.h"
 
@@ -21,7 +21,8 @@ std::size_t threes(std::span<const T> values, const char* message) {
     return values.size() / 3;
 }
 
-/// Elements of three values side by side: where they lie, if they do, else copied to `copy`.
+/// Elements of three values as a contiguous array: the view itself if it is contiguous, otherwise a copy in
+/// `copy`.
 template <class V, class View>
 std::span<const V> packed(const View& view, std::vector<V>& copy) {
     if (view.count == 0) return {};
@@ -36,7 +37,7 @@ std::span<const V> packed(const View& view, std::vector<V>& copy) {
     return copy;
 }
 
-/// What callers gave, as the builders want it.
+/// The caller's mesh as contiguous arrays, validated.
 class Source {
   public:
     Source(const Vertices& vertices, const Triangles& triangles)
@@ -53,7 +54,7 @@ class Source {
     std::span<const uvec3> triangles() const { return corners_; }
 
   private:
-    std::vector<vec3> positions_copy_; ///< empty where the caller's own could be used
+    std::vector<vec3> positions_copy_; ///< empty if the caller's array is used
     std::vector<uvec3> corners_copy_;
     std::span<const vec3> positions_;
     std::span<const uvec3> corners_;
@@ -79,7 +80,7 @@ Mesh::Mesh(const Vertices& vertices, const Triangles& triangles, const BuildOpti
     const Source source(vertices, triangles);
     const auto quality =
         options.quality == BuildQuality::fast ? glint::BuildQuality::fast : glint::BuildQuality::high;
-    TaskPool pool(options.threads);
+    parallel::TaskPool pool(options.threads);
     data_ =
         std::make_shared<Data>(Data{build_mesh_tree(source.positions(), source.triangles(), pool, quality)});
 }
@@ -92,11 +93,11 @@ void Mesh::refit(const Vertices& vertices, const Triangles& triangles, int threa
     const Source source(vertices, triangles);
     if (source.triangles().size() != data_->tree.triangles)
         throw std::invalid_argument("the number of triangles is not that of the mesh");
-    // Nobody but the callers of non-const members may change what they alone hold.
-    const bool alone = data_.use_count() == 1;
+    // Modify the data in place only if no other Mesh shares it.
+    const bool is_sole_owner = data_.use_count() == 1;
     const auto data =
-        alone ? std::const_pointer_cast<Data>(data_) : std::make_shared<Data>(Data{data_->tree});
-    TaskPool pool(threads);
+        is_sole_owner ? std::const_pointer_cast<Data>(data_) : std::make_shared<Data>(Data{data_->tree});
+    parallel::TaskPool pool(threads);
     glint::refit(data->tree, source.positions(), source.triangles(), pool);
     data_ = data;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What stands behind glint/trace.h. Private to this room.
+// Implementation of glint/trace.h. Private to this room.
 
 #include "glint/trace.h"
 
@@ -15,8 +15,8 @@ struct Mesh::Data {
     MeshTree tree;
 };
 
-// Rays and hits go to the kernels as they are. Nothing here looks into them: the kernels,
-// compiled apart, see one type each.
+// Rays and hits are passed to the kernels without conversion. This is safe because nothing here accesses them
+// through both types: the kernels are compiled separately.
 static_assert(sizeof(Ray) == sizeof(glint::Ray) && std::is_standard_layout_v<glint::Ray>);
 static_assert(offsetof(Ray, tmin) == offsetof(glint::Ray, tmin));
 static_assert(offsetof(Ray, direction) == offsetof(glint::Ray, direction));

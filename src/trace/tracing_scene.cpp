@@ -53,7 +53,7 @@ Scene::Scene(std::span<const Instance> instances, const BuildOptions& options) {
     for (std::size_t i = 0; i < trees.size(); ++i)
         if (i == 0 || trees[i].first != trees[i - 1].first)
             data->meshes.push_back(instances[trees[i].second].mesh);
-    TaskPool pool(options.threads);
+    parallel::TaskPool pool(options.threads);
     data->tree = InstanceTree(placed, pool);
     data_ = std::move(data);
 }

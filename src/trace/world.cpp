@@ -130,11 +130,11 @@ Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
     Ray limited = ray;
     if (hit) limited.tmax = next_float(hit.t, 1.0f);
     const TriangleRecord record = glint::closest(data_->mesh_tree, limited, choice);
-    if (record.triangle != no_triangle) keep_closer(*data_, ray, record, hit);
+    if (record.triangle != invalid_index) keep_closer(*data_, ray, record, hit);
     if (data_->instances.empty()) return hit;
     if (hit) limited.tmax = next_float(hit.t, 1.0f);
     const InstanceRecord placed = data_->instance_tree.closest(limited, choice);
-    if (placed.instance != no_instance) keep_closer(*data_, ray, placed, hit);
+    if (placed.instance != invalid_index) keep_closer(*data_, ray, placed, hit);
     return hit;
 }
 

@@ -56,7 +56,7 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
         TriangleRecord* records = room_for(scratch.records, left);
         glint::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
         for (std::size_t i = 0; i < left; ++i) {
-            if (records[i].triangle == no_triangle) continue;
+            if (records[i].triangle == invalid_index) continue;
             keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
             open[i].tmax = next_float(hits[numbers[i]].t, 1.0f);
         }
@@ -65,7 +65,7 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
     InstanceRecord* records = room_for(scratch.instance_records, left);
     data_->instance_tree.closest({open, left}, {records, left}, hint, choice);
     for (std::size_t i = 0; i < left; ++i)
-        if (records[i].instance != no_instance)
+        if (records[i].instance != invalid_index)
             keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
 }
 

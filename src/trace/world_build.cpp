@@ -42,7 +42,7 @@ void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
         triangles += mesh.triangles.size();
         positions += mesh.positions.size();
     }
-    if (std::max(triangles, positions) >= no_triangle) throw std::length_error("too many triangles");
+    if (std::max(triangles, positions) >= invalid_index) throw std::length_error("too many triangles");
     const WorldInput::Triangles all =
         world.meshes.size() == 1 ? WorldInput::Triangles{} : joined(world.meshes);
     const WorldInput::Triangles& source = world.meshes.size() == 1 ? world.meshes.front() : all;

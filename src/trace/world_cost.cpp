@@ -14,7 +14,7 @@ class CountedSearch {
 
     TraceCost run() {
         search_surfaces();
-        search_mesh(world_.mesh_tree, ray_, no_instance);
+        search_mesh(world_.mesh_tree, ray_, invalid_index);
         world_.instance_tree.visit(ray_, nearest_.limit, [&](std::uint32_t instance) {
             ++cost_.nodes;
             const Ray local = world_.instance_tree.to_local(instance, ray_);

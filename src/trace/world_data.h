@@ -18,6 +18,11 @@
 
 namespace glint {
 
+using bvh::BoxRay;
+using bvh::Tree;
+using bvh::TreeNode;
+using bvh::TreeRef;
+
 /// A sphere or a cylinder, in its local space where it has one.
 struct Quadric {
     PrimKind kind = PrimKind::none;
@@ -135,12 +140,12 @@ inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uin
     return {t, u, v, world.instances[instance].object, triangle, PrimKind::triangle, on_edge};
 }
 
-/// The number of an object's instance; no_instance if its triangles are in `meshes`.
+/// The number of an object's instance; invalid_index if its triangles are in `meshes`.
 inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
     const auto at =
         std::lower_bound(world.instances.begin(), world.instances.end(), object,
                          [](const PlacedMesh& placed, std::uint32_t o) { return placed.object < o; });
-    if (at == world.instances.end() || at->object != object) return no_instance;
+    if (at == world.instances.end() || at->object != object) return invalid_index;
     return static_cast<std::uint32_t>(at - world.instances.begin());
 }
 
@@ -226,7 +231,7 @@ struct Closest {
 template <class Sink>
 class TriangleTester {
   public:
-    TriangleTester(const WorldData& world, const Ray& ray, Sink& sink, std::uint32_t instance = no_instance)
+    TriangleTester(const WorldData& world, const Ray& ray, Sink& sink, std::uint32_t instance = invalid_index)
         : world_(world), sheared_(ray), tmin_(ray.tmin), sink_(sink), instance_(instance) {}
 
     bool leaf(const MeshTree& tree, LeafCode leaf) {
@@ -241,7 +246,7 @@ class TriangleTester {
     bool triangle(const TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
         if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
-        const Hit found = instance_ == no_instance
+        const Hit found = instance_ == invalid_index
                               ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
                               : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
         return sink_.add(found, hit.positive);

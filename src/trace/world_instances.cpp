@@ -65,7 +65,7 @@ void place_instances(WorldData& world, WorldInput& input, TaskPool& pool) {
         if (instance.mesh >= world.shared_meshes.size())
             throw std::invalid_argument("an instance names a mesh that there is not");
         const MeshInstance at = inner(world, instance);
-        if (!InstanceTree::takes(at)) {
+        if (!InstanceTree::accepts(at)) {
             input.meshes.push_back(baked(world.shared_meshes[instance.mesh].source, instance));
             continue;
         }

@@ -42,7 +42,7 @@ SurfacePoint instance_surface(const WorldData& world, std::uint32_t instance, co
 
 SurfacePoint triangle_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
     const std::uint32_t instance = instance_of(world, hit.object);
-    if (instance != no_instance) return instance_surface(world, instance, ray, hit);
+    if (instance != invalid_index) return instance_surface(world, instance, ray, hit);
     const WorldInput::Triangles& mesh = mesh_of(world, hit.object);
     const TriangleVertices vertices = vertices_of(mesh, hit.prim);
     const ExactPoint point = triangle_point(vertices, double(hit.u), double(hit.v), dvec3(ray.direction));

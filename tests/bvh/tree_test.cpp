@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-namespace glint {
+namespace glint::bvh {
 namespace {
 
 constexpr std::uint32_t max_leaf = 4;
@@ -83,7 +83,7 @@ void expect_sound(const Tree& tree, const std::vector<BoxRef>& boxes) {
 }
 
 Tree build(const std::vector<BoxRef>& boxes, int threads = 1) {
-    TaskPool pool(threads);
+    parallel::TaskPool pool(threads);
     return build_tree(boxes, max_leaf, pool);
 }
 
@@ -151,7 +151,7 @@ TEST(Traverse, GivesEveryLeafWhoseBoxTheRayMeetsNearestFirst) {
         const float x = static_cast<float>(2 * i);
         boxes.push_back({{x, 0, 0}, i, {x + 1, 1, 1}});
     }
-    TaskPool pool(1);
+    parallel::TaskPool pool(1);
     const Tree tree = build_tree(boxes, 1, pool);
     Ray ray;
     ray.origin = {200.0f, 0.5f, 0.5f};
@@ -198,4 +198,4 @@ TEST(BoxRay, HasNeitherInfinityNorNaN) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::bvh

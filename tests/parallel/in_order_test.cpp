@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::parallel {
 namespace {
 
 class InOrderOn : public testing::TestWithParam<int> {};
@@ -82,4 +82,4 @@ TEST_P(InOrderOn, ThrowsWhatMakingOrTakingThrows) {
 INSTANTIATE_TEST_SUITE_P(Threads, InOrderOn, testing::Values(1, 2, 7));
 
 } // namespace
-} // namespace glint
+} // namespace glint::parallel

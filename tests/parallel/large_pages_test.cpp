@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace glint {
+namespace glint::parallel {
 namespace {
 
 TEST(LargeVector, BeginsWithALargePageWhereItIsLong) {
@@ -34,7 +34,7 @@ TEST(LargeVector, ReturnsItsRoomAndGrowsIntoItAgain) {
         values.reserve(3 * large_page);
         values.resize(size, 7u);
         const std::uint32_t* const begin = values.data();
-        return_room(values);
+        return_unused(values);
         EXPECT_EQ(values.capacity(), 3 * large_page);
         values.resize(size + large_page, 9u);
         EXPECT_EQ(values.data(), begin);
@@ -44,4 +44,4 @@ TEST(LargeVector, ReturnsItsRoomAndGrowsIntoItAgain) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::parallel

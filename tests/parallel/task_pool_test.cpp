@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace glint {
+namespace glint::parallel {
 namespace {
 
 class TaskPoolOf : public testing::TestWithParam<int> {};
@@ -95,4 +95,4 @@ TEST(TaskPool, HasOneThreadForEachCoreUnlessToldOtherwise) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::parallel

@@ -47,7 +47,7 @@ TEST_P(Rendering, ThreadsAndTilesChangeNoBit) {
 TEST_P(Rendering, KernelsAndSimdTargetsChangeNoBit) {
     const Scene frozen = freeze(scene(2));
     const std::string expected = picture_hash(render(frozen, with(1, 16)).image);
-    for (const Kernel kernel : {Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
+    for (const Kernel kernel : {Kernel::scalar, Kernel::single, Kernel::packets, Kernel::streams})
         for (const SimdTarget target :
              {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
             if (!is_available(target)) continue;

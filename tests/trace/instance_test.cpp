@@ -95,7 +95,7 @@ InstanceTree arithmetic_of(const std::vector<Instance>& instances) {
         }
         places.push_back(place);
     }
-    TaskPool pool(1);
+    parallel::TaskPool pool(1);
     return {places, pool};
 }
 

@@ -26,7 +26,7 @@ struct Triangles {
     std::vector<uvec3> corners;
 
     MeshTree tree() const {
-        TaskPool pool(2);
+        parallel::TaskPool pool(2);
         return build_mesh_tree(positions, corners, pool);
     }
 };
@@ -141,7 +141,7 @@ std::vector<NamedChoice> choices() {
                                                           {"avx512", SimdTarget::avx512},
                                                           {"best", SimdTarget::best}};
     for (const auto& [name, target] : targets)
-        for (const Kernel kernel : {Kernel::automatic, Kernel::lone, Kernel::packets, Kernel::streams})
+        for (const Kernel kernel : {Kernel::automatic, Kernel::single, Kernel::packets, Kernel::streams})
             if (is_available(target)) all.push_back({name, {kernel, target}});
     all.push_back({"scalar", {Kernel::scalar, SimdTarget::best}});
     return all;
@@ -159,7 +159,7 @@ void expect_agreement(const MeshTree& tree, const std::vector<Ray>& rays) {
             std::size_t wrong = 0;
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 if (std::memcmp(&records[i], &wanted[i], sizeof wanted[i]) != 0) ++wrong;
-                if (blocked[i] != (wanted[i].triangle != no_triangle ? 1 : 0)) ++wrong;
+                if (blocked[i] != (wanted[i].triangle != invalid_index ? 1 : 0)) ++wrong;
             }
             EXPECT_EQ(wrong, 0u) << named.name << ", kernel " << int(named.choice.kernel) << ", hint "
                                  << int(hint);
@@ -199,7 +199,7 @@ TEST(Kernels, LetNoRayOutOfAClosedBall) {
             occluded(tree, rays, blocked, RayHint::incoherent, named.choice);
             std::size_t leaks = 0;
             for (std::size_t i = 0; i < rays.size(); ++i)
-                if (records[i].triangle == no_triangle || blocked[i] == 0) ++leaks;
+                if (records[i].triangle == invalid_index || blocked[i] == 0) ++leaks;
             EXPECT_EQ(leaks, 0u) << named.name << ", kernel " << int(named.choice.kernel);
         }
     }
@@ -249,7 +249,7 @@ TEST(Kernels, HitTheFirstOfEqualTriangles) {
 TEST(Kernels, RefuseTargetsThatTheMachineLacks) {
     const MeshTree tree = soup(2, 10, 1.0f).tree();
     for (const SimdTarget target : {SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
-        const KernelChoice choice{Kernel::lone, target};
+        const KernelChoice choice{Kernel::single, target};
         if (is_available(target)) {
             EXPECT_NO_THROW(closest(tree, Ray{}, choice));
         } else {

@@ -93,7 +93,7 @@ class Inspector {
         deepest_ = std::max(deepest_, depth);
         const WideNode& node = tree_.nodes[at];
         for (std::size_t child = 0; child < wide_children; ++child) {
-            if (node.child[child] == no_child) continue;
+            if (node.child[child] == invalid_index) continue;
             const Bounds box{{node.lo[0][child], node.lo[1][child], node.lo[2][child]},
                              {node.hi[0][child], node.hi[1][child], node.hi[2][child]}};
             EXPECT_TRUE(glm::all(glm::lessThanEqual(around.lo, box.lo))) << "a child leaves its parent";
@@ -144,7 +144,7 @@ class Inspector {
 };
 
 MeshTree build(const Mesh& mesh, BuildQuality quality, int threads = 1) {
-    TaskPool pool(threads);
+    parallel::TaskPool pool(threads);
     return build_mesh_tree(mesh.positions, mesh.triangles, pool, quality);
 }
 
@@ -196,8 +196,8 @@ void expect_hits_of_brute_force(const MeshTree& tree, const Mesh& mesh, uint ray
         const TriangleRecord plain = closest_scalar(tree, all[i]);
         EXPECT_EQ(std::memcmp(&plain, &wanted, sizeof wanted), 0) << "ray " << i;
         EXPECT_EQ(std::memcmp(&records[i], &wanted, sizeof wanted), 0) << "ray " << i << " in a batch";
-        EXPECT_EQ(blocked[i] != 0, wanted.triangle != no_triangle) << "ray " << i;
-        hits += wanted.triangle != no_triangle ? 1 : 0;
+        EXPECT_EQ(blocked[i] != 0, wanted.triangle != invalid_index) << "ray " << i;
+        hits += wanted.triangle != invalid_index ? 1 : 0;
     }
     EXPECT_GT(hits, all.size() / 2);
 }
@@ -240,7 +240,7 @@ TEST(MeshBuild, GivesTheHitsOfBruteForceAfterRefitting) {
     Mesh mesh = thatched(60, 50);
     for (const BuildQuality quality : qualities) {
         MeshTree tree = build(mesh, quality);
-        TaskPool pool(2);
+        parallel::TaskPool pool(2);
         for (uint i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] += draw_point(7, i) * 5.0f;
         refit(tree, mesh.positions, mesh.triangles, pool);
         const Inspector inspector(tree, mesh);
@@ -342,12 +342,12 @@ TEST(MeshBuild, EstimatesHowOftenALineMeetsTheSurface) {
     Mesh diagonal;
     add_grid(diagonal, vec3(0.0f), vec3(1, 1, 0), vec3(0, 0, 1), 40);
     for (const BuildQuality quality : qualities) {
-        EXPECT_NEAR(build(cube, quality).crossings, 2.0, 1e-4);
-        EXPECT_NEAR(build(diagonal, quality).crossings, std::sqrt(2.0) / 3.0, 1e-4);
+        EXPECT_NEAR(build(cube, quality).depth_complexity, 2.0, 1e-4);
+        EXPECT_NEAR(build(diagonal, quality).depth_complexity, std::sqrt(2.0) / 3.0, 1e-4);
         // Half of a diagonal square, all of what there is.
         Mesh one;
         one.add(vec3(0.0f), vec3(1, 1, 0), vec3(0, 0, 1));
-        EXPECT_NEAR(build(one, quality).crossings, std::sqrt(2.0) / 6.0, 1e-6);
+        EXPECT_NEAR(build(one, quality).depth_complexity, std::sqrt(2.0) / 6.0, 1e-6);
     }
 }
 

@@ -71,9 +71,9 @@ void expect_agreement(const MeshTree& tree, const std::vector<Ray>& rays) {
             const TriangleRecord wanted = closest_scalar(tree, rays[i]);
             EXPECT_TRUE(same_bits(records[i], wanted)) << "ray " << i << " in a batch";
             EXPECT_TRUE(same_bits(closest(tree, rays[i]), wanted)) << "ray " << i << " alone";
-            EXPECT_EQ(blocked[i] != 0, wanted.triangle != no_triangle) << "ray " << i << " in a batch";
-            EXPECT_EQ(occluded(tree, rays[i]), wanted.triangle != no_triangle) << "ray " << i << " alone";
-            if (wanted.triangle != no_triangle) ++hits;
+            EXPECT_EQ(blocked[i] != 0, wanted.triangle != invalid_index) << "ray " << i << " in a batch";
+            EXPECT_EQ(occluded(tree, rays[i]), wanted.triangle != invalid_index) << "ray " << i << " alone";
+            if (wanted.triangle != invalid_index) ++hits;
         }
         EXPECT_GT(hits, static_cast<int>(rays.size() / 20));
     }
@@ -82,7 +82,7 @@ void expect_agreement(const MeshTree& tree, const std::vector<Ray>& rays) {
 class MeshTreeAtScale : public testing::TestWithParam<float> {};
 
 TEST_P(MeshTreeAtScale, KernelsGiveTheBitsOfThePlainWalk) {
-    TaskPool pool(2);
+    parallel::TaskPool pool(2);
     for (uint seed = 1; seed <= 4; ++seed) {
         const Soup s = soup(seed, 3000, GetParam());
         expect_agreement(build_mesh_tree(s.positions, s.triangles, pool), rays_for(seed, 5000, GetParam()));
@@ -92,7 +92,7 @@ TEST_P(MeshTreeAtScale, KernelsGiveTheBitsOfThePlainWalk) {
 INSTANTIATE_TEST_SUITE_P(Scales, MeshTreeAtScale, testing::Values(1e-12f, 1.0f, 1e12f));
 
 TEST(MeshTree, EveryQualityGivesTheSameHits) {
-    TaskPool pool(2);
+    parallel::TaskPool pool(2);
     const Soup s = soup(5, 3000, 1.0f);
     const MeshTree fast = build_mesh_tree(s.positions, s.triangles, pool, BuildQuality::fast);
     const MeshTree high = build_mesh_tree(s.positions, s.triangles, pool, BuildQuality::high);
@@ -111,7 +111,7 @@ std::vector<vec3> moved(const Soup& s, uint seed, float by) {
 }
 
 TEST(MeshTree, RefitGivesTheHitsOfANewTree) {
-    TaskPool pool(2);
+    parallel::TaskPool pool(2);
     Soup s = soup(7, 3000, 1.0f);
     // Every second pair of triangles meets in points that are equal, but not one vertex.
     for (std::size_t i = 0; i + 6 <= s.positions.size(); i += 12) {
@@ -135,7 +135,7 @@ TEST(MeshTree, RefitGivesTheHitsOfANewTree) {
 }
 
 TEST(MeshTree, RefitTakesVerticesThatBecomeOrWereNotFinite) {
-    TaskPool pool(1);
+    parallel::TaskPool pool(1);
     const Soup s = soup(11, 500, 1.0f);
     std::vector<vec3> positions = s.positions;
     positions[0].y = std::numeric_limits<float>::quiet_NaN();
@@ -152,21 +152,21 @@ TEST(MeshTree, RefitTakesVerticesThatBecomeOrWereNotFinite) {
 }
 
 TEST(MeshTree, HoldsNothingAndHitsNothing) {
-    TaskPool pool(1);
+    parallel::TaskPool pool(1);
     const MeshTree tree = build_mesh_tree({}, {}, pool);
     const std::vector<Ray> rays(100);
     std::vector<TriangleRecord> records(rays.size());
     std::vector<std::uint8_t> blocked(rays.size(), 1);
     closest(tree, rays, records, RayHint::coherent);
     occluded(tree, rays, blocked, RayHint::coherent);
-    EXPECT_EQ(records[99].triangle, no_triangle);
+    EXPECT_EQ(records[99].triangle, invalid_index);
     EXPECT_EQ(blocked[99], 0);
-    EXPECT_EQ(closest(tree, Ray{}).triangle, no_triangle);
+    EXPECT_EQ(closest(tree, Ray{}).triangle, invalid_index);
     EXPECT_FALSE(occluded(tree, Ray{}));
 }
 
 TEST(MeshTree, OfEqualTrianglesTheFirstIsHit) {
-    TaskPool pool(2);
+    parallel::TaskPool pool(2);
     const std::vector<vec3> positions{vec3(-1, -1, 0), vec3(1, -1, 0), vec3(0, 1, 0)};
     const std::vector<uvec3> triangles(20000, uvec3(0, 1, 2));
     const MeshTree tree = build_mesh_tree(positions, triangles, pool);

@@ -33,7 +33,7 @@ class Stress : public testing::TestWithParam<Family> {};
 
 TEST_P(Stress, FindsNothing) {
     const Family family = GetParam();
-    TaskPool pool;
+    parallel::TaskPool pool;
     std::mutex mutex;
     Tally total;
     pool.run(cases, [&](std::size_t index, int) {

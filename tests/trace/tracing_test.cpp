@@ -43,14 +43,14 @@ TEST(Tracing, EveryKernelAndTargetGivesTheBitsOfBruteForce) {
     const Mesh mesh(soup.xyz, soup.corners);
     const std::vector<Ray> rays = make_rays(soup, 6, 1000);
     for (const Kernel kernel :
-         {Kernel::automatic, Kernel::scalar, Kernel::lone, Kernel::packets, Kernel::streams})
+         {Kernel::automatic, Kernel::scalar, Kernel::single, Kernel::packets, Kernel::streams})
         for (const SimdTarget target :
              {SimdTarget::best, SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
             const KernelChoice choice{kernel, target};
             std::vector<Hit> hits(rays.size());
             std::vector<std::uint8_t> blocked(rays.size());
             if (!is_available(target)) {
-                EXPECT_THROW(mesh.closest(rays, hits, RayHint::incoherent, {Kernel::lone, target}),
+                EXPECT_THROW(mesh.closest(rays, hits, RayHint::incoherent, {Kernel::single, target}),
                              std::invalid_argument);
                 continue;
             }

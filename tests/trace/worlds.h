@@ -12,7 +12,7 @@
 namespace glint {
 
 inline World world_of(WorldInput input, int threads = 1) {
-    TaskPool pool(threads);
+    parallel::TaskPool pool(threads);
     return World(std::move(input), pool);
 }
 

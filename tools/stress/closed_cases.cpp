@@ -67,7 +67,7 @@ class ClosedWorld {
         input.meshes.resize(1);
         for (const dvec3& p : shape_.positions) input.meshes[0].positions.push_back(place_(p));
         input.meshes[0].triangles = shape_.triangles;
-        TaskPool pool(1);
+        parallel::TaskPool pool(1);
         world_ = World(std::move(input), pool);
     }
 

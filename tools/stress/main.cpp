@@ -71,7 +71,8 @@ struct Outcome {
 };
 
 /// All cases of one family, side by side; outcomes in the order of the cases.
-Outcome run_family(const Family& family, std::uint64_t rays, const Options& options, TaskPool& pool) {
+Outcome run_family(const Family& family, std::uint64_t rays, const Options& options,
+                   parallel::TaskPool& pool) {
     const std::uint64_t cases = options.replay ? 1 : (rays + rays_a_case - 1) / rays_a_case;
     std::vector<Outcome> by_worker(static_cast<std::size_t>(pool.threads()));
     pool.run(cases, [&](std::size_t index, int worker) {
@@ -102,7 +103,7 @@ int run(const Options& options) {
         if (options.family.empty() || options.family == family.name) chosen.push_back(family);
     if (chosen.empty()) throw std::invalid_argument("no such family: " + options.family);
 
-    TaskPool pool(options.threads);
+    parallel::TaskPool pool(options.threads);
     std::printf("%-20s %14s %14s %14s %10s\n", "family", "rays", "hits", "on an edge", "failures");
     Tally total;
     for (const Family& family : chosen) {

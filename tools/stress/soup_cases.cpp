@@ -159,7 +159,7 @@ Tally run_soup(Soup kind, std::uint64_t seed, std::uint32_t rays) {
     const Placement place = random_placement(random, 24);
     WorldInput input = make_soup(kind, place, random);
     TroubleRays next_ray(input, place, random);
-    TaskPool pool(1);
+    parallel::TaskPool pool(1);
     const World world(std::move(input), pool);
     Tally tally;
     Answered answered;

@@ -1,12 +1,12 @@
-// One ray at a time through a MeshTree, eight boxes, vertices or triangles at once, for every SIMD target.
-// Box tests only have to be conservative and may fuse multiply-adds; the triangle test is that of
-// geometry/triangle.h, operation by operation.
+// Single-ray kernels for every SIMD target: eight boxes, vertices or triangles at once. Box tests only have
+// to be conservative and may use fused multiply-adds; the triangle test performs the operations of
+// geometry/triangle.h.
 
 #include "trace/kernel_table.h"
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "trace/mesh_lone.cpp"
+#define HWY_TARGET_INCLUDE "trace/mesh_single.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
 
 #include "trace/mesh_leaf-inl.h"
@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) { return closest_scalar(tree, ray); }
-bool occluded_lone(const MeshTree& tree, const Ray& ray) { return occluded_scalar(tree, ray); }
+TriangleRecord closest_single(const MeshTree& tree, const Ray& ray) { return closest_scalar(tree, ray); }
+bool occluded_single(const MeshTree& tree, const Ray& ray) { return occluded_scalar(tree, ray); }
 
 #else
 
@@ -26,10 +26,10 @@ namespace {
 
 constexpr std::size_t stack_size = wide_children * (max_tree_depth + 1);
 
-/// A ray against boxes: eight children at once.
-class LoneRay {
+/// Constants of the slab test of one ray against the eight children of a node.
+class SingleRay {
   public:
-    LoneRay(const Ray& ray, const Bounds& bounds) {
+    SingleRay(const Ray& ray, const Bounds& bounds) {
         const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
         const vec3 reach = glm::abs(ray.origin);
         const vec3 d = glm::abs(ray.direction);
@@ -37,7 +37,7 @@ class LoneRay {
         const float scale =
             std::max(reach.x, std::max(reach.y, reach.z)) + std::max(far.x, std::max(far.y, far.z));
         const float pad = 0x1p-20f * scale;
-        const float least = std::max({most * least_direction, scale * least_of_scale, 2.95e-39f});
+        const float least = std::max({most * min_direction_ratio, scale * min_scale_ratio, 2.95e-39f});
         for (int axis = 0; axis < 3; ++axis) {
             const float clamped = std::max(d[axis], least);
             const float size = 1.0f / clamped;
@@ -51,7 +51,7 @@ class LoneRay {
         tmin_ = ray.tmin;
     }
 
-    /// The children whose boxes the ray meets up to `limit`, as bits, and where.
+    /// The children whose boxes the ray meets in [tmin, limit] as bits, and its entry distances.
     std::uint32_t meets(const WideNode& node, float limit, float* entries) const {
         std::uint32_t met = 0;
         for (std::size_t i = 0; i < 8; i += lanes) {
@@ -80,20 +80,20 @@ class LoneRay {
     bool negative_[3];
 };
 
-struct LoneEntry {
+struct StackEntry {
     std::uint32_t code;
     float t;
 };
 
-/// Children in the order of their entries: the farthest first on the stack, the nearest returned.
-LoneEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entries, LoneEntry* stack,
-                      std::size_t& size) {
+/// Pushes the children that the ray meets, farthest first, except the nearest one, which is returned.
+StackEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entries, StackEntry* stack,
+                       std::size_t& size) {
     const auto first = static_cast<std::size_t>(std::countr_zero(met));
-    LoneEntry nearest{node.child[first], entries[first]};
+    StackEntry nearest{node.child[first], entries[first]};
     const std::size_t base = size;
     for (met &= met - 1; met != 0; met &= met - 1) {
         const auto child = static_cast<std::size_t>(std::countr_zero(met));
-        LoneEntry entry{node.child[child], entries[child]};
+        StackEntry entry{node.child[child], entries[child]};
         if (entry.t < nearest.t) std::swap(entry, nearest);
         std::size_t at = size++;
         for (; at > base && stack[at - 1].t < entry.t; --at) stack[at] = stack[at - 1];
@@ -102,34 +102,34 @@ LoneEntry push_sorted(const WideNode& node, std::uint32_t met, const float* entr
     return nearest;
 }
 
-Probe probe_of(const Ray& ray, const ShearedRay& sheared) {
+LeafRay leaf_ray_of(const Ray& ray, const ShearedRay& sheared) {
     const float limit = next_float(ray.tmax, -1.0f);
-    return {sheared.ox, sheared.oy, sheared.oz, sheared.sx, sheared.sy, sheared.sz,
-            ray.tmin,   limit,      0.0f,       0.0f,       no_triangle};
+    return {sheared.ox, sheared.oy, sheared.oz, sheared.sx, sheared.sy,   sheared.sz,
+            ray.tmin,   limit,      0.0f,       0.0f,       invalid_index};
 }
 
-/// Follows one ray; returns whether it hit. The nearest child goes on at once, others wait on the stack.
+/// Traces one ray; returns whether it hit. Visits the nearest child at once and pushes the others.
 template <bool any>
 bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
-    const LoneRay lone(ray, tree.bounds);
+    const SingleRay box_ray(ray, tree.bounds);
     alignas(32) float entries[8];
-    std::uint32_t met = lone.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
+    std::uint32_t met = box_ray.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
     if (met == 0) return false;
     const ShearedRay sheared(ray);
-    Probe probe = probe_of(ray, sheared);
-    LoneEntry stack[stack_size];
+    LeafRay leaf_ray = leaf_ray_of(ray, sheared);
+    StackEntry stack[stack_size];
     std::size_t size = 0;
-    LoneEntry at = push_sorted(tree.nodes[0], met, entries, stack, size);
+    StackEntry at = push_sorted(tree.nodes[0], met, entries, stack, size);
     for (;;) {
         if ((at.code & leaf_bit) != 0) {
             tally(&TraceCounters::leaves, 1);
             const Leaf leaf(tree, LeafCode{at.code});
             const LeafVectors vertices(leaf, sheared.kx, sheared.ky, sheared.kz);
-            if (test_ray<any>(leaf, vertices, leaf.all(), probe) && any) return true;
+            if (test_ray<any>(leaf, vertices, leaf.all(), leaf_ray) && any) return true;
         } else {
             tally(&TraceCounters::nodes, 1);
             const WideNode& node = tree.nodes[at.code];
-            met = lone.meets(node, probe.limit, entries);
+            met = box_ray.meets(node, leaf_ray.limit, entries);
             if (met != 0) {
                 at = push_sorted(node, met, entries, stack, size);
                 continue;
@@ -137,23 +137,23 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
         }
         do {
             if (size == 0) {
-                record = {probe.limit, probe.u, probe.v, probe.triangle};
-                return probe.triangle != no_triangle;
+                record = {leaf_ray.limit, leaf_ray.u, leaf_ray.v, leaf_ray.triangle};
+                return leaf_ray.triangle != invalid_index;
             }
             at = stack[--size];
-        } while (at.t > probe.limit);
+        } while (at.t > leaf_ray.limit);
     }
 }
 
 } // namespace
 
-// What the dispatcher calls: anonymous functions cannot be exported.
-TriangleRecord closest_lone(const MeshTree& tree, const Ray& ray) {
+// Exported to the kernel table.
+TriangleRecord closest_single(const MeshTree& tree, const Ray& ray) {
     TriangleRecord record;
     const bool hit = !tree.nodes.empty() && is_traceable(ray) && follow<false>(tree, ray, record);
     return hit ? record : TriangleRecord{};
 }
-bool occluded_lone(const MeshTree& tree, const Ray& ray) {
+bool occluded_single(const MeshTree& tree, const Ray& ray) {
     TriangleRecord record;
     return !tree.nodes.empty() && is_traceable(ray) && follow<true>(tree, ray, record);
 }
@@ -167,11 +167,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint {
 
-const std::array<LoneKernels, kernel_targets> lone_kernels{{
-    {HWY_CHOOSE_FALLBACK(closest_lone), HWY_CHOOSE_FALLBACK(occluded_lone)},
-    {HWY_CHOOSE_SSE4(closest_lone), HWY_CHOOSE_SSE4(occluded_lone)},
-    {HWY_CHOOSE_AVX2(closest_lone), HWY_CHOOSE_AVX2(occluded_lone)},
-    {HWY_CHOOSE_AVX3(closest_lone), HWY_CHOOSE_AVX3(occluded_lone)},
+const std::array<SingleKernels, kernel_targets> single_kernels{{
+    {HWY_CHOOSE_FALLBACK(closest_single), HWY_CHOOSE_FALLBACK(occluded_single)},
+    {HWY_CHOOSE_SSE4(closest_single), HWY_CHOOSE_SSE4(occluded_single)},
+    {HWY_CHOOSE_AVX2(closest_single), HWY_CHOOSE_AVX2(occluded_single)},
+    {HWY_CHOOSE_AVX3(closest_single), HWY_CHOOSE_AVX3(occluded_single)},
 }};
 
 } // namespace glint
