@@ -3,6 +3,8 @@
 #   glint_room(NAME [SOURCES …] [DEPS room…] [LIBS target…])   a static library `glint_NAME` of src/NAME
 #   glint_test(NAME SOURCES … [DEPS room…] [LIBS target…])     a GoogleTest program, one CTest entry a TEST,
 #                                                              labelled NAME
+#   glint_embed(OUT VARIABLE "TYPE NAME" HEADER file FILES file… [WITHOUT_DIRECTIVES name|name])
+#                                                              sets OUT to a source with the text of files of src/
 #   glint_find_openexr()                                       imports OpenEXR::OpenEXR
 
 # Of all this an installed glint passes only C++20 and its folder of headers on.
@@ -57,6 +59,18 @@ function(glint_test name)
         set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
     endif()
     gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
+endfunction()
+
+function(glint_embed out)
+    cmake_parse_arguments(EMBED "" "VARIABLE;HEADER;WITHOUT_DIRECTIVES" "FILES" ${ARGN})
+    set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
+    set(text ${CMAKE_CURRENT_BINARY_DIR}/${out}.cpp)
+    list(TRANSFORM EMBED_FILES PREPEND ${PROJECT_SOURCE_DIR}/src/ OUTPUT_VARIABLE paths)
+    add_custom_command(OUTPUT ${text}
+        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${text} -DROOT=${PROJECT_SOURCE_DIR}/src "-DFILES=${EMBED_FILES}"
+            "-DVARIABLE=${EMBED_VARIABLE}" -DHEADER=${EMBED_HEADER} "-DWITHOUT=${EMBED_WITHOUT_DIRECTIVES}" -P ${script}
+        DEPENDS ${script} ${paths} VERBATIM)
+    set(${out} ${text} PARENT_SCOPE)
 endfunction()
 
 # Finds OpenEXR for the directory that asks. Debian's Imath remarks on Python parts that it does not bring; that is

@@ -42,7 +42,6 @@ void App::guarded(const Work& work) {
     }
 }
 
-// long: one line an action reads better than a table of functions
 void App::perform(Action action) {
     const bool scene = bench_.description() != nullptr;
     switch (action) {

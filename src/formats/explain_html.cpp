@@ -94,7 +94,7 @@ std::string before_data(const ExplanationPage& page) {
            "style-src "
            "'unsafe-inline'; script-src 'unsafe-inline'\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-           title + ", explained</title>\n<style>" + page_style +
+           title + ", explained</title>\n<style>\n" + page_style() +
            "</style></head><body>\n<div id=\"left\"><h1>" + title +
            "</h1>\n<div id=\"picture\"><canvas id=\"canvas\"></canvas><div id=\"mark\"></div></div>\n"
            "<div id=\"layers\"></div>\n<div class=\"note\">Move over the picture: the rays of that place "
@@ -148,7 +148,8 @@ std::string explanation_html(const ExplanationPage& request) {
             data.add(e);
         }
     std::string out = before_data(page);
-    const std::string end = std::string("</script>\n<script>") + page_script + "</script>\n</body></html>\n";
+    const std::string end =
+        std::string("</script>\n<script>\n") + page_script() + "</script>\n</body></html>\n";
     // Four characters of text hold three bytes.
     const std::size_t taken = out.size() + end.size() + 4;
     const std::size_t room = taken < page.most_bytes ? (page.most_bytes - taken) / 4 * 3 : 0;

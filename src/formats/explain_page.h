@@ -13,9 +13,16 @@
 
 namespace glint {
 
-/// Style sheet and program of the page.
-extern const char* const page_style;
-extern const char* const page_script;
+/// A file of the page, embedded by the build (cmake/EmbedText.cmake).
+struct PageFile {
+    const char* name; ///< below src/
+    const char* text;
+};
+extern const PageFile page_files[]; ///< explain_page.css and explain_page.js, then one without a name
+
+inline const char* page_style() { return page_files[0].text; }
+/// Plain JavaScript: no library, no network.
+inline const char* page_script() { return page_files[1].text; }
 
 class PageData {
   public:

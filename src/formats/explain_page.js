@@ -1,46 +1,3 @@
-// What moves the page of explanation_html(): plain JavaScript, no library, no network.
-
-#include "formats/explain_page.h"
-
-namespace glint {
-
-const char* const page_style = R"css(
-:root { --paper: #f6f4ef; --card: #fff; --line: #cfcabe; --ink: #1d2530; --faint: #6d7380; --mirror: #2f6fd0;
-  --glass: #1f9a7a; --light: #8a5a00; --strong: #0b57d0 }
-@media (prefers-color-scheme: dark) { :root { --paper: #16191f; --card: #1f242c; --line: #3a414d; --ink: #e8e6e1;
-  --faint: #9aa2af; --mirror: #7fb0ff; --glass: #5fd3b0; --light: #f0b95a; --strong: #8ab4f8 } }
-* { box-sizing: border-box }
-body { margin: 0; background: var(--paper); color: var(--ink); font: 15px/1.45 'DejaVu Sans', 'Segoe UI',
-  'Helvetica Neue', Arial, sans-serif; display: grid; grid-template-columns: minmax(0, 11fr) minmax(0, 10fr);
-  gap: 20px; padding: 16px 20px; height: 100vh }
-h1 { font-size: 20px; margin: 0 0 10px }
-#left { display: flex; flex-direction: column; min-height: 0; overflow: auto }
-#picture { position: relative; cursor: crosshair; width: 100%; align-self: flex-start }
-#picture canvas { display: block; width: 100%; height: auto; image-rendering: auto }
-#mark { position: absolute; border: 2px solid #fff; outline: 1px solid #000; pointer-events: none; display: none }
-#layers { display: grid; grid-template-columns: repeat(auto-fill, minmax(310px, 1fr)); gap: 2px 14px; margin: 12px 0 }
-#layers label { display: flex; gap: 7px; align-items: center; cursor: pointer }
-#layers output { color: var(--faint); margin-left: auto; font-variant-numeric: tabular-nums; font-size: 13px; white-space: nowrap }
-#tree { overflow: auto; min-height: 0; padding-right: 6px }
-#place { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 10px 14px; margin-bottom: 10px }
-.swatch { display: inline-block; width: 15px; height: 15px; border-radius: 3px; border: 1px solid #00000055;
-  vertical-align: -2px; margin-right: 7px; flex: none }
-.ray { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 8px 12px; margin: 8px 0 }
-.ray .ray { margin-left: 10px; border-left-width: 4px }
-.ray.reflected { border-left-color: var(--mirror) } .ray.refracted { border-left-color: var(--glass) }
-.head { font-weight: bold } .head .kind { text-transform: none }
-.reflected > .head .kind { color: var(--mirror) } .refracted > .head .kind { color: var(--glass) }
-.faint, .note { color: var(--faint) } .note { font-size: 13px }
-.light { color: var(--light) }
-details > summary { cursor: pointer } details { margin: 3px 0 }
-.step { margin: 5px 0 5px 14px; overflow-wrap: anywhere }
-.step b { color: var(--strong); font-weight: bold } .step .numbers { color: var(--faint) }
-.section { font-size: 12px; border: 1px solid var(--line); border-radius: 9px; padding: 0 6px; color: var(--faint) }
-kbd { border: 1px solid var(--line); border-radius: 4px; padding: 0 5px; font-size: 13px }
-@media (max-width: 900px) { body { display: block; height: auto } }
-)css";
-
-const char* const page_script = R"js(
 'use strict';
 const f = Math.fround, names = ['ambient', 'diffuse', 'highlight', 'clamp', 'reflection', 'transmission', 'emission'];
 const $ = id => document.getElementById(id);
@@ -295,6 +252,3 @@ const ready = unpack().then(() => {
   show(page.columns >> 1, page.rows >> 1);
   return paint();
 });
-)js";
-
-} // namespace glint
