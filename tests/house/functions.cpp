@@ -10,6 +10,7 @@ namespace glint::house {
 namespace {
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
 /// Preprocessor lines, with their continuations, become blank: braces in macros need not be balanced.
 std::string without_directives(std::string code) {
     bool directive = false;
@@ -70,16 +71,21 @@ std::size_t initialiser(const std::string& head) {
     return std::string::npos;
 }
 
+/// A function of JavaScript: "(a, b) =>".
+bool is_arrow(const std::string& head) { return head.size() > 2 && head.substr(head.size() - 2) == "=>"; }
+
 enum class Brace { scope, function, data };
 
 /// What a brace opens, judged by the text between it and the previous end of a declaration.
 Brace classify(const std::string& full_head) {
     const std::string head = without_template(squeeze(full_head));
-    for (const char* word : {"namespace", "struct", "class", "union", "enum", "extern", "inline namespace"})
+    for (const char* word :
+         {"namespace", "struct", "class", "union", "enum", "extern", "inline namespace", "layout"})
         if (starts_with_word(head, word) &&
             (head.find('(') == std::string::npos || std::string(word) != "extern"))
             return Brace::scope;
     const std::size_t value = initialiser(head);
+    if (is_arrow(head)) return Brace::function;
     if (value != std::string::npos) {
         const std::size_t first = head.find_first_not_of(" =", value);
         return first != std::string::npos && head[first] == '[' ? Brace::function : Brace::data;
@@ -90,8 +96,7 @@ Brace classify(const std::string& full_head) {
 /// Walks over code, file and class scope; bodies and data are passed over by counting braces.
 class Scanner {
   public:
-    explicit Scanner(const std::string& text)
-        : lines_(lines_of(text)), code_(without_directives(code_only(text))) {}
+    explicit Scanner(const std::string& text) : code_(without_directives(code_only(text))) {}
 
     std::vector<Function> run() {
         for (at_ = 0; at_ < code_.size(); ++at_) {
@@ -131,18 +136,17 @@ class Scanner {
     }
 
     void open() {
-        if (parens_ > 0 || is_member_initialiser()) {
-            at_ = closing();
-            return;
-        }
-        const Brace brace = classify(head());
+        const bool is_argument = parens_ > 0;
+        const bool arrow = is_arrow(squeeze(head()));
+        const Brace brace =
+            (is_argument || is_member_initialiser()) && !arrow ? Brace::data : classify(head());
         if (brace == Brace::scope) return begin_head();
         const std::size_t first = code_.find_first_not_of(" \t\r\n", head_);
         const std::size_t opening = at_;
         at_ = closing();
         if (brace == Brace::data) return;
         add(first, code_.substr(first, opening - first));
-        begin_head();
+        if (!is_argument) begin_head();
     }
 
     std::size_t closing() const {
@@ -155,18 +159,9 @@ class Scanner {
     }
 
     void add(std::size_t first, const std::string& name) {
-        Function function{squeeze(name).substr(0, 80), line_at(code_, first), line_at(code_, at_), false};
-        // The comment block right above the head.
-        for (int i = function.first - 2; i >= 0; --i) {
-            const std::string& line = lines_[static_cast<std::size_t>(i)];
-            const std::size_t begin = line.find_first_not_of(" \t");
-            if (begin == std::string::npos || line.compare(begin, 2, "//") != 0) break;
-            function.excused = function.excused || line.compare(begin, 8, "// long:") == 0;
-        }
-        functions_.push_back(std::move(function));
+        functions_.push_back({squeeze(name).substr(0, 80), line_at(code_, first), line_at(code_, at_)});
     }
 
-    std::vector<std::string> lines_;
     std::string code_;
     std::size_t at_ = 0;
     std::size_t head_ = 0; ///< where the declaration being read began

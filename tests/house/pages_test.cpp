@@ -2,6 +2,7 @@
 
 #include "sources.h"
 
+#include "formats/explain_page.h"
 #include "glint/formats.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,11 @@ TEST(Pages, TheSceneOfTheReadmeIsGood) {
     EXPECT_TRUE(loaded.warnings.empty()) << to_string(loaded.warnings.front());
     const std::vector<Diagnostic> found = warnings(freeze(loaded.description));
     EXPECT_TRUE(found.empty()) << to_string(found.front());
+}
+
+TEST(Pages, TheExplainPageEmbedsItsStyleAndScript) {
+    EXPECT_EQ(page_style(), read_project_file("src/formats/explain_page.css"));
+    EXPECT_EQ(page_script(), read_project_file("src/formats/explain_page.js"));
 }
 
 TEST(Pages, TheReadmeNamesAllScriptsAndNoOthers) {

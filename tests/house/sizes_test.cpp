@@ -11,50 +11,93 @@ namespace {
 
 const std::vector<std::string> everywhere = {"include", "src", "apps", "tools", "tests", "bench", "examples"};
 
-struct Placed {
+/// What is measured by itself: the few functions of a small language would not show among those of C++.
+struct Language {
+    std::string name;
+    std::vector<std::string> folders;
+    std::vector<std::string> extensions;
+};
+
+const std::vector<Language>& languages() {
+    static const std::vector<Language> table = {
+        {"C++", everywhere, {".h", ".cpp"}},
+        {"GLSL", {"src"}, {".glsl"}},
+        {"JavaScript", {"src"}, {".js"}},
+    };
+    return table;
+}
+
+/// A function that may be longer than the limits, with the reason.
+struct Exemption {
+    std::string path;
+    std::string name; ///< its beginning
+    std::string reason;
+};
+
+const std::vector<Exemption>& exemptions() {
+    static const std::vector<Exemption> table = {
+        {"src/gpu/shaders/whitted.glsl", "void main()", "temporary: until its four phases are functions"},
+        {"src/gpu/shaders/trace.glsl", "Hit trace(", "temporary: until its steps are functions"},
+    };
+    return table;
+}
+
+struct Located {
     std::string path;
     Function function;
 };
 
-/// All functions but the excused ones, longest first.
-std::vector<Placed> all_functions() {
-    std::vector<Placed> all;
-    for (const Source& source : sources_under(everywhere))
+bool is_exempt(const Located& located) {
+    return std::any_of(exemptions().begin(), exemptions().end(), [&](const Exemption& e) {
+        return located.path == e.path && located.function.name.compare(0, e.name.size(), e.name) == 0;
+    });
+}
+
+/// All functions of a language but the exempt ones, longest first.
+std::vector<Located> all_functions(const Language& language) {
+    std::vector<Located> all;
+    for (const Source& source : sources_under(language.folders, language.extensions))
         for (const Function& function : functions_of(source.text))
-            if (!function.excused) all.push_back({source.path, function});
-    std::stable_sort(all.begin(), all.end(), [](const Placed& a, const Placed& b) {
+            if (const Located located{source.path, function}; !is_exempt(located)) all.push_back(located);
+    std::stable_sort(all.begin(), all.end(), [](const Located& a, const Located& b) {
         return a.function.lines() > b.function.lines();
     });
     return all;
 }
 
 /// The functions of more than `lines` lines, one a line of text.
-std::string longer_than(const std::vector<Placed>& functions, int lines) {
+std::string longer_than(const std::vector<Located>& functions, int lines) {
     std::string out;
-    for (const Placed& placed : functions)
-        if (placed.function.lines() > lines)
-            out += placed.path + ":" + std::to_string(placed.function.first) + ": " +
-                   std::to_string(placed.function.lines()) + " lines: " + placed.function.name + "\n";
+    for (const Located& located : functions)
+        if (located.function.lines() > lines)
+            out += located.path + ":" + std::to_string(located.function.first) + ": " +
+                   std::to_string(located.function.lines()) + " lines: " + located.function.name + "\n";
     return out;
 }
 
 TEST(Sizes, NoFileHasMoreThan500Lines) {
-    for (const Source& source : sources_under(everywhere))
-        EXPECT_LE(lines_of(source.text).size(), 500u) << source.path;
+    for (const Language& language : languages())
+        for (const Source& source : sources_under(language.folders, language.extensions))
+            EXPECT_LE(lines_of(source.text).size(), 500u) << source.path;
 }
 
 TEST(Sizes, NineOfTenFunctionsHaveAtMost30Lines) {
-    const std::vector<Placed> functions = all_functions();
-    ASSERT_GT(functions.size(), 100u) << "the functions were not found";
-    EXPECT_LE(functions[functions.size() / 10].function.lines(), 30) << longer_than(functions, 30);
+    for (const Language& language : languages()) {
+        const std::vector<Located> functions = all_functions(language);
+        ASSERT_GT(functions.size(), 15u) << "the functions of " << language.name << " were not found";
+        EXPECT_LE(functions[functions.size() / 10].function.lines(), 30) << longer_than(functions, 30);
+    }
 }
 
-TEST(Sizes, OneFunctionInFiftyHasMoreThan60LinesAndNoneMoreThan100) {
-    const std::vector<Placed> functions = all_functions();
-    const auto long_ones = static_cast<std::size_t>(std::count_if(
-        functions.begin(), functions.end(), [](const Placed& p) { return p.function.lines() > 60; }));
-    EXPECT_LE(long_ones * 50, functions.size()) << longer_than(functions, 60);
-    EXPECT_EQ(longer_than(functions, 100), "");
+TEST(Sizes, OneFunctionInAHundredHasMoreThan60LinesAndNoneMoreThan100) {
+    for (const Language& language : languages()) {
+        const std::vector<Located> functions = all_functions(language);
+        const auto long_ones = static_cast<std::size_t>(
+            std::count_if(functions.begin(), functions.end(),
+                          [](const Located& located) { return located.function.lines() > 60; }));
+        EXPECT_LE(long_ones * 100, functions.size()) << longer_than(functions, 60);
+        EXPECT_EQ(longer_than(functions, 100), "");
+    }
 }
 
 // The scanner itself.
@@ -62,8 +105,7 @@ TEST(Sizes, OneFunctionInFiftyHasMoreThan60LinesAndNoneMoreThan100) {
 std::string shapes_of(const std::string& text) {
     std::string out;
     for (const Function& f : functions_of(text))
-        out += f.name + " " + std::to_string(f.first) + "-" + std::to_string(f.last) +
-               (f.excused ? " excused" : "") + "\n";
+        out += f.name + " " + std::to_string(f.first) + "-" + std::to_string(f.last) + "\n";
     return out;
 }
 
@@ -102,11 +144,20 @@ TEST(Sizes, TablesAreNoFunctionsButLambdasAre) {
               "const auto f = [](int x) 4-6\n");
 }
 
-TEST(Sizes, AReasonRightAboveExcusesAFunctionAndOnlyThat) {
+TEST(Sizes, TheScannerReadsShaders) {
+    EXPECT_EQ(shapes_of("layout(std140) uniform Settings {\n    vec4 eye;\n};\n"
+                        "#if TERMS\nvoid main() {\n    if (x) { y(); }\n}\n#endif\n"),
+              "void main() 5-7\n");
+}
+
+TEST(Sizes, TheScannerReadsScripts) {
     EXPECT_EQ(
-        shapes_of(
-            "/// Adds.\n// long: one line an axis reads better than a loop\nint f() {\n}\n\nint g() {\n}\n"),
-        "int f() 3-4 excused\nint g() 6-7\n");
+        shapes_of("const table = { a: x => x, b: 1 };\nconst ready = unpack().then(() => {\n  go();\n});\n"
+                  "async function f(x) { // `\n  return `{${x}\n`;\n}\n"
+                  "const g = (a, b) => {\n  return a;\n};\n"),
+        "const ready = unpack().then(() => 2-4\n"
+        "async function f(x) 5-8\n"
+        "const g = (a, b) => 9-11\n");
 }
 
 } // namespace

@@ -19,14 +19,17 @@ std::string read_project_file(const std::string& path) {
     return out.str();
 }
 
-std::vector<Source> sources_under(const std::vector<std::string>& folders) {
+std::vector<Source> sources_under(const std::vector<std::string>& folders,
+                                  const std::vector<std::string>& extensions) {
     std::vector<Source> sources;
     const fs::path root = GLINT_SOURCE_DIR;
     for (const std::string& folder : folders) {
         if (!fs::exists(root / folder)) continue;
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
             const std::string extension = entry.path().extension().string();
-            if (!entry.is_regular_file() || (extension != ".h" && extension != ".cpp")) continue;
+            if (!entry.is_regular_file() ||
+                std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+                continue;
             const std::string path = fs::relative(entry.path(), root).generic_string();
             sources.push_back({path, read_project_file(path)});
         }
@@ -53,6 +56,8 @@ class Blanker {
                 raw_string();
             } else if (text_[at_] == '"' || (text_[at_] == '\'' && !is_digit_separator())) {
                 literal(text_[at_]);
+            } else if (text_[at_] == '`') {
+                template_literal();
             } else {
                 ++at_;
             }
@@ -80,6 +85,15 @@ class Blanker {
         ++at_;
         blank_to(end);
         ++at_; // the closing quote stays
+    }
+
+    /// Of JavaScript; may span lines. None within another's `${}`.
+    void template_literal() {
+        std::size_t end = at_ + 1;
+        while (end < text_.size() && text_[end] != '`') end += text_[end] == '\\' ? 2 : 1;
+        ++at_;
+        blank_to(end);
+        ++at_;
     }
 
     void raw_string() {

@@ -12,15 +12,16 @@ struct Source {
     std::string text;
 };
 
-/// All .h and .cpp files under the given folders of the project, sorted by path. A folder that is missing is
-/// empty.
-std::vector<Source> sources_under(const std::vector<std::string>& folders);
+/// All files with these extensions under the given folders of the project, sorted by path. A folder that is
+/// missing is empty.
+std::vector<Source> sources_under(const std::vector<std::string>& folders,
+                                  const std::vector<std::string>& extensions = {".h", ".cpp"});
 
 /// A whole file of the project; throws std::runtime_error if it cannot be read.
 std::string read_project_file(const std::string& path);
 
 /// The text with comments and the insides of string and character literals replaced by spaces. Length and
-/// line ends stay as they are. Knows raw strings and digit separators.
+/// line ends stay as they are. Knows raw strings, digit separators and the template literals of JavaScript.
 std::string code_only(const std::string& text);
 
 /// Whether a character may stand in a name.
@@ -41,12 +42,11 @@ struct Include {
 
 std::vector<Include> includes_of(const std::string& text);
 
-/// A function with a body, lambdas inside it counted as part of it.
+/// A function of C++, GLSL or JavaScript with a body, lambdas inside it counted as part of it.
 struct Function {
-    std::string name;     ///< the head, on one line, cut at 80 characters
-    int first = 0;        ///< line on which the head starts, from 1
-    int last = 0;         ///< line of the closing brace
-    bool excused = false; ///< the comment right above has a line "// long: why"
+    std::string name; ///< the head, on one line, cut at 80 characters
+    int first = 0;    ///< line on which the head starts, from 1
+    int last = 0;     ///< line of the closing brace
 
     int lines() const { return last - first + 1; }
 };
