@@ -56,7 +56,7 @@ class Square {
         glint::Ray ray;
         ray.origin = shadow.origin;
         ray.direction = shadow.direction;
-        if (scene_.lights[static_cast<std::size_t>(light)].kind != LightKind::directional) ray.tmax = 1.0f;
+        if (scene_.lights[static_cast<std::size_t>(light)].kind != light_directional) ray.tmax = 1.0f;
         Batch& batch = batches_[{depth, light}];
         batch.any = true;
         batch.rays.push_back(ray);

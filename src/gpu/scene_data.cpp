@@ -134,7 +134,7 @@ class Flattener {
             if (o.solid) flags |= object_solid;
             if (o.lit_as_stored) flags |= object_lit_as_stored;
             if (o.turned) flags |= object_turned;
-            if (scene_.materials[o.material].fresnel) flags |= object_fresnel;
+            if ((scene_.materials[o.material].flags & material_fresnel) != 0) flags |= object_fresnel;
             data_.objects.emplace_back(o.material, o.rank, flags, media_[i]);
             data_.objects.push_back(attributes_of(o));
         }
@@ -168,14 +168,14 @@ class Flattener {
     }
 
     void add_tables() {
-        for (const FrozenMaterial& m : scene_.materials) {
+        for (const MaterialRecord& m : scene_.materials) {
             data_.tables.emplace_back(m.color, m.ambient);
             data_.tables.emplace_back(m.emission, m.diffuse);
             data_.tables.emplace_back(m.absorption, m.highlight);
             data_.tables.emplace_back(m.shininess, m.transparency, m.index, m.reflectivity);
         }
         data_.settings.at_tables.x = static_cast<std::uint32_t>(data_.tables.size());
-        for (const FrozenLight& l : scene_.lights) {
+        for (const LightRecord& l : scene_.lights) {
             data_.tables.emplace_back(l.position, static_cast<float>(l.kind));
             data_.tables.emplace_back(l.direction, l.cos_outer);
             data_.tables.emplace_back(l.strength, l.cos_inner);

@@ -27,7 +27,9 @@ class Bounce {
   private:
     void step(Step s) { out_.steps.push_back(std::move(s)); }
     const RayNode& child(int index) const { return tree_.nodes[static_cast<std::size_t>(index)]; }
-    bool fresnel() const { return material_.fresnel && solid_ && !node_.total_reflection; }
+    bool fresnel() const {
+        return (material_.flags & material_fresnel) != 0 && solid_ && !node_.total_reflection;
+    }
 
     /// Snell's law, with the angles on both sides.
     void refraction() {
@@ -162,7 +164,7 @@ class Bounce {
               mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample"});
     }
 
-    const FrozenMaterial& material_;
+    const MaterialRecord& material_;
     const RayTree& tree_;
     const RayNode& node_;
     ExplainedRay& out_;

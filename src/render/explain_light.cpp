@@ -9,17 +9,17 @@ namespace {
 /// Where the light stands, and what of it arrives.
 class Arrival {
   public:
-    Arrival(const FrozenLight& light, const RayNode& node, const LightNode& record, ExplainedLight& out)
+    Arrival(const LightRecord& light, const RayNode& node, const LightNode& record, ExplainedLight& out)
         : light_(light), node_(node), record_(record), out_(out), n_(node.shading_normal * node.lit_side),
           n_g_(node.geometric_normal * node.lit_side) {}
 
     void explain() {
-        const bool placed = light_.kind != LightKind::directional;
+        const bool placed = light_.kind != light_directional;
         step({"I", "", light_.strength, "light", placed ? "colour · intensity" : "colour · irradiance"});
         placed ? find_place() : find_direction();
         if (placed && !(record_.distance > 0.0f)) return at_the_light();
         find_angle();
-        if (light_.kind == LightKind::spot) find_falloff();
+        if (light_.kind == light_spot) find_falloff();
         arrive();
     }
 
@@ -83,16 +83,16 @@ class Arrival {
     }
 
     void arrive() {
-        if (light_.kind == LightKind::directional)
+        if (light_.kind == light_directional)
             return step({"E", "I · cosθ", record_.arriving, "light", "light arriving"});
         out_.attenuation = falloff_ / r_squared_;
-        const bool spot = light_.kind == LightKind::spot;
+        const bool spot = light_.kind == light_spot;
         step({"q", spot ? "f / r²" : "1 / r²", out_.attenuation, "light", "attenuation", "2.2"});
         step({"E", spot ? "I · (cosθ / r²) · f" : "I · (cosθ / r²)", record_.arriving, "light",
               "light arriving", "2.2"});
     }
 
-    const FrozenLight& light_;
+    const LightRecord& light_;
     const RayNode& node_;
     const LightNode& record_;
     ExplainedLight& out_;
@@ -202,7 +202,7 @@ class Shown {
     }
 
     const ExplainedScene& scene_;
-    const FrozenMaterial& material_;
+    const MaterialRecord& material_;
     const RayNode& node_;
     const LightNode& record_;
     ExplainedLight& out_;
@@ -211,7 +211,7 @@ class Shown {
 } // namespace
 
 ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, std::size_t index) {
-    const FrozenLight& light = scene.scene.lights[index];
+    const LightRecord& light = scene.scene.lights[index];
     const LightNode& record = node.lights[index];
     ExplainedLight out;
     out.light = scene.light_numbers[index];

@@ -17,7 +17,7 @@ struct ExplainedScene {
 
     std::string label(std::uint32_t object) const { return object_label(scene.description, object); }
     const std::string& material_name(std::uint32_t object) const;
-    const FrozenMaterial& material(std::uint32_t object) const {
+    const MaterialRecord& material(std::uint32_t object) const {
         return scene.materials[scene.objects[object].material];
     }
 

@@ -53,7 +53,7 @@ class RayWorking {
   private:
     void give(Step s) { out_.given.push_back(std::move(s)); }
     void step(Step s) { out_.steps.push_back(std::move(s)); }
-    const FrozenMaterial& material() const { return scene_.material(node_.hit.object); }
+    const MaterialRecord& material() const { return scene_.material(node_.hit.object); }
     bool clamps() const { return scene_.settings.clamp; }
     bool absorbs() const { return node_.transmittance != vec3(1.0f); }
 
@@ -100,7 +100,7 @@ class RayWorking {
     }
 
     void give_surface() {
-        const FrozenMaterial& m = material();
+        const MaterialRecord& m = material();
         give({"t", "", node_.hit.t, "ray", "length of the way"});
         give({"p", "", node_.position, "hit", "the point that is hit"});
         give({"n_g", "", node_.geometric_normal, "hit", "geometric normal, toward the viewer"});
@@ -120,7 +120,7 @@ class RayWorking {
     }
 
     void sum_lights() {
-        const FrozenMaterial& m = material();
+        const MaterialRecord& m = material();
         if (m.ambient > 0.0f) {
             const vec3 whole = ambient_term(scene_.scene.ambient, node_.color, m.ambient);
             ambient_ = clamps() ? limit_to_range(whole) : whole;
@@ -179,7 +179,7 @@ class RayWorking {
     void end_local_terms() {
         if (local_.empty()) return;
         weigh_local();
-        const FrozenMaterial& m = material();
+        const MaterialRecord& m = material();
         if (m.ambient > 0.0f) term("ambient", "a", "ambient light that counts", Term::ambient, true);
         if (m.diffuse > 0.0f) term("diffuse", "ΣD", "diffuse light that counts", Term::diffuse, true);
         if (m.highlight > 0.0f) term("highlight", "ΣH", "highlight that counts", Term::highlight, true);
@@ -220,7 +220,7 @@ class RayWorking {
     }
 
     void weigh_gain() {
-        const FrozenMaterial& m = material();
+        const MaterialRecord& m = material();
         const bool balanced = scene_.settings.energy == Energy::balanced;
         const float kept = local_weight(m.reflectivity, m.transparency, balanced);
         const float brightest = std::max({node_.color.x, node_.color.y, node_.color.z});

@@ -31,7 +31,7 @@ struct Flights {
     Row<Ray> rays;
     Row<Hit> hits;
     Row<const Media*> media;              ///< the solids around the ray's origin
-    Row<const FrozenMaterial*> materials; ///< never null
+    Row<const MaterialRecord*> materials; ///< never null
     Row<std::uint32_t> parents;           ///< the flight that this one is a branch of
     Row<Term> branches;                   ///< what it brings its parent
     Numbers weights;                      ///< what its light counts there

@@ -3,7 +3,6 @@
 #include "render/shade_batch.h"
 
 #include <cstring>
-#include <limits>
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -38,53 +37,97 @@ HWY_INLINE Flights::Vectors& row(Flights& flights, Term term) {
     return flights.terms[static_cast<std::size_t>(term)];
 }
 
+HWY_INLINE void add(const vec3& x, Flights::Vectors& to, std::size_t i) { store(load(to, i) + x, to, i); }
+
+HWY_INLINE LocalTerms local_terms(Flights& f, std::size_t i) {
+    return {load(row(f, Term::ambient), i), load(row(f, Term::diffuse), i), load(row(f, Term::highlight), i),
+            load(row(f, Term::clamp), i)};
+}
+HWY_INLINE void store(const LocalTerms& local, Flights& f, std::size_t i) {
+    store(local.ambient, row(f, Term::ambient), i);
+    store(local.diffuse, row(f, Term::diffuse), i);
+    store(local.highlight, row(f, Term::highlight), i);
+    store(local.clamp, row(f, Term::clamp), i);
+}
+
 /// Calls use(i) for the first flight of every vector.
 template <class Use>
 HWY_INLINE void for_vectors(Level level, Use&& use) {
     for (std::size_t i = level.first; i < level.first + level.count; i += lane_count) use(i);
 }
 
-/// One number of each flight's material.
-HWY_INLINE real of_materials(const FrozenMaterial* const* materials, float FrozenMaterial::*number) {
+/// One number of each path's material.
+HWY_INLINE real gather(const glint::MaterialRecord* const* materials, float glint::MaterialRecord::*number) {
     alignas(64) float numbers[lane_count];
     for (std::size_t k = 0; k < lane_count; ++k) numbers[k] = materials[k]->*number;
     return lanes::load(numbers);
 }
-HWY_INLINE vec3 of_materials(const FrozenMaterial* const* materials, glm::vec3 FrozenMaterial::*numbers) {
+HWY_INLINE vec3 gather(const glint::MaterialRecord* const* materials,
+                       glm::vec3 glint::MaterialRecord::*numbers) {
     alignas(64) float rows[3][lane_count];
     for (std::size_t k = 0; k < lane_count; ++k)
         for (int axis = 0; axis < 3; ++axis) rows[axis][k] = (materials[k]->*numbers)[axis];
     return {lanes::load(rows[0]), lanes::load(rows[1]), lanes::load(rows[2])};
 }
 
-/// What shading needs of the materials of one vector of flights.
-struct Materials {
-    vec3 color, emission;
-    real ambient, diffuse, highlight, shininess, reflectivity, transparency;
+/// The materials of one vector of paths. Absorption, index and flags are left out: glass is shaded by single
+/// rays.
+HWY_INLINE MaterialRecord gather(const glint::MaterialRecord* const* materials) {
+    using M = glint::MaterialRecord;
+    MaterialRecord m;
+    m.color = gather(materials, &M::color);
+    m.emission = gather(materials, &M::emission);
+    m.ambient = gather(materials, &M::ambient);
+    m.diffuse = gather(materials, &M::diffuse);
+    m.highlight = gather(materials, &M::highlight);
+    m.shininess = gather(materials, &M::shininess);
+    m.reflectivity = gather(materials, &M::reflectivity);
+    m.transparency = gather(materials, &M::transparency);
+    return m;
+}
 
-    explicit Materials(const FrozenMaterial* const* of) {
-        using M = FrozenMaterial;
-        color = of_materials(of, &M::color);
-        emission = of_materials(of, &M::emission);
-        ambient = of_materials(of, &M::ambient);
-        diffuse = of_materials(of, &M::diffuse);
-        highlight = of_materials(of, &M::highlight);
-        shininess = of_materials(of, &M::shininess);
-        reflectivity = of_materials(of, &M::reflectivity);
-        transparency = of_materials(of, &M::transparency);
-    }
-    explicit Materials(const FrozenMaterial& m)
-        : color(m.color), emission(m.emission), ambient(m.ambient), diffuse(m.diffuse),
-          highlight(m.highlight), shininess(m.shininess), reflectivity(m.reflectivity),
-          transparency(m.transparency) {}
-};
+HWY_INLINE MaterialRecord broadcast(const glint::MaterialRecord& of) {
+    MaterialRecord m;
+    m.color = vec3(of.color);
+    m.emission = vec3(of.emission);
+    m.ambient = of.ambient;
+    m.diffuse = of.diffuse;
+    m.highlight = of.highlight;
+    m.shininess = of.shininess;
+    m.reflectivity = of.reflectivity;
+    m.transparency = of.transparency;
+    return m;
+}
 
 /// Neighbours mostly lie on one material.
-HWY_INLINE Materials materials_of(const Flights& flights, std::size_t i) {
-    const FrozenMaterial* const* of = &flights.materials[i];
+HWY_INLINE MaterialRecord materials_of(const Flights& flights, std::size_t i) {
+    const glint::MaterialRecord* const* of = &flights.materials[i];
     bool one = true;
     for (std::size_t k = 1; k < lane_count; ++k) one &= of[k] == of[0];
-    return one ? Materials(**of) : Materials(of);
+    return one ? broadcast(**of) : gather(of);
+}
+
+/// What set_up() noted of the materials.
+HWY_INLINE MaterialRecord noted_materials(const Flights& f, std::size_t i) {
+    MaterialRecord m;
+    m.diffuse = load(f.diffuse, i);
+    m.highlight = load(f.highlight, i);
+    m.shininess = load(f.shininess, i);
+    m.reflectivity = load(f.reflectivity, i);
+    m.transparency = load(f.transparency, i);
+    return m;
+}
+
+HWY_INLINE SurfaceRecord surfaces_of(const Flights& f, std::size_t i) {
+    SurfaceRecord s;
+    s.p = load(f.p, i);
+    s.p_error = load(f.p_error, i);
+    s.v = load(f.v, i);
+    s.n_g = load(f.n_g, i);
+    s.n = load(f.n, i);
+    s.color = load(f.color, i);
+    s.lit_side = load(f.lit_side, i);
+    return s;
 }
 
 /// Rays of a vector, ray by ray: origin and tmin, direction and tmax.
@@ -92,9 +135,9 @@ struct RayGroups {
     alignas(64) float origins[4 * lane_count];
     alignas(64) float directions[4 * lane_count];
 
-    HWY_INLINE RayGroups(const vec3& origin, const vec3& direction, real tmax) {
-        interleave(origin, 0.0f, origins);
-        interleave(direction, tmax, directions);
+    HWY_INLINE explicit RayGroups(const SpawnedRay& ray) {
+        interleave(ray.origin, 0.0f, origins);
+        interleave(ray.direction, ray.tmax, directions);
     }
     HWY_INLINE void copy(std::size_t k, Ray& to) const {
         std::memcpy(&to.origin, origins + 4 * k, 4 * sizeof(float));
@@ -128,26 +171,6 @@ HWY_INLINE vec3 directions_of(const Ray* rays) {
 #endif
 }
 
-LightArrival arrival_from(const FrozenLight& light, const vec3& p, const vec3& n, const vec3& n_g) {
-    const vec3 strength(light.strength);
-    if (light.kind == LightKind::directional) {
-        LightArrival arrival;
-        arrival.direction = vec3(-light.direction);
-        arrival.cosine = light_cosine(n, n_g, arrival.direction);
-        arrival.arriving = directional_light_arriving(strength, arrival.cosine);
-        return arrival;
-    }
-    LightArrival arrival = arrival_from_point(vec3(light.position), strength, p, n, n_g);
-    if (light.kind == LightKind::spot)
-        arrival.arriving = arrival.arriving * spot_falloff(-dot(arrival.direction, vec3(light.direction)),
-                                                           light.cos_outer, light.cos_inner);
-    return arrival;
-}
-
-HWY_INLINE truth is_light(const vec3& arriving) {
-    return !((arriving.x == 0.0f) & (arriving.y == 0.0f) & (arriving.z == 0.0f));
-}
-
 /// The share of the light that passes what the shadow rays met.
 HWY_INLINE real shadow_factor(const Flights& flights, std::size_t i) {
     const hn::Rebind<std::uint8_t, RealTag> bytes;
@@ -169,7 +192,7 @@ void set_up(const FrozenScene&, Level level, Flights& f) {
         store(-direction, f.v, i);
         store(pick(entering, 1.0f, 0.0f), f.entering, i);
         store(real(1.0f), f.lit_side, i);
-        const Materials m = materials_of(f, i);
+        const MaterialRecord m = materials_of(f, i);
         store(m.color, f.color, i);
         store(m.diffuse, f.diffuse, i);
         store(m.highlight, f.highlight, i);
@@ -181,94 +204,57 @@ void set_up(const FrozenScene&, Level level, Flights& f) {
 
 void start_terms(const FrozenScene& scene, Level level, Flights& f) {
     for_vectors(level, [&](std::size_t i) {
-        const Materials m = materials_of(f, i);
+        const MaterialRecord m = materials_of(f, i);
         for (Flights::Vectors& term : f.terms) store(vec3(0.0f), term, i);
-        store(ambient_term(vec3(scene.ambient), load(f.color, i), m.ambient), row(f, Term::ambient), i);
+        const LocalTerms local = ambient_terms(vec3(scene.ambient), surfaces_of(f, i), m);
+        store(local.ambient, row(f, Term::ambient), i);
         store(m.emission, row(f, Term::emission), i);
     });
 }
 
-std::size_t aim(const FrozenScene&, const FrozenLight& light, Level level, Flights& f) {
-    const bool has_place = light.kind != LightKind::directional;
-    const float tmax = has_place ? 1.0f : std::numeric_limits<float>::infinity();
+std::size_t aim(const LightRecord& light, Level level, Flights& f) {
     std::size_t count = 0;
     for_vectors(level, [&](std::size_t i) {
-        const real side = load(f.lit_side, i);
-        const vec3 p = load(f.p, i);
-        const vec3 n_g = load(f.n_g, i);
-        const LightArrival arrival = arrival_from(light, p, load(f.n, i) * side, n_g * side);
-        const truth shines = (load(f.diffuse, i) > 0.0f) | (load(f.highlight, i) > 0.0f);
-        const vec3 arriving = pick(shines, arrival.arriving, vec3(0.0f));
-        const truth reached = is_light(arriving);
+        const SurfaceRecord s = surfaces_of(f, i);
+        const LightArrival arrival = light_arrival(light, s);
+        const truth reached = is_worth_shadow_ray(noted_materials(f, i), arrival);
         store(arrival.direction, f.to_light, i);
-        store(arriving, f.arriving, i);
+        store(pick(reached, arrival.arriving, vec3(0.0f)), f.arriving, i);
         count += hn::CountTrue(RealTag(), reached.m);
 
-        const vec3 origin = offset_ray_origin(p, load(f.p_error, i), n_g, arrival.direction);
-        const vec3 direction = has_place ? vec3(light.position) - origin : arrival.direction;
-        const RayGroups rays(origin, direction, pick(reached, tmax, -1.0f));
+        SpawnedRay ray = shadow_ray(light, s, arrival);
+        ray.tmax = pick(reached, ray.tmax, -1.0f);
+        const RayGroups rays(ray);
         for (std::size_t k = 0; k < lane_count; ++k) rays.copy(k, f.shadow_rays[i + k]);
     });
     return count;
 }
 
-void add_light(const FrozenScene& scene, Level level, Flights& f) {
-    const WhittedSettings& settings = scene.description.whitted;
+void add_light(const WhittedModes& modes, Level level, Flights& f) {
     for_vectors(level, [&](std::size_t i) {
-        const vec3 arriving = load(f.arriving, i);
-        const real factor = shadow_factor(f, i);
-        const truth lit = is_light(arriving) & (factor > 0.0f);
-        if (!any(lit)) return;
-        vec3 diffuse = diffuse_term(arriving, load(f.color, i), load(f.diffuse, i)) * factor;
-        if (settings.clamp) diffuse = limit_to_one(diffuse);
-        Flights::Vectors& diffuse_row = row(f, Term::diffuse);
-        const vec3 before = load(diffuse_row, i);
-        store(pick(lit, before + diffuse, before), diffuse_row, i);
-
-        const real k = load(f.highlight, i);
-        const truth glossy = lit & (k > 0.0f);
-        if (!any(glossy)) return;
-        const vec3 n = load(f.n, i) * load(f.lit_side, i);
-        const vec3 l = load(f.to_light, i);
-        const vec3 v = load(f.v, i);
-        const real m = load(f.shininess, i);
-        const real lobe = settings.highlight_model == HighlightModel::blinn ? blinn_lobe(n, l, v, m)
-                                                                            : phong_lobe(n, l, v, m);
-        Flights::Vectors& highlight_row = row(f, Term::highlight);
-        const vec3 dark = load(highlight_row, i);
-        store(pick(glossy, dark + highlight_term(arriving, k, lobe) * factor, dark), highlight_row, i);
+        LightArrival arrival;
+        arrival.direction = load(f.to_light, i);
+        arrival.arriving = load(f.arriving, i);
+        const ShownLight shown =
+            shown_light(modes, surfaces_of(f, i), noted_materials(f, i), arrival, shadow_factor(f, i));
+        add(shown.diffuse, row(f, Term::diffuse), i);
+        add(shown.highlight, row(f, Term::highlight), i);
     });
 }
 
-void limit_terms(const FrozenScene& scene, Level level, Flights& f) {
-    if (!scene.description.whitted.clamp) return;
-    for_vectors(level, [&](std::size_t i) {
-        const vec3 ambient = limit_to_range(load(row(f, Term::ambient), i));
-        const vec3 highlight = limit_to_range(load(row(f, Term::highlight), i));
-        const vec3 sum = (ambient + load(row(f, Term::diffuse), i)) + highlight;
-        store(ambient, row(f, Term::ambient), i);
-        store(highlight, row(f, Term::highlight), i);
-        store(limit_to_one(sum) - sum, row(f, Term::clamp), i);
-    });
+void limit_terms(const WhittedModes& modes, Level level, Flights& f) {
+    if (modes.clamp == 0) return;
+    for_vectors(level, [&](std::size_t i) { store(limited_terms(modes, local_terms(f, i)), f, i); });
 }
 
-std::size_t reflect(const FrozenScene& scene, Level level, std::size_t next, Flights& f) {
-    const bool balanced = scene.description.whitted.energy == Energy::balanced;
+std::size_t reflect(const WhittedModes& modes, Level level, std::size_t next, Flights& f) {
     const std::size_t first = next;
     for_vectors(level, [&](std::size_t i) {
-        const real weight = load(f.reflectivity, i);
-        const real transparency = load(f.transparency, i);
-        const truth mirror = (weight > 0.0f) & !(transparency > 0.0f);
+        const MaterialRecord m = noted_materials(f, i);
+        const truth mirror = m.reflectivity > 0.0f && !(m.transparency > 0.0f);
         if (!any(mirror)) return;
-        const real local = local_weight(weight, transparency, balanced);
-        for (const Term term : {Term::ambient, Term::diffuse, Term::highlight, Term::clamp}) {
-            const vec3 whole = load(row(f, term), i);
-            store(pick(mirror, whole * local, whole), row(f, term), i);
-        }
-        const vec3 n_g = load(f.n_g, i);
-        const vec3 direction = mirror_ray_direction(load(f.v, i), load(f.n, i), n_g);
-        const vec3 origin = offset_ray_origin(load(f.p, i), load(f.p_error, i), n_g, direction);
-        const RayGroups rays(origin, direction, std::numeric_limits<float>::infinity());
+        store(weighted_terms(local_terms(f, i), pick(mirror, local_weight(modes, m), 1.0f)), f, i);
+        const RayGroups rays(reflected_ray(surfaces_of(f, i)));
         // Each is written behind the last; what does not go on is written over.
         alignas(64) float goes_on[lane_count];
         lanes::store(pick(mirror, 1.0f, 0.0f), goes_on);

@@ -10,11 +10,8 @@ namespace glint {
 
 WhittedTracer::WhittedTracer(const FrozenScene& scene, const WhittedSettings& settings,
                              const CancelFlag* cancel, const KernelChoice& kernel)
-    : scene_(scene), settings_(settings), cancel_(cancel), kernel_(kernel),
+    : scene_(scene), settings_(settings), modes_(whitted_modes(settings)), cancel_(cancel), kernel_(kernel),
       shade_(&shade_kernels[row_of(kernel.target)]) {
-    darkness_.color = vec3(0.0f);
-    darkness_.ambient = 0;
-    darkness_.diffuse = 0;
     background_ = darkness_;
     background_.emission = scene.background;
 }
@@ -198,8 +195,8 @@ bool WhittedTracer::reaches(std::uint32_t index, const Surface& s, LightNode& no
     return shines && node.arriving != vec3(0.0f);
 }
 
-void WhittedTracer::arrive(const FrozenLight& light, const Surface& s, LightNode& node) const {
-    if (light.kind == LightKind::directional) {
+void WhittedTracer::arrive(const LightRecord& light, const Surface& s, LightNode& node) const {
+    if (light.kind == light_directional) {
         node.direction = -light.direction;
         node.distance = std::numeric_limits<float>::infinity();
         node.cosine = light_cosine(s.n * s.lit_side, s.n_g * s.lit_side, node.direction);
@@ -212,7 +209,7 @@ void WhittedTracer::arrive(const FrozenLight& light, const Surface& s, LightNode
     node.distance = arrival.distance;
     node.cosine = arrival.cosine;
     node.arriving = arrival.arriving;
-    if (light.kind == LightKind::spot)
+    if (light.kind == light_spot)
         node.arriving = node.arriving *
                         spot_falloff(-dot(node.direction, light.direction), light.cos_outer, light.cos_inner);
 }
@@ -220,11 +217,11 @@ void WhittedTracer::arrive(const FrozenLight& light, const Surface& s, LightNode
 // The ray to the light ends at t = 1 for a light with a place, so that "between" needs no tolerance.
 void WhittedTracer::aim(const Surface& s, const LightNode& light, Ray& ray) {
     ++counts_.shadow;
-    const FrozenLight& source = scene_.lights[light.light];
+    const LightRecord& source = scene_.lights[light.light];
     ray = Ray{};
     ray.origin = offset_ray_origin(s.point.p, s.point.p_error, s.n_g, light.direction);
     ray.direction = light.direction;
-    if (source.kind != LightKind::directional) {
+    if (source.kind != light_directional) {
         ray.direction = source.position - ray.origin;
         ray.tmax = 1.0f;
     }
@@ -245,7 +242,7 @@ float WhittedTracer::behind_blockers(const Ray& ray, const Surface& s, const Med
 
 void WhittedTracer::add_light(LightNode& light, const Surface& s, Terms& terms) const {
     if (!(light.shadow > 0.0f)) return;
-    const FrozenMaterial& m = *s.material;
+    const MaterialRecord& m = *s.material;
     light.diffuse = diffuse_term(light.arriving, s.color, m.diffuse) * light.shadow;
     if (settings_.clamp) light.diffuse = limit_to_one(light.diffuse);
     terms[Term::diffuse] = terms[Term::diffuse] + light.diffuse;
@@ -297,7 +294,7 @@ bool WhittedTracer::goes_on(const Path& path, const Surface& s, int node) const 
 
 /// Weighs the local terms, and says what the branches will weigh.
 WhittedTracer::Split WhittedTracer::split_at(const Path& path, const Surface& s, Terms& terms, int node) {
-    const FrozenMaterial& m = *s.material;
+    const MaterialRecord& m = *s.material;
     const float local = local_weight(m.reflectivity, m.transparency, settings_.energy == Energy::balanced);
     for (const Term term : {Term::ambient, Term::diffuse, Term::highlight, Term::clamp})
         terms[term] = terms[term] * local;
@@ -342,7 +339,7 @@ bool WhittedTracer::refract(const Surface& s, const vec3& n, Split& split) const
     if (split.total) return false;
     split.direction = refracted_direction(s.v, n, eta, discriminant);
     if (!(dot(split.direction, s.n_g) < 0.0f) && n != s.n_g) return false;
-    if (s.material->fresnel) {
+    if ((s.material->flags & material_fresnel) != 0) {
         const float kept = s.material->reflectivity + s.material->transparency;
         const float share =
             fresnel_reflectance(cosine, sqrt(discriminant), split.index_before, split.index_after);

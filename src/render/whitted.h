@@ -52,7 +52,7 @@ class WhittedTracer {
     /// A hit, ready to be shaded.
     struct Surface {
         SurfacePoint point;
-        const FrozenMaterial* material = nullptr;
+        const MaterialRecord* material = nullptr;
         std::uint32_t object = 0;
         vec3 v{0.0f};          ///< to the viewer
         vec3 n_g{0.0f};        ///< geometric normal toward the viewer
@@ -85,7 +85,7 @@ class WhittedTracer {
     void choose_materials(Level level);
     bool is_special(std::uint32_t object) const;
     void set_up_alone(std::size_t i);
-    void add_light(const FrozenLight& light, Level level);
+    void add_light(const LightRecord& light, Level level);
     Level grow(Level level, int depth);
     void cross_alone(std::size_t i, int depth, Level& next);
     void launch(const Path& path, std::size_t parent, Term term, float weight, Level& next);
@@ -108,7 +108,7 @@ class WhittedTracer {
     bool holds_media(std::uint32_t object) const;
     void start_terms(const Surface& surface, Terms& terms) const;
     bool reaches(std::uint32_t index, const Surface& surface, LightNode& node) const;
-    void arrive(const FrozenLight& light, const Surface& surface, LightNode& node) const;
+    void arrive(const LightRecord& light, const Surface& surface, LightNode& node) const;
     void aim(const Surface& surface, const LightNode& light, Ray& ray);
     float behind_blockers(const Ray& ray, const Surface& surface, const Media* media,
                           ShadowNode* record = nullptr);
@@ -132,6 +132,7 @@ class WhittedTracer {
 
     const FrozenScene& scene_;
     const WhittedSettings settings_;
+    const WhittedModes modes_;
     const CancelFlag* cancel_;
     const KernelChoice kernel_;
     MediaArena arena_;
@@ -139,8 +140,8 @@ class WhittedTracer {
     RayCounts counts_;
     RayTree* record_ = nullptr;
     const ShadeKernels* shade_;
-    FrozenMaterial background_; ///< what is behind everything, as if it were a surface
-    FrozenMaterial darkness_;
+    MaterialRecord background_{}; ///< what is behind everything, as if it were a surface
+    MaterialRecord darkness_{};
     std::unique_ptr<Flights> flights_; ///< made for the first batch, used again and again
     std::vector<Level> levels_;
     World::Scratch scratch_;

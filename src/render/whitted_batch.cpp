@@ -50,8 +50,8 @@ void WhittedTracer::estimate(std::span<const CameraSample> samples, std::span<Ch
         if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
         levels_.push_back(level);
         find_hits(level);
-        for (const FrozenLight& light : scene_.lights) add_light(light, level);
-        shade_->limit_terms(scene_, level, *flights_);
+        for (const LightRecord& light : scene_.lights) add_light(light, level);
+        shade_->limit_terms(modes_, level, *flights_);
         level = grow(level, static_cast<int>(levels_.size()) - 1);
     }
     gather();
@@ -105,9 +105,9 @@ void WhittedTracer::find_hits(Level level) {
 void WhittedTracer::choose_materials(Level level) {
     Flights& f = *flights_;
     const FrozenObject* objects = scene_.objects.data();
-    const FrozenMaterial* materials = scene_.materials.data();
+    const MaterialRecord* materials = scene_.materials.data();
     for (std::size_t i = level.first; i < level.first + level.count; ++i) {
-        const FrozenMaterial* nothing = f.media[i] == nullptr ? &background_ : &darkness_;
+        const MaterialRecord* nothing = f.media[i] == nullptr ? &background_ : &darkness_;
         f.materials[i] = f.hits[i] ? &materials[objects[f.hits[i].object].material] : nothing;
     }
     std::fill(&f.materials[level.first + level.count], f.materials.data() + level.end(), &darkness_);
@@ -131,9 +131,9 @@ void WhittedTracer::set_up_alone(std::size_t i) {
 }
 
 /// Adds one light to all flights that it can reach.
-void WhittedTracer::add_light(const FrozenLight& light, Level level) {
+void WhittedTracer::add_light(const LightRecord& light, Level level) {
     Flights& f = *flights_;
-    const std::size_t count = shade_->aim(scene_, light, level, f);
+    const std::size_t count = shade_->aim(light, level, f);
     if (count == 0) return;
     counts_.shadow += count;
     scene_.world.occluded(part(f.shadow_rays, level), part(f.blocked, level), RayHint::coherent, scratch_,
@@ -147,7 +147,7 @@ void WhittedTracer::add_light(const FrozenLight& light, Level level) {
                                ? behind_blockers(f.shadow_rays[i], surface_of(i), f.media[i])
                                : 0.0f;
         }
-    shade_->add_light(scene_, level, f);
+    shade_->add_light(modes_, level, f);
 }
 
 /// Launches the branches of a level: the next level.
@@ -159,7 +159,7 @@ Level WhittedTracer::grow(Level level, int depth) {
         for (std::size_t i = level.first; i < level.first + level.count; ++i) branch_alone(i, depth);
         return next;
     }
-    next.count = shade_->reflect(scene_, level, next.first, *flights_);
+    next.count = shade_->reflect(modes_, level, next.first, *flights_);
     counts_.reflected += next.count;
     if (scene_.any_transparent)
         for (std::size_t i = level.first; i < level.first + level.count; ++i)

@@ -10,8 +10,8 @@
 namespace glint {
 namespace {
 
-FrozenMaterial freeze_material(const Material& m) {
-    FrozenMaterial f;
+MaterialRecord material_record(const Material& m) {
+    MaterialRecord f{};
     f.color = vec3(m.color);
     f.emission = vec3(m.emission);
     f.absorption = vec3(m.absorption);
@@ -22,29 +22,29 @@ FrozenMaterial freeze_material(const Material& m) {
     f.reflectivity = static_cast<float>(m.reflectivity);
     f.transparency = static_cast<float>(m.transparency);
     f.index = static_cast<float>(m.index);
-    f.fresnel = m.fresnel;
+    if (m.fresnel) f.flags |= material_fresnel;
     return f;
 }
 
-FrozenLight freeze_light(const PointLight& l) {
-    FrozenLight f;
-    f.kind = LightKind::point;
+LightRecord light_record(const PointLight& l) {
+    LightRecord f{};
+    f.kind = light_point;
     f.position = vec3(l.position);
     f.strength = vec3(l.color * l.intensity);
     return f;
 }
 
-FrozenLight freeze_light(const DirectionalLight& l) {
-    FrozenLight f;
-    f.kind = LightKind::directional;
+LightRecord light_record(const DirectionalLight& l) {
+    LightRecord f{};
+    f.kind = light_directional;
     f.direction = vec3(glm::normalize(l.direction));
     f.strength = vec3(l.color * l.irradiance);
     return f;
 }
 
-FrozenLight freeze_light(const SpotLight& l) {
-    FrozenLight f;
-    f.kind = LightKind::spot;
+LightRecord light_record(const SpotLight& l) {
+    LightRecord f{};
+    f.kind = light_spot;
     f.position = vec3(l.position);
     f.direction = vec3(glm::normalize(l.direction));
     f.strength = vec3(l.color * l.intensity);
@@ -58,10 +58,10 @@ void freeze_lights(FrozenScene& scene) {
     scene.lights.clear();
     for (const Light& light : scene.description.lights) {
         if (const auto* a = std::get_if<AmbientLight>(&light.kind)) ambient += a->color;
-        if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(freeze_light(*p));
+        if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(light_record(*p));
         if (const auto* d = std::get_if<DirectionalLight>(&light.kind))
-            scene.lights.push_back(freeze_light(*d));
-        if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(freeze_light(*s));
+            scene.lights.push_back(light_record(*d));
+        if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(light_record(*s));
     }
     scene.ambient = vec3(ambient);
 }
@@ -91,7 +91,7 @@ void freeze_values(FrozenScene& scene) {
     scene.all_but_view = std::make_shared<int>();
     scene.any_transparent = shows_glass(description);
     scene.materials.clear();
-    for (const Material& m : description.materials) scene.materials.push_back(freeze_material(m));
+    for (const Material& m : description.materials) scene.materials.push_back(material_record(m));
     freeze_lights(scene);
     scene.background = vec3(description.render.background);
     scene.index_outside = static_cast<float>(description.whitted.index);

@@ -3,6 +3,7 @@
 
 #include "glint/scene.h"
 #include "math/vec.h"
+#include "shading/records.shared.h"
 #include "trace/world.h"
 
 #include <cmath>
@@ -11,20 +12,6 @@
 #include <vector>
 
 namespace glint {
-
-struct FrozenMaterial {
-    vec3 color{0.8f};
-    vec3 emission{0.0f};
-    vec3 absorption{0.0f};
-    float ambient = 1;
-    float diffuse = 1;
-    float highlight = 0;
-    float shininess = 32;
-    float reflectivity = 0;
-    float transparency = 0;
-    float index = 1.5f;
-    bool fresnel = false;
-};
 
 /// What shading needs of a mesh beside its triangles, once for all its instances.
 struct MeshAttributes {
@@ -57,17 +44,6 @@ struct FrozenObject {
     std::int32_t normal_matrix = no_normal_matrix; ///< index into FrozenScene::normal_matrices
 };
 
-enum class LightKind { point, directional, spot };
-
-struct FrozenLight {
-    LightKind kind = LightKind::point;
-    vec3 position{0.0f};
-    vec3 direction{0.0f}; ///< unit, the way the light travels
-    vec3 strength{0.0f};  ///< colour × intensity, or × irradiance
-    float cos_outer = 0;
-    float cos_inner = 0;
-};
-
 /// A solid plane: what lies behind its normal is inside.
 struct HalfSpace {
     std::uint32_t object = 0;
@@ -79,11 +55,11 @@ struct FrozenScene {
     /// Scenes that with_view() made of each other have the same; all else is equal in them.
     std::shared_ptr<const int> all_but_view;
     World world;
-    std::vector<FrozenMaterial> materials;
+    std::vector<MaterialRecord> materials;
     std::vector<FrozenObject> objects;
     std::vector<MeshAttributes> attributes;
     std::vector<dmat3> normal_matrices; ///< of instances, from the mesh's space to the world
-    std::vector<FrozenLight> lights;    ///< all but ambient, in the order of the file
+    std::vector<LightRecord> lights;    ///< all but ambient, in the order of the file
     vec3 ambient{0.0f};                 ///< sum of the ambient lights
     vec3 background{0.0f};
     float index_outside = 1;
@@ -92,6 +68,16 @@ struct FrozenScene {
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_media; ///< transparent solids around the eye, lowest rank first
 };
+
+/// The settings as the steps of shading/whitted_steps.shared.h take them.
+inline WhittedModes whitted_modes(const WhittedSettings& settings) {
+    WhittedModes modes{};
+    modes.opaque_shadows = settings.shadows == Shadows::opaque ? 1 : 0;
+    modes.clamp = settings.clamp ? 1 : 0;
+    modes.balanced = settings.energy == Energy::balanced ? 1 : 0;
+    modes.highlight = settings.highlight_model == HighlightModel::phong ? highlight_phong : highlight_blinn;
+    return modes;
+}
 
 /// The objects whose surfaces a ray from the point crosses an odd number of times: what is around it, if
 /// closed. Planes do not count.

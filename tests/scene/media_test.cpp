@@ -12,7 +12,7 @@ FrozenScene balls(const std::vector<std::uint32_t>& ranks) {
     FrozenScene scene;
     scene.index_outside = 1.05f;
     for (std::uint32_t i = 0; i < ranks.size(); ++i) {
-        FrozenMaterial m;
+        MaterialRecord m{};
         m.transparency = 1;
         m.index = 1 + static_cast<float>(i) / 10;
         scene.materials.push_back(m);
