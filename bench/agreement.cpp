@@ -1,3 +1,5 @@
+// Running a peer over all batches, and counting differences.
+
 #include "agreement.h"
 
 #include <bit>

@@ -1,5 +1,5 @@
 #pragma once
-// Whether peers say the same.
+// Comparing the results of peers.
 
 #include "jobs.h"
 
@@ -7,14 +7,15 @@
 
 namespace glint::bench {
 
-/// What one peer answers to the whole job.
+/// Results of one peer for a whole job.
 Answers answers_of(const Job& job, const Peer& peer);
 
-/// Answers with a bit that differs.
+/// Number of results that are not bitwise equal.
 std::uint64_t different_bits(const Answers& a, const Answers& b);
 
-/// Answers that differ by more than rounding: hit or not, blocked or not, t beyond 10⁻⁴ of it, a pixel beyond
-/// 1/255. Which of two triangles at one t was met does not count.
+/// Number of results that differ by more than rounding: hit against miss, blocked against free, t by more
+/// than a factor of 1 ± 10⁻⁴, or a pixel by more than 1/255. Different triangles at the same t count as
+/// equal.
 std::uint64_t different_answers(const Answers& a, const Answers& b);
 
 } // namespace glint::bench

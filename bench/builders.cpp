@@ -1,3 +1,5 @@
+// Measuring time and memory of builds through child processes.
+
 #include "builders.h"
 
 #include "peer.h"
@@ -14,7 +16,7 @@
 namespace glint::bench {
 namespace {
 
-/// A line of /proc/self/status in bytes: "VmRSS", "VmHWM".
+/// Reads a line of /proc/self/status, such as "VmRSS" or "VmHWM", in bytes.
 std::int64_t status_bytes(const std::string& name) {
     std::ifstream in("/proc/self/status");
     std::string word;
@@ -27,7 +29,7 @@ std::int64_t status_bytes(const std::string& name) {
     return 0;
 }
 
-/// Forgets the highest memory use so far; false where the system does not let us.
+/// Resets the peak memory counter; returns false if the system forbids it.
 bool reset_peak() {
     std::ofstream out("/proc/self/clear_refs");
     out << "5" << std::flush;

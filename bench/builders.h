@@ -1,5 +1,5 @@
 #pragma once
-// Builds timed one by one, each in a process of its own: nothing that went before helps or hinders.
+// Timing of builds, each in a new process so that nothing is warm from before.
 
 #include "model.h"
 
@@ -11,11 +11,11 @@
 
 namespace glint::bench {
 
-/// What a build leaves.
+/// Result of a build.
 struct Built {
-    std::shared_ptr<const void> kept; ///< alive until memory has been measured
+    std::shared_ptr<const void> kept; ///< keeps the tree alive until its memory is measured
     double cpu = 0;                   ///< seconds
-    std::int64_t own_bytes = 0; ///< held by tree and leaves, by the library's own count; without the vertices
+    std::int64_t own_bytes = 0; ///< memory of nodes and leaves as reported by the library, without vertices
 };
 
 struct Builder {
@@ -24,22 +24,21 @@ struct Builder {
 };
 
 std::vector<Builder> our_builders();
-std::vector<Builder> embree_builders(); ///< none without Embree
+std::vector<Builder> embree_builders(); ///< empty without Embree
 
-/// What one process found.
+/// Measurements of one process.
 struct BuildFigures {
     double cpu = 0;              ///< seconds
     std::int64_t own_bytes = 0;  ///< as above
-    std::int64_t held_bytes = 0; ///< more resident memory after the build than before it
-    std::int64_t peak_bytes =
-        0; ///< the most at any time of the build, less what there was before; −1: unknown
+    std::int64_t held_bytes = 0; ///< increase of resident memory by the build
+    std::int64_t peak_bytes = 0; ///< increase of peak resident memory during the build; −1 if unknown
 };
 
-/// Loads the file, builds, and writes the figures to stdout: what the processes below do. Returns false for
-/// an unknown builder.
+/// Loads the file, builds, and writes the figures to stdout; run by the child process. Returns false for an
+/// unknown builder.
 bool build_and_report(const std::string& builder, const std::string& file);
 
-/// Starts this program anew and reads what it reports. Throws std::runtime_error if it fails.
+/// Runs this program as a child process and reads its report. Throws std::runtime_error on failure.
 BuildFigures build_in_new_process(const std::string& builder, const std::string& file);
 
 } // namespace glint::bench

@@ -1,4 +1,4 @@
-// Embree 3 as a peer: plain rays in, plain hits out, the conversion to its layouts included.
+// Embree 3 as a peer, including the conversion of rays and hits to its layouts.
 
 #include "embree_scene.h"
 #include "peer.h"

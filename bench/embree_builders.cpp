@@ -1,3 +1,5 @@
+// Embree's builders.
+
 #include "builders.h"
 #include "embree_scene.h"
 

@@ -1,3 +1,5 @@
+// Building a scene with Embree.
+
 #include "embree_scene.h"
 
 #include "rounds.h"
@@ -22,7 +24,7 @@ EmbreeScene::EmbreeScene(const Mesh& mesh, const EmbreeOptions& options) : devic
     rtcSetSceneBuildQuality(scene_, quality);
     rtcSetSceneFlags(scene_, options.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
 
-    // Its own copy of the vertices: it reads beyond the last one.
+    // Embree gets its own copy of the vertices, as it reads beyond the last one.
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                              sizeof(glm::vec3), mesh.positions.size());

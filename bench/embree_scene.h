@@ -1,5 +1,5 @@
 #pragma once
-// A mesh in Embree, on one thread. Owns device and scene.
+// A mesh in Embree, built on one thread. Owns device and scene.
 
 #include "glint/scene.h"
 
@@ -12,21 +12,21 @@
 namespace glint::bench {
 
 struct EmbreeOptions {
-    bool high = true; ///< the quality: HIGH or MEDIUM
+    bool high = true; ///< build quality: HIGH, otherwise MEDIUM
     bool robust = false;
-    std::string isa; ///< the most to use, as "avx2"; empty: all that the machine has
+    std::string isa; ///< maximum instruction set, such as "avx2"; empty: no limit
 };
 
 class EmbreeScene {
   public:
-    /// Builds at once. `mesh` must outlive it.
+    /// Builds immediately. `mesh` must outlive the scene.
     EmbreeScene(const Mesh& mesh, const EmbreeOptions& options);
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
     RTCScene handle() const { return scene_; }
-    /// What Embree itself says that its trees hold, vertices aside.
+    /// Memory of the BVH as reported by Embree, without vertices.
     std::int64_t bytes() const { return bytes_; }
     /// CPU seconds of the build, vertices and device aside.
     double build_seconds() const { return build_seconds_; }

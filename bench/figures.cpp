@@ -1,3 +1,5 @@
+// Medians and ratios.
+
 #include "figures.h"
 
 #include <cmath>
@@ -5,7 +7,7 @@
 namespace glint::bench {
 namespace {
 
-/// The median over rounds of what `value` gives for each.
+/// Median over the rounds of value(round).
 template <class Value>
 double median_over(std::size_t rounds, Value&& value) {
     std::vector<double> values;
@@ -13,7 +15,7 @@ double median_over(std::size_t rounds, Value&& value) {
     return median(std::move(values));
 }
 
-/// Embree's builder with the purpose of one of ours; empty if there is none.
+/// Name of Embree's builder that corresponds to one of glint's; empty if there is none.
 std::string opponent(const std::string& builder) {
     if (builder == "glint fast") return "Embree MEDIUM";
     if (builder == "glint high") return "Embree HIGH";

@@ -1,34 +1,35 @@
 #pragma once
-// Medians and ratios of what was measured.
+// Medians and ratios of the measurements.
 
 #include "report.h"
 
 namespace glint::bench {
 
-/// Mrays a CPU second: the median over the rounds.
+/// Median over the rounds of Mrays per CPU second.
 double median_rate(const SetResult& set, std::size_t peer);
 
-/// The fastest peer of a group by median_rate(); 0, ours, where the group has none.
+/// Index of the fastest peer of a group by median_rate(); 0, which is glint, if the group is empty.
 std::size_t best_of(const SetResult& set, Group group);
 
-/// The median over the rounds of our rate ÷ the peer's; 0 for ourselves.
+/// Median over the rounds of glint's rate ÷ the peer's; 0 for glint itself.
 double median_ratio(const SetResult& set, std::size_t peer);
 
 double geometric_mean(const std::vector<double>& values);
 
-/// Ours on two threads against one, a wall second. Only rounds that had two cores tell: CPU ÷ wall ≥ 1.9.
+/// glint on two threads against one, in wall time. Only rounds that really had two cores count: CPU ÷ wall ≥
+/// 1.9.
 struct ThreadFigures {
     double one = 0; ///< Mrays a wall second
     double two = 0;
-    double ratio = 0; ///< 0 where no round had two cores
+    double ratio = 0; ///< 0 if no round had two cores
     double cores = 0; ///< CPU ÷ wall, median of all rounds
     std::size_t full_rounds = 0;
     std::size_t rounds = 0;
 };
 ThreadFigures thread_figures(const SetResult& set);
 
-/// Medians of a builder: Mtri a CPU second, bytes a triangle, and the ratio of its rate to that of Embree's
-/// builder of the same purpose, 0 where there is none.
+/// Medians of a builder: Mtri per CPU second, bytes a triangle, and the ratio of its rate to that of Embree's
+/// corresponding builder, 0 if there is none.
 struct BuildMedians {
     double rate = 0;
     double ratio = 0;

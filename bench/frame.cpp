@@ -1,3 +1,5 @@
+// Rendering a frame with camera, shadow and mirror rays.
+
 #include "frame.h"
 
 #include "rays.h"
@@ -12,7 +14,7 @@ namespace {
 constexpr std::size_t tile_pixels = 64;
 constexpr int tile_side = 8;
 
-/// Up to 64 rays and the pixels that they are for.
+/// Up to 64 rays and their pixels.
 struct TileRays {
     std::array<Ray, tile_pixels> rays;
     std::array<std::size_t, tile_pixels> pixel;
@@ -29,7 +31,8 @@ float diffuse(const Start& start, const vec3& light) {
     return std::max(0.0f, glm::dot(start.normal, glm::normalize(light - start.origin)));
 }
 
-/// Camera rays, the shadow and the mirror image of each hit; what a mirror shows is lit without shadows.
+/// A tile: camera rays, then a shadow ray and a mirror ray for each hit; mirror hits are shaded without
+/// shadows.
 class Tile {
   public:
     Tile(const Model& model, int size, std::size_t number) : model_(model) {
@@ -90,7 +93,7 @@ Job frame_job(const Model& model, const tracing::Mesh& reference, const JobOptio
         Tile(model, size, number).render(peer, answers.image.data() + number * tile_pixels);
     };
 
-    // Every peer is credited with the rays of the reference.
+    // All peers are credited with the reference's number of rays.
     const Peer counter = our_peer(reference);
     std::array<float, tile_pixels> pixels;
     for (std::size_t number = 0; number < job.batches; ++number) {

@@ -1,5 +1,5 @@
 #pragma once
-// The set `frame`: pictures in tiles of 64 pixels, traced and shaded as a renderer would.
+// The set `frame`: pictures traced and shaded in tiles of 64 pixels, as a renderer does.
 
 #include "jobs.h"
 

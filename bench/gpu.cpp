@@ -1,4 +1,4 @@
-// glint-bench-gpu: what a graphics card does, as tables.
+// glint-bench-gpu: tables of the speed of a graphics card.
 
 #include "gpu_frames.h"
 #include "gpu_rays.h"
@@ -30,8 +30,8 @@ struct Options {
     double triangles = 10e6;
 };
 
-// What a step reads and computes, counted in gpu/shaders/trace.glsl: a node's 96 bytes and the boxes of its
-// eight children; a triangle's three corners with their numbers, the shear and the three signs.
+// Memory traffic and operations of a traversal step, counted in gpu/shaders/trace.glsl: 96 bytes a node and
+// eight box tests; for a triangle, three corners with their indices, the shear and three edge functions.
 constexpr double bytes_of_node = 96;
 constexpr double bytes_of_triangle = 44;
 constexpr double operations_of_node = 410;
@@ -123,7 +123,7 @@ void print_frames(const Options& options, GpuRenderer& renderer, const std::vect
 }
 
 int run(const Options& options) {
-    frame_size(options); // a wrong one is better told before minutes of work
+    frame_size(options); // report an invalid size before minutes of work
     const GpuContext context(options.device);
     GpuRenderer renderer(options.device);
     std::cout << context.device().name << "; " << context.device().driver << "\n" << std::flush;

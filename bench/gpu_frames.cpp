@@ -1,3 +1,5 @@
+// Rendering and comparing whole pictures.
+
 #include "gpu_frames.h"
 
 #include "glint/formats.h"
@@ -24,7 +26,8 @@ FrameResult measure_frame_of(GpuRenderer& renderer, const std::string& name, Sce
     result.triangles = frozen.stats().triangles;
     try {
         renderer.prepare(frozen);
-        const Picture first = renderer.render(); // the driver compiles, and the renderer learns its pace
+        const Picture first =
+            renderer.render(); // warm-up: the driver compiles, and the renderer adapts its dispatch size
         result.rays = first.stats.rays();
         result.far = compare(first.image, render(frozen).image, 1.0 / 255, 1).share;
         std::vector<double> device, whole;
@@ -75,7 +78,7 @@ SceneDescription field_of(const Model& model, double triangles) {
         object.transform[3][1] = apart * (i / side);
         scene.objects.push_back(object);
     }
-    scene.camera.reset(); // framed
+    scene.camera.reset(); // so that the scene is framed
     const double middle = 0.5 * apart * (side - 1);
     PointLight light;
     light.position = Vec3(middle, middle, apart * side);

@@ -1,5 +1,5 @@
 #pragma once
-// Whole pictures on a graphics card.
+// Rendering whole pictures on a graphics card.
 
 #include "glint/gpu.h"
 #include "model.h"
@@ -13,10 +13,10 @@ struct FrameResult {
     std::string scene;
     std::uint64_t triangles = 0;
     std::uint64_t rays = 0;
-    double device_seconds = 0; ///< medians of the rounds
-    double whole_seconds = 0;  ///< with sending work and reading the picture back
-    double far = 0;            ///< share of the pixels beyond 1/255 of the CPU's
-    std::string fault;         ///< why there are no figures
+    double device_seconds = 0; ///< median over the rounds
+    double whole_seconds = 0;  ///< including dispatches and reading back
+    double far = 0;            ///< fraction of pixels that differ from the CPU's by more than 1/255
+    std::string fault;         ///< reason if there are no figures
 };
 
 struct FrameSize {
@@ -24,15 +24,15 @@ struct FrameSize {
     int height = 1080;
 };
 
-/// One ray a pixel, of scenes whose meshes are there.
+/// Renders with one sample a pixel. The meshes of the scene must exist.
 FrameResult measure_frame_of(GpuRenderer& renderer, const std::string& name, SceneDescription scene,
                              const FrameSize& size, int rounds);
 
-/// All scene files of a folder, in the order of their names.
+/// Measures all scene files of a folder, sorted by name.
 std::vector<FrameResult> measure_folder(GpuRenderer& renderer, const std::string& folder,
                                         const FrameSize& size, int rounds);
 
-/// The mesh again and again in a square field, until there are about so many triangles; one mesh in memory.
+/// Instances of the mesh in a square grid with about `triangles` triangles in total.
 SceneDescription field_of(const Model& model, double triangles);
 
 } // namespace glint::bench

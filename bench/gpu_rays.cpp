@@ -1,3 +1,5 @@
+// Tracing sets of rays on the device and comparing them with the CPU.
+
 #include "gpu_rays.h"
 
 #include "agreement.h"
@@ -10,7 +12,7 @@
 namespace glint::bench {
 namespace {
 
-/// Steps of all rays that were traced.
+/// Traversal steps of all traced rays.
 struct Steps {
     std::uint64_t nodes = 0;
     std::uint64_t shapes = 0;
@@ -29,7 +31,7 @@ std::vector<GpuHit> trace(GpuRays& device, std::span<const Ray> rays, bool any, 
     return hits;
 }
 
-/// The device as it stands beside the CPU.
+/// The device as a peer.
 Peer gpu_peer(GpuRays& device, Steps* steps = nullptr) {
     Peer peer;
     peer.name = "GPU";
@@ -118,7 +120,7 @@ std::vector<GpuSetResult> measure_gpu_rays(const GpuContext& context, GpuRendere
     const Scene scene = freeze(scene_of(model, options.size));
     GpuRays timed(context, scene.frozen(), false);
     GpuRays counted(context, scene.frozen(), true);
-    // As many rays at once as a buffer of the device holds.
+    // Batches as large as a buffer of the device allows.
     JobOptions whole = options;
     whole.batch =
         std::min<std::size_t>(context.device().largest_buffer / sizeof(GpuRay), std::size_t{1} << 22);

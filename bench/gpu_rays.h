@@ -1,5 +1,5 @@
 #pragma once
-// The sets of rays on a graphics card.
+// Tracing the sets of rays on a graphics card.
 
 #include "gpu/context.h"
 #include "jobs.h"
@@ -10,18 +10,18 @@
 
 namespace glint::bench {
 
-/// What a set took, and what each of its rays needed.
+/// Time and traversal steps of a set.
 struct GpuSetResult {
     std::string set;
     std::uint64_t rays = 0;
-    double seconds = 0; ///< that the device worked, median of the rounds
-    double nodes = 0;   ///< a ray; 0 for `frame`, which is not counted
+    double seconds = 0; ///< device time, median over the rounds
+    double nodes = 0;   ///< nodes a ray; 0 for `frame`, where they are not counted
     double triangles = 0;
-    std::uint64_t differences = 0; ///< answers unlike the CPU's; pixels beyond 1/255 for `frame`
+    std::uint64_t differences = 0; ///< results that differ from the CPU's; for `frame`, pixels beyond 1/255
 };
 
-/// primary, shadow, ao and bounce as they are for the CPU; `frame` as a picture of the renderer with a
-/// shadow ray and a mirror ray for each hit. options.batch does not count.
+/// Measures primary, shadow, ao and bounce with the rays of the CPU, and `frame` as a rendered picture with a
+/// shadow ray and a mirror ray for each hit. options.batch is ignored.
 std::vector<GpuSetResult> measure_gpu_rays(const GpuContext& context, GpuRenderer& renderer,
                                            const Model& model, const JobOptions& options, int rounds);
 

@@ -1,3 +1,5 @@
+// Making the sets of rays.
+
 #include "jobs.h"
 
 #include "frame.h"
@@ -14,7 +16,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Cosine-distributed about the normal: draw number `index` of ray `key`.
+/// Cosine-distributed direction about the normal: sample `index` of ray `key`.
 vec3 cosine_direction(const vec3& normal, uint key, uint index) {
     const vec2 draw = sample_pair(key, index, 0);
     const vec3 aside = glm::normalize(
@@ -44,7 +46,7 @@ std::vector<Ray> scattered_rays(const FirstHits& first, uint count, uint key, fl
     return rays;
 }
 
-/// Rays already there, asked for in batches.
+/// A job over precomputed rays in batches.
 Job ray_job(const std::string& name, std::vector<Ray> made, bool any, RayHint hint, std::size_t batch) {
     const auto rays = std::make_shared<const std::vector<Ray>>(std::move(made));
     Job job{name, rays->size(), (rays->size() + batch - 1) / batch, {}, {}};

@@ -1,4 +1,4 @@
-// glint-bench: what a CPU second buys, here and elsewhere.
+// glint-bench: tracing and building rates of glint and Embree per CPU second.
 
 #include "agreement.h"
 #include "report.h"
@@ -22,7 +22,7 @@ SetResult measure_set(const Job& job, const std::vector<Peer>& peers, const std:
     return result;
 }
 
-/// Builders take turns as peers do.
+/// Builders alternate like peers.
 std::vector<BuildResult> measure_builds(const Model& model, int rounds) {
     std::vector<BuildResult> results;
     for (const auto& all : {our_builders(), embree_builders()})

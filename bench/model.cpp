@@ -1,3 +1,5 @@
+// Loading, generating and framing models.
+
 #include "model.h"
 
 #include "glint/formats.h"
@@ -12,12 +14,12 @@
 namespace glint::bench {
 namespace {
 
-/// What a .cam file says: lines of a word and its numbers.
+/// Contents of a .cam file: lines of a keyword and its numbers.
 struct CameraFile {
     vec3 eye{0.0f};
     vec3 target{0.0f};
     vec3 up{0.0f, 1.0f, 0.0f};
-    float fov = 45.0f; ///< degrees, over the picture's height
+    float fov = 45.0f; ///< degrees, vertical
 };
 
 CameraFile read_camera(const std::string& path) {
@@ -50,10 +52,10 @@ Camera looking(const vec3& eye, const vec3& forward, const vec3& up, float fov) 
     return camera;
 }
 
-/// From above and in front, as near as shows all of it.
+/// A camera from above and in front, as close as shows all of the mesh.
 Camera framing(const Mesh& mesh, const Bounds& bounds) {
     const vec3 extent = bounds.extent();
-    // What lies flat has its z axis up, as landscapes do; scans have y up.
+    // Flat models such as landscapes have z up; scans have y up.
     const bool flat = extent.z < 0.5f * std::min(extent.x, extent.y);
     const vec3 back = glm::normalize(flat ? vec3(0.5f, -0.9f, 0.45f) : vec3(0.5f, 0.4f, 1.0f));
     const vec3 center = (bounds.lo + bounds.hi) * 0.5f;

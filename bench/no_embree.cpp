@@ -1,4 +1,4 @@
-// What stands for Embree where it is not installed.
+// Replaces the Embree peers in builds without Embree.
 
 #include "builders.h"
 #include "peer.h"

@@ -1,4 +1,5 @@
-// glint-bench-odd-rays: what rays cost that a careless caller may send, against the rays they were made of.
+// glint-bench-odd-rays: cost of unusual rays, such as zero components or huge origins, relative to the
+// ordinary rays they are made from.
 
 #include "model.h"
 #include "peer.h"
@@ -22,8 +23,8 @@ constexpr std::size_t batch = 4096;
 constexpr int rounds = 9;
 constexpr int picture_size = 512;
 
-/// A way to spoil a ray.
-struct Oddity {
+/// A modification of a ray.
+struct RayChange {
     const char* name;
     void (*spoil)(Ray& ray);
 };
@@ -33,7 +34,7 @@ void scale_direction(Ray& ray) {
     for (float& d : ray.direction) d = std::ldexp(d, power);
 }
 
-const Oddity oddities[] = {
+const RayChange changes[] = {
     {"NaN in the origin", [](Ray& ray) { ray.origin[1] = std::nanf(""); }},
     {"infinite origin", [](Ray& ray) { ray.origin[0] = -infinity; }},
     {"NaN in the direction", [](Ray& ray) { ray.direction[2] = std::nanf(""); }},
@@ -66,7 +67,7 @@ double seconds_of(const Peer& peer, const std::vector<Ray>& rays, bool any, RayH
     return thread_seconds() - start;
 }
 
-/// The median over the rounds of what the odd rays take, in units of what the plain ones take.
+/// Median over the rounds of the time of modified rays ÷ that of ordinary ones.
 double cost(const Peer& peer, const std::vector<Ray>& plain, const std::vector<Ray>& odd, bool any,
             RayHint hint) {
     std::vector<double> ratios;
@@ -88,12 +89,12 @@ int run(const std::vector<std::string>& files) {
         "|\n"
         "|---|---:|---:|---:|---:|---:|\n",
         picture_size, model.name, rounds);
-    for (const Oddity& oddity : oddities) {
+    for (const RayChange& change : changes) {
         std::vector<Ray> all = plain;
-        for (Ray& ray : all) oddity.spoil(ray);
+        for (Ray& ray : all) change.spoil(ray);
         std::vector<Ray> some = plain;
-        for (std::size_t i = 0; i < some.size(); i += 64) oddity.spoil(some[i]);
-        fmt::print("| {} ", oddity.name);
+        for (std::size_t i = 0; i < some.size(); i += 64) change.spoil(some[i]);
+        fmt::print("| {} ", change.name);
         for (const bool any : {false, true})
             for (const RayHint hint : {RayHint::coherent, RayHint::incoherent})
                 fmt::print("| {:.2f} ", cost(peer, plain, all, any, hint));

@@ -1,3 +1,5 @@
+// Parsing the command line.
+
 #include "options.h"
 
 #include <CLI/CLI.hpp>

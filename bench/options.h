@@ -1,4 +1,5 @@
 #pragma once
+// Command line options of the benchmarks.
 
 #include "jobs.h"
 
@@ -9,20 +10,19 @@
 namespace glint::bench {
 
 struct Options {
-    std::vector<std::string> files; ///< PLY; none: generated meshes
-    std::vector<std::string> sets;  ///< of job_names
+    std::vector<std::string> files; ///< PLY files; empty: generated meshes
+    std::vector<std::string> sets;  ///< subset of job_names
     JobOptions jobs;
     int rounds = 9;
     int threads = 1;
-    std::string simd; ///< what glint may use, as "avx2"; empty: all that the machine has
-    std::string isa;  ///< what Embree may use, likewise
+    std::string simd; ///< maximum instruction set for glint, such as "avx2"; empty: no limit
+    std::string isa;  ///< likewise for Embree
     bool robust = true;
     bool builds = true;
-    std::string json; ///< file; empty: none
+    std::string json; ///< output file; empty: none
 };
 
-/// What the command line asks for. Prints help or errors and gives the exit status where there is nothing to
-/// measure.
+/// The parsed command line. Prints help or errors, and has an exit status if there is nothing to measure.
 struct Request {
     Options options;
     std::optional<int> exit_status;

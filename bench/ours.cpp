@@ -1,3 +1,5 @@
+// glint as a peer.
+
 #include "peer.h"
 
 namespace glint::bench {

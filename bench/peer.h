@@ -1,5 +1,5 @@
 #pragma once
-// Who is measured: a name and what it does with batches of plain rays.
+// A tracer to measure: its name and functions that trace batches of plain rays.
 
 #include "glint/trace.h"
 #include "model.h"
@@ -17,9 +17,9 @@ using tracing::Ray;
 using tracing::RayHint;
 
 enum class Group {
-    ours,   ///< what a caller of the public interface gets
-    embree, ///< Embree with its high quality
-    robust  ///< the same, with the flag for a robust scene: the fair peer of a watertight tracer
+    ours,   ///< glint through its public interface
+    embree, ///< Embree with high build quality
+    robust  ///< the same with the robust flag: the fair comparison for a watertight tracer
 };
 
 struct Peer {
@@ -33,15 +33,15 @@ tracing::Mesh build_ours(const Model& model, tracing::BuildQuality quality, int 
 
 Peer our_peer(const tracing::Mesh& mesh, tracing::SimdTarget target = tracing::SimdTarget::best);
 
-/// The other ways to the same answers, to be compared bit by bit and not measured: each kernel, each SIMD
-/// target that the machine has, and a tree of the other quality.
+/// glint's other kernels, available SIMD targets and the other build quality: compared bit by bit, not
+/// measured.
 std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh);
 
-/// Single rays, packets of eight and streams; none where the program was built without Embree. `isa` is the
-/// most that Embree may use, empty for all. `model` must outlive them.
+/// Embree with single rays, packets of eight and streams; empty without Embree. `isa` is the maximum
+/// instruction set, empty for no limit. `model` must outlive the peers.
 std::vector<Peer> embree_peers(const Model& model, Group group, const std::string& isa);
 
-/// "Embree 3.13.5", or empty.
+/// Version such as "Embree 3.13.5"; empty without Embree.
 std::string embree_version();
 
 } // namespace glint::bench

@@ -1,5 +1,6 @@
-// glint-bench-picture-rays: the rays of a picture alone. All that its samples send, as the explanation of
-// each pixel tells, in the batches that the renderer makes of them, traced once more without shading.
+// glint-bench-picture-rays: traces only the rays of a picture. It collects all rays of all samples from the
+// explanations of the pixels and traces them, without shading, in the batches that the renderer makes of
+// them.
 
 #include "rounds.h"
 
@@ -23,15 +24,15 @@
 namespace glint::bench {
 namespace {
 
-/// Side of the squares of pixels that are traced together.
+/// Side of the pixel blocks that are traced together.
 constexpr int block = 16;
 
 struct Batch {
-    bool any = false; ///< shadow rays: anything in the way counts
+    bool any = false; ///< any hit counts (shadow rays)
     std::vector<glint::Ray> rays;
 };
 
-/// The batches of one square: level by level of bounces the rays, and light by light their shadow rays.
+/// The batches of one block: the rays of each depth, and the shadow rays to each light.
 class Square {
   public:
     explicit Square(const FrozenScene& scene) : scene_(scene) {}
@@ -88,10 +89,10 @@ std::vector<Batch> batches_of(const FrozenScene& scene) {
     return all;
 }
 
-/// Rays that stay in a cache together.
+/// Number of rays that fit into the cache together.
 constexpr std::size_t warm_rays = 8192;
 
-/// Traces some batches; what they are made of is read once before, as the renderer has just written it.
+/// Traces batches after reading their rays once, as the renderer has just written them.
 class Tracing {
   public:
     explicit Tracing(const World& world) : world_(world) {}
@@ -121,7 +122,7 @@ class Tracing {
     World::Scratch scratch_;
     std::vector<glint::Hit> hits_;
     std::vector<std::uint8_t> blocked_;
-    float sum_ = 0; ///< so that no compiler leaves the reading out
+    float sum_ = 0; ///< keeps the compiler from removing the reads
 };
 
 double seconds_of(const World& world, std::span<const Batch> batches) {

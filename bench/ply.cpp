@@ -1,5 +1,4 @@
-// glint-bench-ply: how fast PLY files are read, each time by a new process, as a program that opens one mesh
-// does.
+// glint-bench-ply: speed of reading PLY files, each in a new process like a program that opens one mesh.
 
 #include "model.h"
 #include "process.h"
@@ -20,7 +19,7 @@ namespace {
 
 constexpr int rounds = 15;
 
-/// Reads a file twice; prints CPU seconds of each time, its bytes and its triangles.
+/// Reads a file twice; prints the CPU seconds of both, its size and its number of triangles.
 void read_twice(const std::string& file) {
     double seconds[2];
     std::size_t triangles = 0;

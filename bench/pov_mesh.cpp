@@ -1,5 +1,5 @@
-// glint-pov-mesh IN.ply OUT.ply OUT.inc: a mesh turned z up, of size 24, about the middle of the report's
-// room, as PLY for glint and as `room_mesh` for POV-Ray. Normals and colours are left out.
+// glint-pov-mesh IN.ply OUT.ply OUT.inc: writes a mesh with z up, size 24, and centred in the report's room
+// as PLY for glint and as `room_mesh` for POV-Ray. Drops normals and colours.
 
 #include "glint/formats.h"
 #include "math/bounds.h"

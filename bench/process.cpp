@@ -1,3 +1,5 @@
+// Running child processes.
+
 #include "process.h"
 
 #include <sys/wait.h>
@@ -10,7 +12,7 @@
 namespace glint::bench {
 namespace {
 
-/// All that a child writes to its end of a pipe.
+/// Reads everything a child writes to its pipe.
 std::string read_all(int descriptor) {
     std::string text;
     std::array<char, 256> part;

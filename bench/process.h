@@ -1,13 +1,13 @@
 #pragma once
-// What must not be warm from what was measured before runs in a process of its own.
+// Child processes, for measurements that must start cold.
 
 #include <string>
 #include <vector>
 
 namespace glint::bench {
 
-/// What this very program prints to standard output when it is run with these arguments. Throws
-/// std::runtime_error where it does not end with 0.
+/// Runs this program with other arguments and returns its standard output. Throws std::runtime_error if its
+/// exit status is not 0.
 std::string run_self(const std::vector<std::string>& arguments);
 
 } // namespace glint::bench

@@ -1,3 +1,5 @@
+// Camera rays and first hits.
+
 #include "rays.h"
 
 #include <limits>

@@ -1,3 +1,5 @@
+// Tables in Markdown.
+
 #include "report.h"
 
 #include "figures.h"
@@ -18,7 +20,7 @@ std::string row(const std::vector<std::string>& cells) {
     return line + "\n";
 }
 
-/// The heads, and the line below them: numbers stand to the right.
+/// The header row and its separator; numbers are right-aligned.
 std::string head(const std::vector<std::string>& names, std::size_t words) {
     std::string line = row(names) + "|";
     for (std::size_t i = 0; i < names.size(); ++i) line += i < words ? "---|" : "---:|";
@@ -28,7 +30,7 @@ std::string head(const std::vector<std::string>& names, std::size_t words) {
 std::string rate(double value) { return fmt::format("{:.1f}", value); }
 std::string ratio(double value) { return value > 0 ? fmt::format("{:.2f}", value) : "–"; }
 
-/// "Embree packet8" is known by its column.
+/// "Embree packet8" without the name of its column.
 std::string short_name(const Peer& peer) { return peer.name.substr(peer.name.rfind(' ') + 1); }
 
 std::string ray_table(const Report& report, Group group) {

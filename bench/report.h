@@ -1,5 +1,5 @@
 #pragma once
-// What was measured, as tables and as JSON.
+// The measurements as tables and JSON.
 
 #include "builders.h"
 #include "options.h"
@@ -13,11 +13,11 @@ namespace glint::bench {
 struct SetResult {
     std::string set;
     std::uint64_t rays = 0;
-    std::vector<Peer> peers;                     ///< ours first
+    std::vector<Peer> peers;                     ///< glint first
     Timings timings;                             ///< by peer and round
-    Timings threads;                             ///< ours on one thread and on two; or empty
-    std::uint64_t our_differences = 0;           ///< bits of any other way of ours
-    std::vector<std::uint64_t> peer_differences; ///< answers, by peer
+    Timings threads;                             ///< glint on one thread and on two; may be empty
+    std::uint64_t our_differences = 0;           ///< results of glint's other kernels that differ in any bit
+    std::vector<std::uint64_t> peer_differences; ///< differing results by peer
 };
 
 struct BuildResult {
@@ -37,14 +37,14 @@ struct Report {
     std::vector<ModelResult> models;
 };
 
-/// Markdown.
+/// Tables in Markdown.
 std::string tables(const Report& report);
 std::string json(const Report& report);
 
 /// One line: the processor, its cores, and how busy the machine is.
 std::string machine();
 
-/// Do all agree well enough?
+/// Whether the results of all peers agree well enough.
 bool agrees(const Report& report);
 
 } // namespace glint::bench

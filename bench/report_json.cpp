@@ -1,3 +1,5 @@
+// The report as JSON.
+
 #include "figures.h"
 
 #include <nlohmann/json.hpp>

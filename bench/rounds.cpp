@@ -1,3 +1,5 @@
+// Timing of jobs.
+
 #include "rounds.h"
 
 #include <algorithm>
@@ -8,8 +10,8 @@
 namespace glint::bench {
 namespace {
 
-/// A job on two threads takes no less than half of this.
-constexpr double least_seconds = 0.4;
+/// Minimum CPU time of a job for thread scaling; shorter ones are repeated.
+constexpr double min_seconds = 0.4;
 
 double seconds_of(clockid_t clock) {
     timespec time;
@@ -59,7 +61,7 @@ Timings time_threads(const Job& job, const Peer& peer, int rounds) {
     std::vector<Answers> one{job.room};
     std::vector<Answers> two{job.room, job.room};
     const double once = time_once(job, peer, one).cpu;
-    const std::size_t repeats = once < least_seconds ? static_cast<std::size_t>(least_seconds / once) + 1 : 1;
+    const std::size_t repeats = once < min_seconds ? static_cast<std::size_t>(min_seconds / once) + 1 : 1;
     const auto time = [&](std::vector<Answers>& rooms) {
         Timing timing = time_once(job, peer, rooms, repeats);
         timing.cpu /= static_cast<double>(repeats);

@@ -1,5 +1,6 @@
 #pragma once
-// Peers take turns: A B C, then C B A, so that noise hits all alike. Time is CPU time of the working threads.
+// Timing in rounds. Peers alternate (A B C, then C B A), so that noise affects all alike. Times are CPU time
+// of the working threads.
 
 #include "jobs.h"
 
@@ -12,8 +13,8 @@ struct Timing {
     double wall = 0; ///< seconds
 };
 
-/// One peer does the whole job `repeats` times, on as many threads as there are rooms for answers, each as
-/// large as job.room.
+/// One peer runs the whole job `repeats` times on as many threads as there are result buffers in `rooms`,
+/// each as large as job.room.
 Timing time_once(const Job& job, const Peer& peer, std::vector<Answers>& rooms, std::size_t repeats = 1);
 
 /// seconds[peer][round].
@@ -22,8 +23,8 @@ using Timings = std::vector<std::vector<Timing>>;
 /// All peers on one thread.
 Timings time_rounds(const Job& job, const std::vector<Peer>& peers, int rounds);
 
-/// One peer on one thread and on two: [0] and [1]. Short jobs are repeated, so that starting a thread is
-/// nothing.
+/// One peer on one thread and on two: [0] and [1]. Short jobs are repeated, so that starting threads is
+/// negligible.
 Timings time_threads(const Job& job, const Peer& peer, int rounds);
 
 double median(std::vector<double> values);

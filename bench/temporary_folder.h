@@ -1,4 +1,5 @@
 #pragma once
+// Temporary folders.
 
 #include <cstdlib>
 #include <filesystem>
@@ -7,7 +8,7 @@
 
 namespace glint::bench {
 
-/// A folder of our own, gone when we are.
+/// A temporary folder, removed by the destructor.
 class TemporaryFolder {
   public:
     TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "glint-bench-XXXXXX").string()) {

@@ -123,8 +123,8 @@ std::string head_of(const ExplanationPage& page, const Explanation& any) {
 /// As many rays as the page has room for.
 std::string packed(const PageData& data, const std::string& head, std::size_t room) {
     // A first guess that seldom leaves out too much: packing costs time.
-    constexpr std::size_t least_bytes_a_ray = 22;
-    std::size_t count = std::min(data.rays(), room / least_bytes_a_ray);
+    constexpr std::size_t min_bytes_per_ray = 22;
+    std::size_t count = std::min(data.rays(), room / min_bytes_per_ray);
     std::string bytes = data.packed(head, count);
     for (int tries = 0; tries < 8 && bytes.size() > room; ++tries) {
         const double share = static_cast<double>(room) / static_cast<double>(bytes.size());

@@ -1,4 +1,4 @@
-// Stands in for exr_read.cpp and exr_write.cpp in a build without OpenEXR.
+// Replaces exr_read.cpp and exr_write.cpp in builds without OpenEXR.
 
 #include "formats/picture_codecs.h"
 

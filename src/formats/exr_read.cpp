@@ -1,3 +1,5 @@
+// Reading EXR files with OpenEXR.
+
 #include "formats/picture_codecs.h"
 
 #include <ImfChannelList.h>
@@ -18,7 +20,7 @@ namespace glint {
 
 namespace {
 
-/// OpenEXR's input from memory; it wants an exception at the end.
+/// OpenEXR's input stream over memory; end of file must be reported by an exception.
 class MemoryInput : public Imf::IStream {
   public:
     explicit MemoryInput(std::span<const std::byte> bytes) : Imf::IStream("memory"), bytes_(bytes) {}
@@ -48,8 +50,9 @@ struct Window {
     std::int64_t height() const { return std::int64_t{max_y} - min_y + 1; }
 };
 
-/// Walks the header's framing before OpenEXR sees it, since OpenEXR takes memory for whatever lengths and
-/// sizes a header claims. Layout: magic, version and flags, then name 0 type 0 length value …, then 0.
+/// Checks the structure of the header before OpenEXR parses it, since OpenEXR allocates memory for any
+/// lengths and sizes that a header claims. Structure: magic, version and flags, then name 0 type 0 length
+/// value …, then 0.
 class HeaderCheck {
   public:
     HeaderCheck(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name) {}
@@ -102,10 +105,10 @@ class HeaderCheck {
         return integer_at(at_ - 4);
     }
 
-    std::int32_t integer_at(std::size_t place) const {
+    std::int32_t integer_at(std::size_t offset) const {
         std::uint32_t value = 0;
         for (unsigned i = 0; i < 4; ++i)
-            value |= std::to_integer<std::uint32_t>(bytes_[place + i]) << (8 * i);
+            value |= std::to_integer<std::uint32_t>(bytes_[offset + i]) << (8 * i);
         return static_cast<std::int32_t>(value);
     }
 
@@ -133,8 +136,8 @@ ChannelNames choose_channels(const Imf::ChannelList& list, const std::string& na
                    "save it with the channels R, G and B");
 }
 
-/// Rows are read in blocks into an image that grows with them: a file that lies ends before much memory is
-/// taken.
+/// Reads rows in blocks and grows the image with them, so a file that claims too many rows fails before much
+/// memory is allocated.
 Image read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& channels) {
     constexpr std::int64_t block_rows = 64;
     Image image;

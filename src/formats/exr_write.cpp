@@ -1,3 +1,5 @@
+// Writing EXR files with OpenEXR.
+
 #include "formats/picture_codecs.h"
 
 #include <ImfChannelList.h>
@@ -14,7 +16,7 @@ namespace glint {
 
 namespace {
 
-/// OpenEXR's output into memory. It comes back to the front to fill in where the rows went.
+/// OpenEXR's output stream to memory. OpenEXR seeks back to fill in the table of row offsets.
 class MemoryOutput : public Imf::OStream {
   public:
     MemoryOutput() : Imf::OStream("memory") {}
@@ -36,7 +38,7 @@ class MemoryOutput : public Imf::OStream {
     std::size_t at_ = 0;
 };
 
-/// Declares a float channel and says where its values lie. OpenEXR only reads through the pointer.
+/// Adds a float channel with its memory layout. OpenEXR only reads through the pointer.
 void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const std::string& name, const float* first,
                  std::size_t step, int width) {
     header.channels().insert(name, Imf::Channel(Imf::FLOAT));
@@ -54,7 +56,7 @@ void add_image(Imf::Header& header, Imf::FrameBuffer& buffer, const std::string&
 std::vector<std::byte> encode(const Image& image, const PictureOptions& options) {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    // The prefix keeps our names apart from those that OpenEXR gives a meaning.
+    // The prefix avoids clashes with attributes that OpenEXR defines.
     for (const auto& [key, value] : options.metadata)
         header.insert("glint." + key, Imf::StringAttribute(value));
 
@@ -65,7 +67,7 @@ std::vector<std::byte> encode(const Image& image, const PictureOptions& options)
 
     MemoryOutput out;
     {
-        // No threads of OpenEXR's: the file ends when the object does.
+        // No OpenEXR threads. The destructor completes the file.
         Imf::OutputFile file(out, header, 0);
         file.setFrameBuffer(buffer);
         file.writePixels(image.height);

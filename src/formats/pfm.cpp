@@ -1,3 +1,5 @@
+// Reading and writing PFM files.
+
 #include "formats/picture_codecs.h"
 
 #include <algorithm>
@@ -10,7 +12,7 @@ namespace glint {
 
 namespace {
 
-/// Where row y, counted from the top, stands in the file: rows run from the bottom.
+/// Position of row y, counted from the top, in the file: rows are stored bottom-up.
 std::size_t file_row(int y, int height) { return static_cast<std::size_t>(height - 1 - y); }
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f'; }
@@ -23,7 +25,8 @@ struct PfmHeader {
     std::size_t size = 0; ///< bytes of the header
 };
 
-/// Takes the header apart: words between blanks, then exactly one blank before the pixels.
+/// Parses the header: words separated by white space, then exactly one white-space character before the
+/// pixels.
 class HeaderReader {
   public:
     HeaderReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -71,7 +74,7 @@ class HeaderReader {
     std::string_view text_;
     const std::string& name_;
     std::size_t at_ = 0;
-    std::size_t start_ = 0; ///< of the word that was read last
+    std::size_t start_ = 0; ///< offset of the last word read
 };
 
 float float_from_bytes(const std::byte* bytes, bool little_endian) {
@@ -101,7 +104,7 @@ LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& na
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const PfmHeader header = HeaderReader(text, name).read();
 
-    // The header says exactly how many bytes follow, so a lie shows before anything is allocated.
+    // The header determines the exact size of the file, so check it before allocating memory.
     const auto row_bytes =
         static_cast<std::size_t>(4 * header.channels) * static_cast<std::size_t>(header.width);
     const std::size_t expected = row_bytes * static_cast<std::size_t>(header.height);

@@ -1,5 +1,7 @@
+// Reading PLY files: fixed-size rows in chunks if possible, otherwise the whole file with full diagnostics.
+
+#include "formats/ply_fixed_rows.h"
 #include "formats/ply_mesh.h"
-#include "formats/ply_plain.h"
 #include "formats/read_bytes.h"
 #include "glint/formats.h"
 
@@ -11,9 +13,8 @@
 namespace glint {
 namespace {
 
-/// Reads a usual file part by part, so that its bytes never leave the cache; nothing where anything is
-/// unusual.
-std::optional<LoadedMesh> load_plain(InputFile& file, const std::string& path, const LoadWatch& watch) {
+/// Reads a file of fixed-size rows in chunks that fit the cache. Returns nothing if anything is unusual.
+std::optional<LoadedMesh> load_fixed_rows(InputFile& file, const std::string& path, const LoadWatch& watch) {
     if (!file.size()) return {};
     constexpr std::size_t part = 1U << 18U;
     std::vector<std::byte> bytes(std::min(part, *file.size() + 1));
@@ -22,23 +23,24 @@ std::optional<LoadedMesh> load_plain(InputFile& file, const std::string& path, c
     const std::span<const std::byte> first_part(bytes.data(), held);
     const ply::Source source(first_part, path);
     std::optional<ply::Header> header;
-    std::optional<ply::Layout> layout;
+    std::optional<ply::MeshLayout> layout;
     try {
         header = ply::parse_header(source);
-        layout = ply::understand(source, *header);
+        layout = ply::interpret_header(source, *header);
     } catch (const Error&) {
-        return {}; // perhaps the header goes on: who sees all of the file says what is wrong
+        return {}; // the header may continue beyond this chunk; reading the whole file reports the actual
+                   // error
     }
-    auto body = ply::PlainBody::begin(*header, *layout, *file.size());
-    if (!body) return {};
+    auto reader = ply::FixedRowReader::begin(*header, *layout, *file.size());
+    if (!reader) return {};
 
-    std::size_t passed = header->body; // of the bytes held
+    std::size_t passed = header->body; // of the bytes in the buffer
     std::size_t done = passed;
     while (true) {
         watch.at(done, *file.size());
-        const auto taken = body->take(std::span(bytes).subspan(passed, held - passed));
+        const auto taken = reader->take(std::span(bytes).subspan(passed, held - passed));
         if (!taken) return {};
-        if (body->complete()) break;
+        if (reader->complete()) break;
         passed += *taken;
         done += *taken;
         std::memmove(bytes.data(), bytes.data() + passed, held - passed);
@@ -48,7 +50,7 @@ std::optional<LoadedMesh> load_plain(InputFile& file, const std::string& path, c
         if (more == 0) return {};
         held += more;
     }
-    return ply::assemble(source, *header, *layout, body->finish(), watch);
+    return ply::assemble(source, *header, *layout, reader->finish(), watch);
 }
 
 } // namespace
@@ -56,7 +58,7 @@ std::optional<LoadedMesh> load_plain(InputFile& file, const std::string& path, c
 LoadedMesh load_mesh(const std::string& path, const LoadOptions& options) {
     const LoadWatch watch(path, options);
     InputFile file(path);
-    if (auto loaded = load_plain(file, path, watch)) return *std::move(loaded);
+    if (auto loaded = load_fixed_rows(file, path, watch)) return *std::move(loaded);
     if (file.size()) file.rewind();
     return parse_ply(read_bytes(file, watch), path, options);
 }
@@ -65,8 +67,8 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name, 
     const LoadWatch watch(name, options);
     const ply::Source source(bytes, name);
     const ply::Header header = ply::parse_header(source);
-    const ply::Layout layout = ply::understand(source, header);
-    return ply::assemble(source, header, layout, ply::read_body(source, header, layout, watch), watch);
+    const ply::MeshLayout layout = ply::interpret_header(source, header);
+    return ply::assemble(source, header, layout, ply::read_rows(source, header, layout, watch), watch);
 }
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// Parsing text bodies.
+
 #include "formats/ply_cursor.h"
 
 #include <charconv>
@@ -8,25 +10,25 @@ namespace {
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-bool parts_words(char c) { return is_blank(c) || ends_line(c); }
+bool separates_words(char c) { return is_blank(c) || ends_line(c); }
 
-/// from_chars takes no plus sign, though people write it.
-std::string_view without_plus(std::string_view word) {
+/// from_chars accepts no plus sign, but files contain it.
+std::string_view skip_plus(std::string_view word) {
     const bool signed_number = word.size() > 1 && word[0] == '+' && word[1] != '-';
     return signed_number ? word.substr(1) : word;
 }
 
-/// Reads the whole word as a value; the error otherwise.
+/// Parses the whole word as a value; returns the error otherwise.
 template <class Value>
 std::errc parse(std::string_view word, Value& value) {
-    const std::string_view digits = without_plus(word);
+    const std::string_view digits = skip_plus(word);
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc::invalid_argument && end != digits.data() + digits.size())
         return std::errc::invalid_argument;
     return error;
 }
 
-/// A number whose magnitude no double has: 0 or infinite.
+/// The value of a number outside the range of double: 0 or infinity.
 double out_of_range_number(std::string_view word) {
     const std::size_t exponent = word.find_first_of("eE");
     const std::string_view digits = word.substr(0, exponent);
@@ -37,34 +39,34 @@ double out_of_range_number(std::string_view word) {
     return word.starts_with('-') ? -size : size;
 }
 
-struct Range {
-    std::int64_t least;
-    std::int64_t most;
+struct IntegerRange {
+    std::int64_t min;
+    std::int64_t max;
 };
-Range range_of(Type type) {
+IntegerRange range_of(Type type) {
     const int bits = static_cast<int>(8 * size_of(type));
     const bool is_signed = type == Type::int8 || type == Type::int16 || type == Type::int32;
     const std::int64_t half = std::int64_t{1} << (bits - 1);
-    return is_signed ? Range{-half, half - 1} : Range{0, 2 * half - 1};
+    return is_signed ? IntegerRange{-half, half - 1} : IntegerRange{0, 2 * half - 1};
 }
 
 } // namespace
 
 std::string row_name(const Element& element, std::uint64_t row) {
-    const std::string name = in_marks(element.name);
+    const std::string name = quoted(element.name);
     return name.substr(1, name.size() - 2) + " " + std::to_string(row);
 }
 
-/// To the next word that is a value: over blank lines and comments.
+/// Skips blank lines and comments up to the next value.
 void TextCursor::skip_to_row() {
     while (true) {
-        while (at_ < text_.size() && parts_words(text_[at_])) ++at_;
+        while (at_ < text_.size() && separates_words(text_[at_])) ++at_;
         const std::string_view rest = text_.substr(at_);
         bool comment = false;
         if (!rest.empty() && (rest[0] == 'c' || rest[0] == 'o'))
             for (const std::string_view keyword : {"comment", "obj_info"})
                 if (rest.starts_with(keyword) &&
-                    (rest.size() == keyword.size() || parts_words(rest[keyword.size()])))
+                    (rest.size() == keyword.size() || separates_words(rest[keyword.size()])))
                     comment = true;
         if (!comment) return;
         while (at_ < text_.size() && !ends_line(text_[at_])) ++at_;
@@ -82,33 +84,33 @@ void TextCursor::end_row() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
     if (at_ == text_.size() || ends_line(text_[at_])) return;
     const std::size_t extra = at_;
-    const std::string_view word = take_word();
+    const std::string_view word = next_word();
     const std::string_view row_text = text_.substr(row_begin_, extra - row_begin_);
     const bool wrapped = row_text.find_first_of("\r\n") != row_text.npos;
-    fail(extra, "unexpected " + in_marks(word) + " after the end of " + row_name(*element_, row_),
+    fail(extra, "unexpected " + quoted(word) + " after the end of " + row_name(*element_, row_),
          wrapped ? "this row began on an earlier line: a value may be missing there"
                  : "the row has more values than its header lists properties");
 }
 
-std::string_view TextCursor::take_word() {
-    while (at_ < text_.size() && parts_words(text_[at_])) ++at_;
+std::string_view TextCursor::next_word() {
+    while (at_ < text_.size() && separates_words(text_[at_])) ++at_;
     if (at_ == text_.size()) {
         // Point behind the last word rather than at the empty line after it.
         std::size_t end = at_;
-        while (end > 0 && parts_words(text_[end - 1])) --end;
+        while (end > 0 && separates_words(text_[end - 1])) --end;
         fail(end, "the file ends within " + row_name(*element_, row_),
              "its header promises " + std::to_string(element_->count) + "; the file seems to be cut");
     }
     value_ = at_;
-    while (at_ < text_.size() && !parts_words(text_[at_])) ++at_;
+    while (at_ < text_.size() && !separates_words(text_[at_])) ++at_;
     return text_.substr(value_, at_ - value_);
 }
 
 double TextCursor::number(Type type) {
     if (is_integer(type)) return static_cast<double>(integer(type));
-    const std::string_view word = take_word();
+    const std::string_view word = next_word();
 
-    // A float is rounded once, from its text; only what float cannot hold takes the way over double.
+    // Round once from the text to float; use double only for values outside the range of float.
     if (type == Type::float32) {
         float value = 0;
         if (parse(word, value) == std::errc()) return static_cast<double>(value);
@@ -117,30 +119,29 @@ double TextCursor::number(Type type) {
     const std::errc error = parse(word, value);
     if (error == std::errc::result_out_of_range) return out_of_range_number(word);
     if (error != std::errc())
-        fail(value_, in_marks(word) + " in " + row_name(*element_, row_) + " is not a number",
+        fail(value_, quoted(word) + " in " + row_name(*element_, row_) + " is not a number",
              "expected a number like 0.5 or -1e-3");
     return value;
 }
 
 std::int64_t TextCursor::integer(Type type) {
-    const std::string_view word = take_word();
+    const std::string_view word = next_word();
     std::int64_t value = 0;
     const std::errc error = parse(word, value);
     if (error == std::errc::invalid_argument)
-        fail(value_, in_marks(word) + " in " + row_name(*element_, row_) + " is not a whole number",
+        fail(value_, quoted(word) + " in " + row_name(*element_, row_) + " is not a whole number",
              std::string("expected a value of type ") + type_name(type));
-    const Range range = range_of(type);
-    if (error != std::errc() || value < range.least || value > range.most)
+    const IntegerRange range = range_of(type);
+    if (error != std::errc() || value < range.min || value > range.max)
         fail(value_,
-             in_marks(word) + " in " + row_name(*element_, row_) + " does not fit its type " +
-                 type_name(type),
-             "expected a whole number from " + std::to_string(range.least) + " to " +
-                 std::to_string(range.most));
+             quoted(word) + " in " + row_name(*element_, row_) + " does not fit its type " + type_name(type),
+             "expected a whole number from " + std::to_string(range.min) + " to " +
+                 std::to_string(range.max));
     return value;
 }
 
 void TextCursor::skip(Type, std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) take_word();
+    for (std::uint64_t i = 0; i < count; ++i) next_word();
 }
 
 std::size_t TextCursor::trailing() {

@@ -1,8 +1,8 @@
 #pragma once
-// Two ways to take values from the body of a PLY file, with one face to the reader: bytes and text.
+// Cursors over the body of a PLY file with a common interface: bytes and text.
 //
-// Both check every step against the end of the file and throw Error(input) with the place. Rows and
-// properties are named in messages by the element and row given to begin_row().
+// Both check every step against the end of the file and throw Error(input) with the location. Messages name
+// rows and properties by the element and row given to begin_row().
 
 #include "formats/ply_header.h"
 
@@ -12,19 +12,19 @@
 
 namespace glint::ply {
 
-/// "face 3": a row for a message, counted from 0 as vertex indices are.
+/// Name of a row for messages, such as "face 3", counted from 0 like vertex indices.
 std::string row_name(const Element& element, std::uint64_t row);
 
-/// Values as bytes in the given order.
+/// Reads binary values in the given byte order.
 template <std::endian order>
 class BinaryCursor {
   public:
     BinaryCursor(const Source& source, std::size_t offset) : source_(source), at_(offset) {}
 
-    /// The fewest bytes that a value can take, and how many bytes are left for values.
-    static std::size_t least_bytes(Type type) { return size_of(type); }
-    std::size_t room() const { return source_.size() - at_; }
-    /// Where the value taken last begins.
+    /// Minimum size of a value, and number of bytes left.
+    static std::size_t min_bytes(Type type) { return size_of(type); }
+    std::size_t remaining() const { return source_.size() - at_; }
+    /// Offset of the last value read.
     std::size_t value_offset() const { return value_; }
 
     void begin_row(const Element& element, std::uint64_t row) {
@@ -46,7 +46,7 @@ class BinaryCursor {
         return value;
     }
 
-    /// Calls visit(value) for each of the next values of an integer type.
+    /// Calls visit(value) for each of the next `count` values of an integer type.
     template <class Visit>
     void integers(Type type, std::uint64_t count, Visit visit) {
         switch (type) {
@@ -66,32 +66,32 @@ class BinaryCursor {
     }
 
     void skip(Type type, std::uint64_t count = 1) {
-        if (count > room() / size_of(type)) fail_cut();
+        if (count > remaining() / size_of(type)) fail_truncated();
         at_ += static_cast<std::size_t>(count) * size_of(type);
     }
 
-    /// How many bytes follow the last row.
-    std::size_t trailing() const { return room(); }
+    /// Number of bytes after the last row.
+    std::size_t trailing() const { return remaining(); }
 
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint) const {
         source_.fail_at_byte(offset, std::move(message), std::move(hint));
     }
-    /// Where to point when the header promises more than the file holds.
-    std::size_t promise_offset(const Element&) const { return source_.size(); }
+    /// Location for the error that the header declares more rows than the file contains.
+    std::size_t count_error_offset(const Element&) const { return source_.size(); }
 
   private:
     template <class Bits>
     Bits take() {
-        if (room() < sizeof(Bits)) fail_cut();
+        if (remaining() < sizeof(Bits)) fail_truncated();
         value_ = at_;
         at_ += sizeof(Bits);
         const char* bytes = source_.text().data() + value_;
         Bits bits;
         std::memcpy(&bits, bytes, sizeof bits);
         if constexpr (order == std::endian::native) return bits;
-        std::uint64_t turned = 0;
-        for (std::size_t i = 0; i < sizeof(Bits); ++i) turned = turned << 8 | (bits >> 8 * i & 0xff);
-        return static_cast<Bits>(turned);
+        std::uint64_t swapped = 0;
+        for (std::size_t i = 0; i < sizeof(Bits); ++i) swapped = swapped << 8 | (bits >> 8 * i & 0xff);
+        return static_cast<Bits>(swapped);
     }
 
     template <class Bits, class Value, class Visit>
@@ -100,7 +100,7 @@ class BinaryCursor {
             visit(static_cast<std::int64_t>(static_cast<Value>(take<Bits>())));
     }
 
-    [[noreturn]] void fail_cut() const {
+    [[noreturn]] void fail_truncated() const {
         fail(source_.size(), "the file ends within " + row_name(*element_, row_),
              "its header promises " + std::to_string(element_->count) + "; the file seems to be cut");
     }
@@ -112,16 +112,16 @@ class BinaryCursor {
     std::uint64_t row_ = 0;
 };
 
-/// Values as words. A row begins on a line of its own and may go on over further lines; lines that are blank
-/// or begin with `comment` or `obj_info` may stand between rows. Numbers are read the same in every locale.
+/// Reads values as words. A row starts on a new line and may continue on further lines; blank lines and lines
+/// starting with `comment` or `obj_info` may appear between rows. Parsing does not depend on the locale.
 class TextCursor {
   public:
     TextCursor(const Source& source, std::size_t offset)
         : source_(source), text_(source.text()), at_(offset) {}
 
-    /// A digit and what parts it from the next value; the last value needs no such thing.
-    static std::size_t least_bytes(Type) { return 2; }
-    std::size_t room() const { return text_.size() - at_ + 1; }
+    /// One digit and a separator; the last value of a file needs no separator.
+    static std::size_t min_bytes(Type) { return 2; }
+    std::size_t remaining() const { return text_.size() - at_ + 1; }
     std::size_t value_offset() const { return value_; }
 
     void begin_row(const Element& element, std::uint64_t row);
@@ -138,11 +138,11 @@ class TextCursor {
     [[noreturn]] void fail(std::size_t offset, std::string message, std::string hint) const {
         source_.fail_in_text(offset, std::move(message), std::move(hint));
     }
-    std::size_t promise_offset(const Element& element) const { return element.count_offset; }
+    std::size_t count_error_offset(const Element& element) const { return element.count_offset; }
 
   private:
     void skip_to_row();
-    std::string_view take_word();
+    std::string_view next_word();
 
     const Source& source_;
     std::string_view text_;

@@ -1,3 +1,5 @@
+// Parsing the header, with suggestions for misspelt names.
+
 #include "formats/ply_header.h"
 
 #include <algorithm>
@@ -38,7 +40,7 @@ std::vector<std::string> names_of(std::span<const Named> table) {
     return names;
 }
 
-/// What a file that is no PLY seems to be, as a hint.
+/// A hint on the format of a file that is not PLY.
 std::string other_kind(std::string_view text) {
     if (text.empty()) return "the file is empty";
     if (text.starts_with("\x1f\x8b")) return "this one is gzip-compressed: unpack it first";
@@ -70,7 +72,7 @@ class HeaderParser {
     }
 
   private:
-    static constexpr std::size_t most_words = 6; // one more than any line of a header has
+    static constexpr std::size_t max_words = 6; // one more than the longest valid line has
 
     void read_magic() {
         if (text_.starts_with(byte_order_mark)) next_ = byte_order_mark.size();
@@ -80,12 +82,12 @@ class HeaderParser {
             rest.starts_with("ply") && (end == rest.npos || rest[end] == '\r' || rest[end] == '\n');
         if (!is_ply) source_.fail_in_text(0, "this is not a PLY file", other_kind(rest));
 
-        // Lines that end in CR alone must not take the first byte of the body for an LF of theirs.
+        // If lines end in CR alone, a body that begins with the byte of LF must not lose it.
         cr_only_ = end != rest.npos && rest[end] == '\r' && rest.substr(end + 1, 1) != "\n";
         next_line();
     }
 
-    /// Splits the next line into words_, no more of them than any line may have.
+    /// Splits the next line into words, at most max_words.
     void next_line() {
         if (next_ >= text_.size())
             source_.fail_in_text(text_.size(), "the file ends within its header",
@@ -98,7 +100,7 @@ class HeaderParser {
         if (crlf && !cr_only_) ++next_;
 
         words_.clear();
-        while (words_.size() < most_words) {
+        while (words_.size() < max_words) {
             const std::size_t begin = line.find_first_not_of(" \t\v\f");
             if (begin == line.npos) break;
             line.remove_prefix(begin);
@@ -117,7 +119,7 @@ class HeaderParser {
             source_.fail_in_text(end, "this header line is too short", std::string("expected: ") + form);
         }
         if (words_.size() > count)
-            fail(words_[count], "unexpected " + in_marks(words_[count]) + " in the header",
+            fail(words_[count], "unexpected " + quoted(words_[count]) + " in the header",
                  std::string("expected: ") + form);
     }
 
@@ -125,7 +127,7 @@ class HeaderParser {
         if (words_[0] == "format") return read_format();
         if (words_[0] == "element") return read_element();
         if (words_[0] == "property") return read_property();
-        fail(words_[0], "unknown header line " + in_marks(words_[0]),
+        fail(words_[0], "unknown header line " + quoted(words_[0]),
              suggestion(words_[0], {"format", "comment", "obj_info", "element", "property", "end_header"},
                         "expected format, element, property, comment, obj_info or end_header"));
     }
@@ -137,11 +139,11 @@ class HeaderParser {
         for (const NamedFormat& entry : format_names)
             if (entry.name == words_[1]) found = &entry;
         if (!found)
-            fail(words_[1], "unknown format " + in_marks(words_[1]),
+            fail(words_[1], "unknown format " + quoted(words_[1]),
                  suggestion(words_[1], names_of<NamedFormat>(format_names),
                             "expected ascii, binary_little_endian or binary_big_endian"));
         if (words_[2] != "1.0")
-            fail(words_[2], "unknown PLY version " + in_marks(words_[2]), "the only one is 1.0");
+            fail(words_[2], "unknown PLY version " + quoted(words_[2]), "the only one is 1.0");
         header_.format = found->format;
         has_format_ = true;
     }
@@ -152,7 +154,7 @@ class HeaderParser {
         std::uint64_t count = 0;
         const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
         if (error != std::errc() || end != digits.data() + digits.size())
-            fail(digits, in_marks(digits) + " is not a number of elements",
+            fail(digits, quoted(digits) + " is not a number of elements",
                  "expected a whole number, 0 or more");
         header_.elements.push_back(
             {std::string(words_[1]), count, source_.offset(words_[1]), source_.offset(digits), {}});
@@ -169,7 +171,7 @@ class HeaderParser {
             expect_words(5, "property list COUNT_TYPE TYPE NAME");
             property.count_type = parse_type(words_[2]);
             if (!is_integer(*property.count_type))
-                fail(words_[2], "a list cannot be counted in " + in_marks(words_[2]),
+                fail(words_[2], "a list cannot be counted in " + quoted(words_[2]),
                      "expected an integer type, such as uchar");
         } else {
             expect_words(3, "property TYPE NAME");
@@ -182,7 +184,7 @@ class HeaderParser {
         property.offset = source_.offset(name);
         Element& element = header_.elements.back();
         if (!names_in_element_.insert(name).second)
-            fail(name, "element " + in_marks(element.name) + " has a second property " + in_marks(name),
+            fail(name, "element " + quoted(element.name) + " has a second property " + quoted(name),
                  "names of properties must differ");
         element.properties.push_back(std::move(property));
     }
@@ -190,14 +192,14 @@ class HeaderParser {
     Type parse_type(std::string_view word) const {
         for (const NamedType& entry : type_names)
             if (entry.name == word) return entry.type;
-        fail(word, "unknown type " + in_marks(word),
+        fail(word, "unknown type " + quoted(word),
              suggestion(word, names_of<NamedType>(type_names),
                         "expected char, uchar, short, ushort, int, uint, float or double"));
     }
 
     const Source& source_;
     std::string_view text_;
-    std::size_t next_ = 0; ///< where the next line begins
+    std::size_t next_ = 0; ///< offset of the next line
     std::vector<std::string_view> words_;
     std::set<std::string_view> names_in_element_;
     bool cr_only_ = false;

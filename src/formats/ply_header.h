@@ -1,5 +1,5 @@
 #pragma once
-// The header of a PLY file: its dialect, and the elements and properties that follow.
+// The header of a PLY file: format, elements and properties.
 // Source: Turk, "The PLY Polygon File Format", 1994.
 
 #include "formats/ply_source.h"
@@ -19,13 +19,13 @@ constexpr std::size_t size_of(Type type) {
     return sizes[static_cast<std::size_t>(type)];
 }
 constexpr bool is_integer(Type type) { return type < Type::float32; }
-/// The type's first name: "char" … "double".
+/// Canonical name of a type: "char" … "double".
 const char* type_name(Type type);
 
 struct Property {
     std::string name;
     Type type = Type::float32;
-    std::optional<Type> count_type; ///< of a list; always an integer type
+    std::optional<Type> count_type; ///< type of a list's length, an integer type; none if not a list
     std::size_t offset = 0;         ///< of the name in the file
     std::size_t type_offset = 0;    ///< of the type's name in the file
 
@@ -42,13 +42,13 @@ struct Element {
 
 struct Header {
     PlyFormat format = PlyFormat::ascii;
-    std::vector<Element> elements; ///< in the order in which they are stored
-    std::size_t end_header = 0;    ///< offset of that word
+    std::vector<Element> elements; ///< in file order
+    std::size_t end_header = 0;    ///< offset of the word end_header
     std::size_t body = 0;          ///< offset of the first byte after the header
 };
 
-/// Reads the header. Lines may end in LF, CRLF or CR; blank lines, comments and a byte order mark may stand
-/// anywhere. Throws Error(input) with line and column.
+/// Parses the header. Lines may end in LF, CRLF or CR; blank lines, comments and a byte order mark are
+/// accepted. Throws Error(input) with line and column.
 Header parse_header(const Source& source);
 
 } // namespace glint::ply

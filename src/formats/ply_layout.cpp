@@ -1,3 +1,5 @@
+// Finding vertices, faces and strips by the usual names of elements and properties.
+
 #include "formats/ply_layout.h"
 
 #include <limits>
@@ -47,27 +49,27 @@ Role role_named(std::string_view name) {
 }
 
 std::string names_of_properties(const Element& element) {
-    constexpr std::size_t most_shown = 12;
+    constexpr std::size_t max_shown = 12;
     std::string names;
-    for (std::size_t i = 0; i < element.properties.size() && i < most_shown; ++i)
-        names += (i ? ", " : "") + in_marks(element.properties[i].name);
-    if (element.properties.size() > most_shown) names += " …";
+    for (std::size_t i = 0; i < element.properties.size() && i < max_shown; ++i)
+        names += (i ? ", " : "") + quoted(element.properties[i].name);
+    if (element.properties.size() > max_shown) names += " …";
     return names.empty() ? "none" : names;
 }
 
-VertexLayout understand_vertex(const Source& source, const Element& element) {
-    VertexLayout layout;
-    layout.roles.assign(element.properties.size(), Role::none);
+VertexFormat interpret_vertex(const Source& source, const Element& element) {
+    VertexFormat format;
+    format.roles.assign(element.properties.size(), Role::none);
     std::array<bool, role_count> found{};
 
-    // Of two spellings of one role the first counts.
+    // If a role appears under two names, the first counts.
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const Property& property = element.properties[i];
         const Role role = property.is_list() ? Role::none : role_named(property.name);
         if (role == Role::none || found[index_of(role)]) continue;
         found[index_of(role)] = true;
-        layout.types[index_of(role)] = property.type;
-        layout.roles[i] = role;
+        format.types[index_of(role)] = property.type;
+        format.roles[i] = role;
     }
 
     for (const Role role : {Role::x, Role::y, Role::z})
@@ -81,13 +83,13 @@ VertexLayout understand_vertex(const Source& source, const Element& element) {
             if (!found[index_of(role)]) return false;
         return true;
     };
-    layout.normals = all({Role::nx, Role::ny, Role::nz});
-    layout.colors = all({Role::red, Role::green, Role::blue});
-    layout.uvs = all({Role::u, Role::v});
-    return layout;
+    format.normals = all({Role::nx, Role::ny, Role::nz});
+    format.colors = all({Role::red, Role::green, Role::blue});
+    format.uvs = all({Role::u, Role::v});
+    return format;
 }
 
-/// The property that lists corners.
+/// Index of the property with the vertex indices; −1 if there is none.
 int find_corners(const Source& source, const Element& element) {
     int found = -1;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -95,10 +97,10 @@ int find_corners(const Source& source, const Element& element) {
         if (property.name != "vertex_indices" && property.name != "vertex_index") continue;
         if (found >= 0)
             source.fail_in_text(property.offset,
-                                "element " + in_marks(element.name) + " lists its corners twice",
+                                "element " + quoted(element.name) + " lists its corners twice",
                                 "keep one of vertex_indices and vertex_index");
         if (!property.is_list())
-            source.fail_in_text(property.offset, in_marks(property.name) + " is not a list",
+            source.fail_in_text(property.offset, quoted(property.name) + " is not a list",
                                 "expected: property list uchar int vertex_indices");
         if (!is_integer(property.type))
             source.fail_in_text(property.type_offset,
@@ -109,7 +111,7 @@ int find_corners(const Source& source, const Element& element) {
     }
     if (found < 0 && element.count > 0)
         source.fail_in_text(
-            element.name_offset, "element " + in_marks(element.name) + " has no list of corners",
+            element.name_offset, "element " + quoted(element.name) + " has no list of corners",
             "expected: property list uchar int vertex_indices; it has: " + names_of_properties(element));
     return found;
 }
@@ -127,7 +129,7 @@ std::size_t find_vertices(const Source& source, const Header& header) {
         for (const Element& element : header.elements)
             if (nearest_name(element.name, {"vertex", "vertices", "point", "points"}))
                 source.fail_in_text(element.name_offset, "the file has no element 'vertex'",
-                                    "did you mean 'vertex' by " + in_marks(element.name) + "?");
+                                    "did you mean 'vertex' by " + quoted(element.name) + "?");
         source.fail_in_text(header.end_header, "the file has no element 'vertex'", "a mesh needs vertices");
     }
     if (found->count == 0)
@@ -142,10 +144,10 @@ std::size_t find_vertices(const Source& source, const Header& header) {
 
 bool is_strips(const Element& element) { return element.name == "tristrips"; }
 
-Layout understand(const Source& source, const Header& header) {
-    Layout layout;
+MeshLayout interpret_header(const Source& source, const Header& header) {
+    MeshLayout layout;
     layout.vertex_element = find_vertices(source, header);
-    layout.vertex = understand_vertex(source, header.elements[layout.vertex_element]);
+    layout.vertex = interpret_vertex(source, header.elements[layout.vertex_element]);
     for (const Element& element : header.elements) {
         const bool has_corners = element.name == "face" || is_strips(element);
         layout.corners.push_back(has_corners ? find_corners(source, element) : -1);

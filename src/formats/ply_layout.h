@@ -1,5 +1,5 @@
 #pragma once
-// What the elements and properties of a header mean for a mesh.
+// Interpretation of a header as a mesh.
 
 #include "formats/ply_header.h"
 
@@ -9,31 +9,32 @@
 
 namespace glint::ply {
 
-/// What a number of a vertex is.
+/// Meaning of a vertex property.
 enum class Role : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, u, v, none };
 inline constexpr std::size_t role_count = static_cast<std::size_t>(Role::none);
 
-/// How the vertex element is read. A group of roles that is not whole is left out.
-struct VertexLayout {
-    std::vector<Role> roles; ///< by property; lists have none
+/// Properties of the vertex element. Incomplete groups of roles (normals, colours, texture coordinates) are
+/// ignored.
+struct VertexFormat {
+    std::vector<Role> roles; ///< by property; Role::none for lists
     std::array<Type, role_count> types{};
     bool normals = false;
     bool colors = false;
     bool uvs = false;
 };
 
-/// What the header says about the mesh. Elements and properties that are not named here are passed over.
-struct Layout {
+/// Where the mesh is in the file. Other elements and properties are skipped.
+struct MeshLayout {
     std::size_t vertex_element = 0;
-    VertexLayout vertex;
-    /// By element: the property that lists the corners of faces or tristrips, or −1.
+    VertexFormat vertex;
+    /// By element: the property with the vertex indices of faces or strips, or −1.
     std::vector<int> corners;
-    bool has_faces = false; ///< some face or strip is promised
+    bool has_faces = false; ///< the header declares at least one face or strip
 };
 
-/// Finds vertices, faces and tristrips, under all usual spellings. Throws Error(input) where the header makes
-/// no mesh: no vertices, or two such elements, no x y z, faces without a list of whole numbers.
-Layout understand(const Source& source, const Header& header);
+/// Finds vertices, faces and triangle strips under all common names. Throws Error(input) if the header
+/// describes no mesh: no vertex element or two of them, no x, y or z, or faces without a list of integers.
+MeshLayout interpret_header(const Source& source, const Header& header);
 
 bool is_strips(const Element& element);
 

@@ -1,3 +1,5 @@
+// Table of the sRGB curve.
+
 #include "formats/ply_light.h"
 
 #include "imaging/tone.h"
@@ -7,7 +9,7 @@
 
 namespace glint::ply {
 
-const std::array<float, 256>& light_of_codes() {
+const std::array<float, 256>& srgb8_table() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> light{};
         for (std::size_t code = 0; code < light.size(); ++code)

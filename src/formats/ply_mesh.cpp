@@ -1,3 +1,5 @@
+// From rows to a mesh: checks vertices, triangulates polygons, drops degenerate faces, and collects warnings.
+
 #include "formats/ply_mesh.h"
 
 #include "geometry/mesh.h"
@@ -9,11 +11,11 @@
 namespace glint::ply {
 namespace {
 
-std::string counted(std::uint64_t n, const char* one, const char* many) {
+std::string count_text(std::uint64_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// "2.5": the shortest text of a number.
+/// Shortest text of a number, such as "2.5".
 std::string number_text(double value) {
     char buffer[32];
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value)).ptr};
@@ -21,21 +23,21 @@ std::string number_text(double value) {
 
 class Assembler {
   public:
-    Assembler(const Source& source, const Header& header, const Layout& layout, Body body,
+    Assembler(const Source& source, const Header& header, const MeshLayout& layout, Rows rows,
               const LoadWatch& watch)
-        : source_(source), header_(header), layout_(layout), body_(std::move(body)), watch_(watch) {}
+        : source_(source), header_(header), layout_(layout), rows_(std::move(rows)), watch_(watch) {}
 
     LoadedMesh assemble() {
-        go_on();
+        poll_cancel();
         refuse_bad_vertices_in_use();
-        go_on();
+        poll_cancel();
         split_polygons();
-        go_on();
-        const std::uint64_t dropped = body_.small_faces + drop_degenerate(mesh().positions, mesh().triangles);
+        poll_cancel();
+        const std::uint64_t dropped = rows_.small_faces + drop_degenerate(mesh().positions, mesh().triangles);
         if (dropped > 0)
-            warn("dropped " + counted(dropped, "degenerate face", "degenerate faces"),
+            warn("dropped " + count_text(dropped, "degenerate face", "degenerate faces"),
                  "they have fewer than three different corners, or no area");
-        go_on();
+        poll_cancel();
         drop_bad_vertices();
         warn_of_missing_faces();
         warn_of_the_rest();
@@ -43,10 +45,10 @@ class Assembler {
     }
 
   private:
-    Mesh& mesh() { return body_.mesh; }
+    Mesh& mesh() { return rows_.mesh; }
 
-    /// All is read, but a large mesh takes its time still: between the passes the caller may have had enough.
-    void go_on() const { watch_.at(1, 1); }
+    /// Poll for cancellation between passes.
+    void poll_cancel() const { watch_.at(1, 1); }
 
     void warn(std::string message, std::string hint) {
         const Location where{source_.name(), 0, 0, {}};
@@ -60,11 +62,11 @@ class Assembler {
     }
 
     void refuse_bad_vertices_in_use() {
-        if (body_.bad_vertices.empty()) return;
+        if (rows_.bad_vertices.empty()) return;
         std::vector<bool> used(mesh().positions.size(), false);
         for (const uvec3& t : mesh().triangles) used[t.x] = used[t.y] = used[t.z] = true;
-        for (const std::uint32_t corner : body_.corners) used[corner] = true;
-        for (const Body::BadVertex& bad : body_.bad_vertices) {
+        for (const std::uint32_t corner : rows_.corners) used[corner] = true;
+        for (const Rows::BadVertex& bad : rows_.bad_vertices) {
             if (!used[bad.vertex]) continue;
             const std::string name = "vertex " + std::to_string(bad.vertex);
             if (bad.finite)
@@ -75,18 +77,18 @@ class Assembler {
         }
     }
 
-    /// Puts the triangles of each polygon where the polygon stood among the faces.
+    /// Triangulates polygons in the order of the faces.
     void split_polygons() {
-        if (body_.polygons.empty()) return;
+        if (rows_.polygons.empty()) return;
         const std::vector<uvec3> whole = std::move(mesh().triangles);
         std::vector<uvec3> all;
-        all.reserve(whole.size() + body_.corners.size() - 2 * body_.polygons.size());
+        all.reserve(whole.size() + rows_.corners.size() - 2 * rows_.polygons.size());
         auto next = whole.begin();
-        for (const Body::Polygon& polygon : body_.polygons) {
+        for (const Rows::Polygon& polygon : rows_.polygons) {
             const auto before = whole.begin() + static_cast<std::ptrdiff_t>(polygon.triangles_before);
             all.insert(all.end(), next, before);
             next = before;
-            const auto corners = std::span(body_.corners).subspan(polygon.first, polygon.size);
+            const auto corners = std::span(rows_.corners).subspan(polygon.first, polygon.size);
             if (!triangulate(mesh().positions, corners, all))
                 fail(polygon.offset,
                      "a concave face of " + std::to_string(polygon.size) + " corners is too large",
@@ -98,19 +100,19 @@ class Assembler {
     }
 
     void drop_bad_vertices() {
-        if (body_.bad_vertices.empty()) return;
-        warn("dropped " + counted(body_.bad_vertices.size(), "vertex that is", "vertices that are") +
+        if (rows_.bad_vertices.empty()) return;
+        warn("dropped " + count_text(rows_.bad_vertices.size(), "vertex that is", "vertices that are") +
                  " not finite or beyond 10^12",
-             "no face uses " + std::string(body_.bad_vertices.size() == 1 ? "it" : "them"));
+             "no face uses " + std::string(rows_.bad_vertices.size() == 1 ? "it" : "them"));
         const std::size_t before = mesh().positions.size();
-        if (body_.bad_vertices.size() == before)
-            fail(body_.bad_vertices.front().offset, "no vertex of the file is finite and within ±10^12",
+        if (rows_.bad_vertices.size() == before)
+            fail(rows_.bad_vertices.front().offset, "no vertex of the file is finite and within ±10^12",
                  "there is nothing to draw");
 
-        // New numbers for the vertices that stay.
+        // Renumber the remaining vertices.
         std::vector<std::uint32_t> number(before);
         std::vector<bool> bad(before, false);
-        for (const Body::BadVertex& vertex : body_.bad_vertices) bad[vertex.vertex] = true;
+        for (const Rows::BadVertex& vertex : rows_.bad_vertices) bad[vertex.vertex] = true;
         std::uint32_t kept = 0;
         for (std::size_t i = 0; i < before; ++i) number[i] = bad[i] ? kept : kept++;
         for (uvec3& t : mesh().triangles) t = {number[t.x], number[t.y], number[t.z]};
@@ -136,32 +138,32 @@ class Assembler {
         std::string hint = "each vertex becomes a small sphere; 'point_radius' sets its size";
         for (const Element& element : header_.elements)
             if (element.count > 0 && nearest_name(element.name, {"face", "faces", "triangle", "triangles"}))
-                hint = "did you mean 'face' by " + in_marks(element.name) + "?";
+                hint = "did you mean 'face' by " + quoted(element.name) + "?";
         warn("the file has no faces: it is drawn as a point cloud", hint);
     }
 
     void warn_of_the_rest() {
-        if (body_.brightest > 1)
-            warn("vertex colours of type float go up to " + number_text(body_.brightest),
+        if (rows_.max_float_color > 1)
+            warn("vertex colours of type float go up to " + number_text(rows_.max_float_color),
                  "they are read as linear light from 0 to 1; sRGB codes are stored as uchar");
-        if (body_.trailing > 0)
-            warn(counted(body_.trailing, "byte follows", "bytes follow") + " the last element",
+        if (rows_.trailing > 0)
+            warn(count_text(rows_.trailing, "byte follows", "bytes follow") + " the last element",
                  "the header may count too few rows");
     }
 
     const Source& source_;
     const Header& header_;
-    const Layout& layout_;
-    Body body_;
+    const MeshLayout& layout_;
+    Rows rows_;
     const LoadWatch& watch_;
     std::vector<Diagnostic> warnings_;
 };
 
 } // namespace
 
-LoadedMesh assemble(const Source& source, const Header& header, const Layout& layout, Body body,
+LoadedMesh assemble(const Source& source, const Header& header, const MeshLayout& layout, Rows rows,
                     const LoadWatch& watch) {
-    return Assembler(source, header, layout, std::move(body), watch).assemble();
+    return Assembler(source, header, layout, std::move(rows), watch).assemble();
 }
 
 } // namespace glint::ply

@@ -1,17 +1,17 @@
 #pragma once
-// From what a PLY file stores to a mesh that can be drawn.
+// Makes a mesh from the rows of a PLY file.
 
 #include "formats/load_watch.h"
-#include "formats/ply_body.h"
+#include "formats/ply_rows.h"
 #include "glint/formats.h"
 
 namespace glint::ply {
 
-/// Splits polygons, drops faces without area and unused vertices that are not finite, and says so in
-/// warnings. Throws Error(input) for a vertex that is not finite or beyond the greatest coordinate and that a
-/// face uses, for concave faces too large to split, and where no vertex is left. `watch` is told before each
-/// pass.
-LoadedMesh assemble(const Source& source, const Header& header, const Layout& layout, Body body,
+/// Triangulates polygons, drops faces without area and unused vertices that are not finite, and adds warnings
+/// about these. Throws Error(input) if a face uses a vertex that is not finite or beyond the largest
+/// coordinate, for concave faces with too many corners, and if no vertex is left. Reports to `watch` before
+/// each pass.
+LoadedMesh assemble(const Source& source, const Header& header, const MeshLayout& layout, Rows rows,
                     const LoadWatch& watch);
 
 } // namespace glint::ply

@@ -1,3 +1,5 @@
+// Error messages with lines, columns and excerpts.
+
 #include "formats/ply_source.h"
 
 #include <algorithm>
@@ -6,8 +8,8 @@
 namespace glint::ply {
 namespace {
 
-constexpr std::size_t longest_excerpt = 160;
-constexpr std::size_t longest_word = 40;
+constexpr std::size_t max_excerpt = 160;
+constexpr std::size_t max_word = 40;
 
 bool printable(char c) { return c >= ' ' && c <= '~'; }
 
@@ -15,12 +17,12 @@ int clamped(std::size_t n) {
     return static_cast<int>(std::min<std::size_t>(n, std::numeric_limits<int>::max()));
 }
 
-/// The line that begins at `start`, or nothing where it is long or no plain text.
+/// The line that starts at `start`; empty if it is too long or not plain text.
 std::string shown_line(std::string_view text, std::size_t start) {
     const std::string_view line = text.substr(start, text.find_first_of("\r\n", start) - start);
     const bool plain =
         std::all_of(line.begin(), line.end(), [](char c) { return printable(c) || c == '\t'; });
-    return plain && line.size() <= longest_excerpt ? std::string(line) : std::string();
+    return plain && line.size() <= max_excerpt ? std::string(line) : std::string();
 }
 
 } // namespace
@@ -47,16 +49,16 @@ void Source::fail_at_byte(std::size_t offset, std::string message, std::string h
     throw Error(ErrorKind::input, std::move(message), std::move(hint), Location{name_, 0, 0, offset});
 }
 
-std::string in_marks(std::string_view word) {
-    std::string shown(word.substr(0, longest_word));
+std::string quoted(std::string_view word) {
+    std::string shown(word.substr(0, max_word));
     std::replace_if(
         shown.begin(), shown.end(), [](char c) { return !printable(c); }, '?');
-    return "'" + shown + (word.size() > longest_word ? "…'" : "'");
+    return "'" + shown + (word.size() > max_word ? "…'" : "'");
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
                        std::string otherwise) {
-    const auto nearest = nearest_name(std::string(word.substr(0, 2 * longest_word)), candidates);
+    const auto nearest = nearest_name(std::string(word.substr(0, 2 * max_word)), candidates);
     return nearest ? "did you mean '" + *nearest + "'?" : std::move(otherwise);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The bytes of one PLY file, and how messages point into them.
+// The bytes of a PLY file, and errors that refer to positions in it.
 
 #include "glint/error.h"
 
@@ -10,11 +10,11 @@
 
 namespace glint::ply {
 
-/// A view of a whole file in memory. Places are offsets; lines and columns are counted only when a message
-/// needs them, so that readers need not keep account.
+/// A view of a whole file in memory. Positions are byte offsets; lines and columns are counted only for
+/// messages.
 class Source {
   public:
-    /// `bytes` must outlive the source; `name` stands for the file in messages.
+    /// `bytes` must outlive the source; `name` is the file name for messages.
     Source(std::span<const std::byte> bytes, std::string name);
 
     std::string_view text() const { return text_; }
@@ -25,7 +25,7 @@ class Source {
         return static_cast<std::size_t>(part.data() - text_.data());
     }
 
-    /// Throws Error(input) at the line and column of an offset, with the line itself where it can be shown.
+    /// Throws Error(input) with line, column and, if printable, the line at an offset.
     [[noreturn]] void fail_in_text(std::size_t offset, std::string message, std::string hint) const;
     /// Throws Error(input) at a byte offset.
     [[noreturn]] void fail_at_byte(std::size_t offset, std::string message, std::string hint) const;
@@ -35,10 +35,10 @@ class Source {
     std::string name_;
 };
 
-/// A word of a file for a message: in quotes, shortened, bytes that are not printable ASCII as '?'.
-std::string in_marks(std::string_view word);
+/// A word of the file for messages: quoted and shortened, with non-printable characters as '?'.
+std::string quoted(std::string_view word);
 
-/// "did you mean 'nearest'?", or `otherwise` where no candidate is near.
+/// "did you mean 'nearest'?", or `otherwise` if no candidate is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
                        std::string otherwise);
 

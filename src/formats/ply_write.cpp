@@ -1,3 +1,5 @@
+// Writing meshes as PLY files.
+
 #include "glint/formats.h"
 #include "imaging/tone.h"
 
@@ -9,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// Values of one row after another, in the dialect's form.
+/// Formats values for one of the PLY formats.
 class Output {
   public:
     explicit Output(PlyFormat format) : format_(format) {}
@@ -34,7 +36,7 @@ class Output {
     const std::string& text() const { return text_; }
 
   private:
-    /// The shortest text that gives the value back, in any locale.
+    /// Shortest text that parses to the same value, in any locale.
     template <class Value>
     void word(Value value) {
         char buffer[32];
@@ -63,8 +65,8 @@ const char* format_name(PlyFormat format) {
     }
 }
 
-/// Whether every colour is that of an sRGB byte to the bit: then bytes say it all, and more programs read
-/// them.
+/// Whether every colour equals an 8-bit sRGB code bit for bit. Then bytes are lossless, and more programs
+/// read them.
 bool are_codes(const std::vector<glm::vec3>& colors) {
     const auto is_code = [](float light) {
         return std::bit_cast<std::uint32_t>(linear_from_srgb8(srgb8_from_linear(light))) ==

@@ -1,3 +1,5 @@
+// Error handling of libpng by setjmp and longjmp.
+
 #include "formats/png_guard.h"
 
 #include <png.h>
@@ -19,7 +21,7 @@ void png_fail(png_struct_def* png, const char* message) {
 void png_ignore(png_struct_def*, const char*) {}
 
 bool png_try(png_struct_def* png, const std::function<void()>& calls) {
-    if (setjmp(png_jmpbuf(png)) != 0) return false; // NOLINT(cert-err52-cpp): libpng has no other way
+    if (setjmp(png_jmpbuf(png)) != 0) return false; // NOLINT(cert-err52-cpp): libpng offers no other way
     calls();
     return true;
 }

@@ -1,27 +1,27 @@
 #pragma once
-// How PNG files are read and written without libpng's errors getting into C++'s way.
+// Calls to libpng, whose errors longjmp, from C++.
 
 #include <array>
 #include <functional>
 
-/// libpng's png_struct, by the name that libpng declares it with.
+/// libpng's png_struct under its tag name.
 struct png_struct_def;
 
 namespace glint {
 
-/// The text of the error that ended a call, kept without the heap.
+/// Message of a failed call, without heap memory.
 struct PngFailure {
     std::array<char, 160> message{};
 };
 
-/// libpng's error callback: keeps the message in the PngFailure and leaves by longjmp.
+/// libpng's error callback: stores the message in the PngFailure and longjmps.
 [[noreturn]] void png_fail(png_struct_def* png, const char* message);
 
-/// libpng's warnings are about ancillary chunks; the picture is whole without them.
+/// libpng's warning callback. Warnings concern ancillary chunks, without which the picture is complete.
 void png_ignore(png_struct_def* png, const char* message);
 
-/// Runs calls to libpng; false when one of them failed. The longjmp passes over `calls`, which therefore must
-/// hold nothing with a destructor.
+/// Runs calls to libpng; returns false if one fails. The longjmp skips destructors, so `calls` must not
+/// create objects that have one.
 bool png_try(png_struct_def* png, const std::function<void()>& calls);
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// Reading PNG files with libpng.
+
 #include "formats/picture_codecs.h"
 #include "formats/png_guard.h"
 
@@ -10,7 +12,7 @@ namespace glint {
 
 namespace {
 
-/// The bytes still to be read.
+/// The bytes not read yet.
 struct PngInput {
     std::span<const std::byte> left;
 };
@@ -22,7 +24,7 @@ void take_bytes(png_structp png, png_bytep out, std::size_t size) {
     input->left = input->left.subspan(size);
 }
 
-/// Owns libpng's state for one file that is being read from memory.
+/// Owns libpng's state for reading one file from memory.
 class PngReader {
   public:
     PngReader(std::span<const std::byte> bytes, const std::string& name)
@@ -31,7 +33,7 @@ class PngReader {
         if (png_ != nullptr) info_ = png_create_info_struct(png_);
         if (info_ == nullptr) throw std::bad_alloc();
         png_set_read_fn(png_, &input_, take_bytes);
-        // Sizes are judged by check_picture_size(), with a clearer message than libpng's own.
+        // check_picture_size() checks sizes, with a clearer message than libpng's.
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     }
     ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -60,13 +62,13 @@ class PngReader {
 struct PngShape {
     png_uint_32 width = 0;
     png_uint_32 height = 0;
-    std::size_t bits_per_pixel = 0; ///< as stored
-    std::size_t row_bytes = 0;      ///< as delivered: RGB of 8 or 16 bits
+    std::size_t bits_per_pixel = 0; ///< in the file
+    std::size_t row_bytes = 0;      ///< as decoded: RGB with 8 or 16 bits
     int bits = 8;
-    int passes = 1; ///< more where the rows are interlaced
+    int passes = 1; ///< more than one if interlaced
 };
 
-/// Reads the header and asks for RGB of 8 or 16 bits, whatever is stored.
+/// Reads the header.
 PngShape read_header(PngReader& reader) {
     PngShape shape;
     png_structp png = reader.png();
@@ -80,6 +82,7 @@ PngShape read_header(PngReader& reader) {
     return shape;
 }
 
+/// Asks libpng to convert to RGB with 8 or 16 bits.
 void request_rgb(PngReader& reader, PngShape& shape) {
     png_structp png = reader.png();
     png_infop info = reader.info();
@@ -94,13 +97,13 @@ void request_rgb(PngReader& reader, PngShape& shape) {
     });
 }
 
-/// Deflate makes data at most 1032 times smaller: a file too short for its size is refused before memory is
-/// taken.
-void check_promise(const PngShape& shape, std::size_t file_size, const std::string& name) {
+/// The compression ratio of deflate is at most 1032: rejects files too short for their size before memory is
+/// allocated.
+void check_file_size(const PngShape& shape, std::size_t file_size, const std::string& name) {
     check_picture_size(name, shape.width, shape.height);
-    constexpr std::size_t best_ratio = 1032;
+    constexpr std::size_t max_ratio = 1032;
     const std::size_t stored = shape.bits_per_pixel * shape.width / 8 * shape.height;
-    if (stored / best_ratio > file_size)
+    if (stored / max_ratio > file_size)
         refuse_picture(name,
                        "the PNG is too short for " + std::to_string(shape.width) + " x " +
                            std::to_string(shape.height) + " pixels",
@@ -110,7 +113,7 @@ void check_promise(const PngShape& shape, std::size_t file_size, const std::stri
 Image image_from_rows(const PngShape& shape, const std::vector<png_byte>& rows) {
     Image image(static_cast<int>(shape.width), static_cast<int>(shape.height));
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        // 16-bit values stand with the high byte first.
+        // 16-bit values are big-endian.
         const unsigned value = shape.bits == 16 ? rows[2 * i] * 256U + rows[2 * i + 1] : rows[i];
         image.pixels[i] = static_cast<float>(value);
     }
@@ -122,10 +125,10 @@ Image image_from_rows(const PngShape& shape, const std::vector<png_byte>& rows) 
 LoadedPicture decode_png(std::span<const std::byte> bytes, const std::string& name) {
     PngReader reader(bytes, name);
     PngShape shape = read_header(reader);
-    check_promise(shape, bytes.size(), name);
+    check_file_size(shape, bytes.size(), name);
     request_rgb(reader, shape);
 
-    // Interlaced rows come in several passes, each filling in between the last, so all rows are kept.
+    // Interlaced rows come in several passes, so all rows are kept.
     std::vector<png_byte> rows(shape.row_bytes * shape.height);
     png_structp png = reader.png();
     reader.run([&] {

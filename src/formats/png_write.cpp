@@ -1,3 +1,5 @@
+// Writing PNG files with libpng.
+
 #include "formats/picture_codecs.h"
 #include "formats/png_guard.h"
 #include "imaging/tone.h"
@@ -11,11 +13,11 @@ namespace glint {
 
 namespace {
 
-/// Chosen for speed: about a fifth more bytes than with libpng's own choices, in a fifth of the time.
+/// Chosen for speed: about 20 % larger files than with libpng's defaults in a fifth of the time.
 constexpr int compression_level = 4;
 constexpr int row_filters = PNG_FILTER_SUB;
 
-/// Owns libpng's state for one file that is being written to memory.
+/// Owns libpng's state for writing one file to memory.
 class PngWriter {
   public:
     PngWriter() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure_, png_fail, png_ignore)) {
@@ -39,7 +41,7 @@ class PngWriter {
     std::vector<std::byte> take() { return std::move(bytes_); }
 
   private:
-    /// No exception may pass through libpng: a lack of memory becomes one of its errors.
+    /// No exception may propagate through libpng: lack of memory becomes a libpng error.
     static void append(png_structp png, png_bytep data, std::size_t size) {
         auto* bytes = static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
         if (!try_append(*bytes, data, size)) png_error(png, "not enough memory");
@@ -64,7 +66,7 @@ class PngWriter {
 using Code8 = std::uint8_t (*)(float);
 using Code16 = std::uint16_t (*)(float);
 
-/// Codes of one row; 16-bit codes with the high byte first, as PNG stores them.
+/// Encodes rows; 16-bit codes are big-endian as PNG requires.
 class RowEncoder {
   public:
     RowEncoder(const Image& image, const PictureOptions& options) : image_(image), options_(options) {
@@ -77,21 +79,21 @@ class RowEncoder {
     void encode(int y) {
         const bool raw = options_.view == View::raw;
         if (options_.bits == 8)
-            fill(y, raw ? raw8_from_linear : srgb8_from_linear, code8_from_share);
+            fill(y, raw ? raw8_from_linear : srgb8_from_linear, unorm8_from_float);
         else
-            fill(y, raw ? raw16_from_linear : srgb16_from_linear, code16_from_share);
+            fill(y, raw ? raw16_from_linear : srgb16_from_linear, unorm16_from_float);
     }
 
   private:
     template <class Code>
-    void fill(int y, Code code_of_light, Code code_of_share) {
+    void fill(int y, Code code_of_light, Code code_of_alpha) {
         png_bytep to = row_.data();
         const float* from = image_.at(0, y);
         const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width);
         for (std::size_t x = 0; x < static_cast<std::size_t>(image_.width); ++x) {
             for (std::size_t channel = 0; channel < 3; ++channel)
                 to = put(to, code_of_light(from[3 * x + channel]));
-            if (!options_.alpha.empty()) to = put(to, code_of_share(options_.alpha[first + x]));
+            if (!options_.alpha.empty()) to = put(to, code_of_alpha(options_.alpha[first + x]));
         }
     }
 
@@ -114,17 +116,17 @@ bool is_ascii(const std::string& text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
 }
 
-/// Keywords must be 1 to 79 characters of Latin-1; others are not written by glint, so they are refused.
+/// PNG limits keywords to 1 to 79 characters of Latin-1; this accepts ASCII only.
 void check_keyword(const std::string& key) {
-    constexpr std::size_t longest = 79;
+    constexpr std::size_t max_length = 79;
     const bool printable = std::all_of(key.begin(), key.end(), [](char c) { return c >= ' ' && c <= '~'; });
     const bool trimmed = key.front() != ' ' && key.back() != ' ' && key.find("  ") == std::string::npos;
-    if (!printable || !trimmed || key.size() > longest)
+    if (!printable || !trimmed || key.size() > max_length)
         throw Error(ErrorKind::usage, "'" + key + "' cannot name metadata in a PNG",
                     "take up to 79 printable ASCII characters without leading, trailing or double spaces");
 }
 
-/// Text chunks pointing into the metadata: plain where ASCII is enough, else international (UTF-8).
+/// Text chunks that point into the metadata: tEXt if ASCII suffices, otherwise iTXt (UTF-8).
 std::vector<png_text> text_chunks(const PictureOptions& options) {
     std::vector<png_text> texts;
     static char none[] = "";
@@ -132,7 +134,7 @@ std::vector<png_text> text_chunks(const PictureOptions& options) {
         check_keyword(key);
         png_text text{};
         text.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-        // libpng takes pointers to char but only reads what they point to.
+        // libpng takes non-const pointers but only reads.
         text.key = const_cast<char*>(key.c_str());
         text.text = const_cast<char*>(value.c_str());
         text.text_length = value.size();
@@ -151,7 +153,7 @@ void write_header(PngWriter& writer, const Image& image, const PictureOptions& o
         png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                      options.bits, options.alpha.empty() ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        // The raw view has no curve that a chunk could name.
+        // No chunk describes the raw view.
         if (options.view == View::srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         if (!texts.empty()) png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
 

@@ -1,3 +1,5 @@
+// Setting up the pinhole camera.
+
 #include "imaging/camera.h"
 
 #include "math/trig.h"
@@ -6,7 +8,7 @@ namespace glint {
 
 namespace {
 
-/// The side of the picture, in pixels, that the field of view spans.
+/// The side of the picture, in pixels, that the field of view refers to.
 double measured_side(FieldOfViewAxis axis, double width, double height) {
     switch (axis) {
     case FieldOfViewAxis::x:
@@ -29,7 +31,7 @@ PinholeCamera pinhole_camera(const dvec3& eye, const dvec3& direction, const dve
     const dvec3 right = glm::normalize(glm::cross(forward, up));
     const dvec3 upward = glm::cross(right, forward);
 
-    // Pixels are square: the other side's tangent follows from the ratio of the sides.
+    // Pixels are square, so the other tangent follows from the aspect ratio.
     const double tangent = tan_degrees(fov_degrees / 2);
     const double side = measured_side(axis, width, height);
 

@@ -1,3 +1,5 @@
+// Comparing pictures: error measures and heat maps.
+
 #include "glint/image.h"
 
 #include <algorithm>
@@ -11,8 +13,7 @@ namespace glint {
 
 namespace {
 
-/// |a − b|, computed in double. Equal values, NaN and NaN among them, differ by 0; NaN and a number by
-/// infinity.
+/// |a − b| in double precision. Equal values and two NaN differ by 0, NaN and a number by infinity.
 double difference(float a, float b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
     if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<double>::infinity();
@@ -29,7 +30,7 @@ void require_same_size(const Image& a, const Image& b) {
 
 using Color = std::array<float, 3>;
 
-/// Black, blue, yellow, white at t = 0, 1/3, 2/3, 1, straight lines between.
+/// Colour map: black, blue, yellow, white at t = 0, 1/3, 2/3, 1, linear between.
 Color heat_color(double t) {
     static constexpr std::array<std::array<double, 3>, 4> stops{
         {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 1.0, 0.0}, {1.0, 1.0, 1.0}}};
@@ -48,7 +49,7 @@ Color heat_color(double t) {
 Comparison compare(const Image& a, const Image& b, double tolerance, double peak) {
     require_same_size(a, b);
 
-    // Rows are summed apart: the rounding of a sum over one row stays small, and the order is fixed.
+    // Sum by rows: this keeps rounding errors small in a fixed order.
     Comparison result;
     double sum = 0;
     double sum_of_squares = 0;
@@ -91,7 +92,7 @@ Image difference_heat(const Image& a, const Image& b, double full_scale) {
             for (int channel = 0; channel < 3; ++channel)
                 worst = std::max(worst, difference(a.at(x, y)[channel], b.at(x, y)[channel]));
 
-            // Compared before dividing: a scale of 0 shows any difference in white.
+            // Compare before dividing: with scale 0 any difference is white.
             const double t = worst == 0 ? 0 : worst >= full_scale ? 1 : worst / full_scale;
             const Color color = heat_color(t);
             std::copy(color.begin(), color.end(), heat.at(x, y));

@@ -1,3 +1,5 @@
+// Pixel filters and their sampling tables.
+
 #include "imaging/filter.h"
 
 #include "imaging/filter.shared.h"
@@ -8,7 +10,8 @@ namespace glint {
 
 namespace {
 
-/// e^−x for x ≥ 0 as the reciprocal of a series of positive terms: + * / only, so the same bits anywhere.
+/// e^−x for x ≥ 0 as the reciprocal of a series of positive terms: only + * /, so the same bits on every
+/// machine.
 double exp_minus(double x) {
     double sum = 1;
     double term = 1;
@@ -64,8 +67,8 @@ double filter_value(FilterKind kind, double x) {
 }
 
 PixelFilterSampler::PixelFilterSampler(FilterKind kind) : radius_(static_cast<float>(filter_radius(kind))) {
-    // From the rim inward the sums begin small, so that the thin rim keeps its precision. Simpson's rule is
-    // exact for the polynomials; no step contains a change of sign.
+    // Integrate |f| from the edge inward, so that sums start small and the edge keeps its precision.
+    // Simpson's rule is exact for the polynomial filters; no step contains a sign change.
     const double radius = filter_radius(kind);
     const auto distance = [&](double step) { return radius * (1 - step / static_cast<double>(steps)); };
     std::array<double, steps + 1> tail{};
@@ -91,7 +94,7 @@ PixelFilterSampler::Offset PixelFilterSampler::along_axis(float u) const {
     const bool left = u < 0.5f;
     const float tail = left ? 2 * u : 2 - 2 * u;
 
-    // Only u = 1/2, the centre itself, has the whole of |f| beyond it.
+    // Only at u = 1/2, the centre, is all of |f| beyond.
     std::size_t step = steps - 1;
     if (tail < 1) {
         step = start_[static_cast<std::size_t>(tail * static_cast<float>(starts))];

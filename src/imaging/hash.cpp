@@ -1,3 +1,5 @@
+// Hashes of pictures (XXH3, 128 bits).
+
 #include "glint/image.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace glint {
 
 namespace {
 
-/// The values with their bytes swapped go through a small buffer, so that no second picture is needed.
+/// Swaps bytes in a small buffer, so no second picture is needed.
 void update_swapped(XXH3_state_t& state, std::span<const float> values) {
     std::array<unsigned char, 4096> buffer;
     constexpr std::size_t batch = buffer.size() / sizeof(float);

@@ -1,3 +1,5 @@
+// The sRGB curve and its inverse.
+
 #include "imaging/tone.h"
 
 #include <cmath>
@@ -9,7 +11,7 @@ namespace glint {
 
 namespace {
 
-/// The fifth root of y > 0. Newton's steps fall from above until they no longer do: the same bits on any
+/// Fifth root of y > 0 by Newton iteration, which decreases monotonically from above: the same bits on every
 /// machine.
 double fifth_root(double y) {
     double root = y > 1 ? y : 1;
@@ -21,9 +23,9 @@ double fifth_root(double y) {
     }
 }
 
-/// The sRGB curve as the linear values where its rounded code steps up. The curve rises by no more
-/// than 12.92, so with more than 12.92 buckets for each code no bucket holds two steps: a code is its
-/// bucket's first, or the next.
+/// The sRGB curve as a table of the linear values at which the rounded code increases. The slope is at most
+/// 12.92, so with more than 12.92 buckets a code no bucket contains two steps: a code is that of the bucket's
+/// start or the next.
 class SrgbTable {
   public:
     SrgbTable(unsigned highest, std::size_t buckets)
@@ -47,16 +49,16 @@ class SrgbTable {
     }
 
   private:
-    /// The least float that is not below x: a float reaches it exactly when it reaches x.
+    /// The least float not below x: a float reaches it exactly when it reaches x.
     static float nearest_above(double x) {
         const auto rounded = static_cast<float>(x);
         return rounded >= x ? rounded : std::nextafter(rounded, std::numeric_limits<float>::infinity());
     }
 
     unsigned highest_;
-    float buckets_;                    ///< a power of two, so that scaling by it is exact
-    std::vector<float> threshold_;     ///< by code; the least value that has it
-    std::vector<std::uint16_t> first_; ///< by bucket; the code of its least value
+    float buckets_;                    ///< a power of two, so that scaling is exact
+    std::vector<float> threshold_;     ///< by code: least value with this code
+    std::vector<std::uint16_t> first_; ///< by bucket: code at its start
 };
 
 const SrgbTable& table_of_bytes() {
@@ -108,8 +110,8 @@ std::uint8_t raw8_from_linear(float linear) { return static_cast<std::uint8_t>(t
 
 std::uint16_t raw16_from_linear(float linear) { return static_cast<std::uint16_t>(truncated(linear, 65535)); }
 
-std::uint8_t code8_from_share(float share) { return static_cast<std::uint8_t>(rounded(share, 255)); }
+std::uint8_t unorm8_from_float(float share) { return static_cast<std::uint8_t>(rounded(share, 255)); }
 
-std::uint16_t code16_from_share(float share) { return static_cast<std::uint16_t>(rounded(share, 65535)); }
+std::uint16_t unorm16_from_float(float share) { return static_cast<std::uint16_t>(rounded(share, 65535)); }
 
 } // namespace glint

@@ -25,7 +25,7 @@ std::uint8_t raw8_from_linear(float linear);
 std::uint16_t raw16_from_linear(float linear);
 
 /// A share 0 … 1 (coverage), rounded to the nearest code; no curve. Below 0 and NaN give 0.
-std::uint8_t code8_from_share(float share);
-std::uint16_t code16_from_share(float share);
+std::uint8_t unorm8_from_float(float share);
+std::uint16_t unorm16_from_float(float share);
 
 } // namespace glint

@@ -88,23 +88,23 @@ TEST(Tone, WhatIsNoLightIsBlackAndWhatIsTooBrightIsWhite) {
         EXPECT_EQ(srgb16_from_linear(dark), 0);
         EXPECT_EQ(raw8_from_linear(dark), 0);
         EXPECT_EQ(raw16_from_linear(dark), 0);
-        EXPECT_EQ(code8_from_share(dark), 0);
-        EXPECT_EQ(code16_from_share(dark), 0);
+        EXPECT_EQ(unorm8_from_float(dark), 0);
+        EXPECT_EQ(unorm16_from_float(dark), 0);
     }
     for (const float bright : {1.0f, 1e30f, infinity}) {
         EXPECT_EQ(srgb8_from_linear(bright), 255);
         EXPECT_EQ(srgb16_from_linear(bright), 65535);
         EXPECT_EQ(raw8_from_linear(bright), 255);
         EXPECT_EQ(raw16_from_linear(bright), 65535);
-        EXPECT_EQ(code8_from_share(bright), 255);
-        EXPECT_EQ(code16_from_share(bright), 65535);
+        EXPECT_EQ(unorm8_from_float(bright), 255);
+        EXPECT_EQ(unorm16_from_float(bright), 65535);
     }
 }
 
 TEST(Tone, SharesRoundToTheNearestCode) {
-    EXPECT_EQ(code8_from_share(0.5f), 128);
-    EXPECT_EQ(code8_from_share(0.25f), 64);
-    EXPECT_EQ(code16_from_share(0.25f), 16384);
+    EXPECT_EQ(unorm8_from_float(0.5f), 128);
+    EXPECT_EQ(unorm8_from_float(0.25f), 64);
+    EXPECT_EQ(unorm16_from_float(0.25f), 16384);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-// Surfaces that are the zero of a function, by marching tetrahedra (Doi and Koide, "An efficient method of
-// triangulating equi-valued surfaces by using tetrahedral cells", 1991), on Freudenthal's division of the
-// cube into six: its faces match from cube to cube, so that the surface has no cracks.
+// Zero surfaces of functions by marching tetrahedra (Doi and Koide, "An efficient method of triangulating
+// equi-valued surfaces by using tetrahedral cells", 1991) on Freudenthal's division of the cube into six
+// tetrahedra, whose faces match between cubes, so the surface has no cracks.
 
 #include "math/trig.h"
 #include "shapes.h"
@@ -16,8 +16,8 @@ namespace {
 
 using Index = std::uint32_t;
 
-// Corners of a cube by bits: 1 is +x, 2 is +y, 4 is +z. Each tetrahedron walks from 0 to 7 one axis at a
-// time.
+// Corners of a cube by bits: 1 is +x, 2 is +y, 4 is +z. Each tetrahedron is a path from corner 0 to 7 along
+// one axis at a time.
 constexpr std::array<std::array<unsigned, 4>, 6> tetrahedra{
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
@@ -65,8 +65,8 @@ class Marcher {
         for (const std::size_t n : nodes) (values_[n] < 0 ? in[inside++] : out[outside++]) = n;
         if (inside == 0 || outside == 0) return;
 
-        // Cut in a list, which has an order where the arguments of a call have none: vertices are numbered as
-        // made.
+        // Evaluate in an initializer list, which is ordered unlike function arguments: vertices are numbered
+        // as they are created.
         const dvec3 outward = position(out[0]) - position(in[0]);
         if (inside == 2) {
             const std::array<Index, 4> ring{cut(in[0], out[0]), cut(in[0], out[1]), cut(in[1], out[1]),
@@ -80,19 +80,20 @@ class Marcher {
         }
     }
 
-    // The corners of every triangle separate in[0] from out[0], so the sign is sure.
+    // The corners of every triangle separate in[0] from out[0], so the sign is certain.
     void add_triangle(std::array<Index, 3> t, const dvec3& outward) {
         const dvec3 normal = glm::cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
         if (glm::dot(normal, outward) < 0) std::swap(t[1], t[2]);
         mesh_.triangles.emplace_back(t[0], t[1], t[2]);
     }
 
-    // The vertex on the edge between an inside and an outside node, made once for all tetrahedra at it.
+    // The vertex on the edge between an inside and an outside node, created once for all tetrahedra that
+    // share it.
     Index cut(std::size_t in, std::size_t out) {
         const std::uint64_t edge = static_cast<std::uint64_t>(std::min(in, out)) << 32 | std::max(in, out);
         const auto [it, is_new] = made_.try_emplace(edge, static_cast<Index>(points_.size()));
         if (is_new) {
-            // Kept off the nodes, where triangles would lose their area.
+            // Keep off the nodes, where triangles would degenerate.
             const double t = std::clamp(values_[in] / (values_[in] - values_[out]), 0.02, 0.98);
             points_.push_back(position(in) * (1 - t) + position(out) * t);
         }
@@ -108,7 +109,7 @@ class Marcher {
     Mesh mesh_;
 };
 
-// The greater of two, rounded where they are nearer than k.
+// Maximum of two values, smoothed where they differ by less than k.
 double smooth_max(double a, double b, double k) {
     const double h = std::max(k - std::abs(a - b), 0.0);
     return std::max(a, b) + h * h / (4 * k);
@@ -121,13 +122,13 @@ Mesh march_tetrahedra(const std::function<double(const dvec3&)>& value, double s
 }
 
 Mesh make_gyroid(int cells, double periods, double thickness) {
-    const double frequency = 180 * periods; // degrees for each unit of length
+    const double frequency = 180 * periods; // degrees per unit of length
     const auto value = [&](const dvec3& p) {
-        // An eighth of a turn aside, so that the middle of the ball is free.
+        // Shift by an eighth of a period, so that the centre of the ball is empty.
         const dvec3 a = p * frequency + 45.0;
         const double wave = sin_degrees(a.x) * cos_degrees(a.y) + sin_degrees(a.y) * cos_degrees(a.z) +
                             sin_degrees(a.z) * cos_degrees(a.x);
-        // Where |wave| is small it grows by about 1.2 · frequency (in radians) for each unit of length.
+        // Near the surface |wave| grows by about 1.2 · frequency (in radians) per unit of length.
         const double sheet = std::abs(wave) / (1.2 * frequency * 3.14159265358979 / 180) - thickness / 2;
         return smooth_max(sheet, glm::length(p) - 1, thickness);
     };

@@ -1,3 +1,5 @@
+// Subdivided icosahedra.
+
 #include "geometry/polyhedron.h"
 #include "shapes.h"
 
@@ -11,7 +13,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-// The vertex in the middle of an edge, made once for both triangles at it.
+// Midpoints of edges, created once for both adjacent triangles.
 class Midpoints {
   public:
     explicit Midpoints(std::vector<dvec3>& positions) : positions_(positions) {}

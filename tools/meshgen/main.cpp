@@ -1,4 +1,4 @@
-// glint-meshgen: meshes and scenes by formula, for scenes, tests and speed.
+// glint-meshgen: procedural meshes and scenes for examples, tests and benchmarks.
 
 #include "make.h"
 #include "request.h"

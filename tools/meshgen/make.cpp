@@ -1,3 +1,5 @@
+// Choosing resolutions for the requested number of triangles.
+
 #include "make.h"
 
 #include "geometry/mesh.h"
@@ -9,7 +11,7 @@
 namespace glint::meshgen {
 namespace {
 
-// Steps along and across a tube whose cells are as long as wide.
+// Steps along and around a tube with square cells.
 struct Steps {
     int around = 3;
     int across = 3;
@@ -24,7 +26,7 @@ Steps tube_steps(double triangles, double length, double girth) {
 }
 
 Mesh knot(const Request& r) {
-    // Many windings leave less room for each.
+    // Many windings need a thinner tube.
     Knot shape{r.p, r.q, 2, 1, 0.5};
     if (r.p > 2 || r.q > 3) shape.tube = 1.2 / std::max(r.p, r.q);
     const Steps steps = tube_steps(r.triangles, 13.0 * r.p + 4.0 * r.q, 6.3 * shape.tube);
@@ -74,7 +76,7 @@ Mesh terrain(const Request& r) {
 Mesh gyroid(const Request& r) {
     constexpr double periods = 2;
     constexpr double thickness = 0.07;
-    // The surface grows with the square of the cells: a coarse one tells how many the fine one needs.
+    // The number of triangles grows with the square of the cells: a coarse trial determines the resolution.
     constexpr int trial = 80;
     const auto count = static_cast<double>(make_gyroid(trial, periods, thickness).triangles.size());
     const int cells = std::max(4, static_cast<int>(std::round(trial * std::sqrt(r.triangles / count))));

@@ -1,10 +1,11 @@
 #pragma once
+// Making the requested mesh.
 
 #include "request.h"
 
 namespace glint::meshgen {
 
-/// The mesh that a request for one describes, with normals and colours as asked for.
+/// The mesh of a request, with normals and colours if requested.
 Mesh make_mesh(const Request& request);
 
 } // namespace glint::meshgen

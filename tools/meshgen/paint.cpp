@@ -1,3 +1,5 @@
+// Vertex colours.
+
 #include "math/trig.h"
 #include "shapes.h"
 
@@ -14,7 +16,7 @@ void paint(Mesh& mesh, const std::function<dvec3(std::size_t, const dvec3&)>& co
 }
 
 dvec3 rainbow(double turn) {
-    // Squared, since linear light looks paler than it is.
+    // Squared, as linear light looks paler.
     const auto channel = [turn](double shift) {
         const double c = 0.52 + 0.45 * cos_degrees(360 * (turn - shift));
         return c * c;
@@ -34,7 +36,7 @@ dvec3 landscape(double height) {
     const Stop& last = *std::rbegin(stops);
     if (height <= 0) return stops[0].color;
     if (height >= last.height) return last.color;
-    // By number: of the pointer before one that was searched g++ 12's sanitizer says that it is outside.
+    // By index: sanitizers of g++ 12 reject the pointer before the one found.
     std::size_t above = 1;
     while (stops[above].height <= height) ++above;
     const Stop& from = stops[above - 1];

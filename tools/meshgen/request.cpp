@@ -1,3 +1,5 @@
+// Parsing the command line.
+
 #include "request.h"
 
 #include <charconv>
@@ -51,7 +53,7 @@ PlyFormat parse_format(const std::string& text) {
     refuse("'" + text + "' is no value for --format", "expected ascii, binary or big-endian");
 }
 
-// An option that takes a value, and what to do with it.
+// An option with a value, and its action.
 struct Option {
     std::string name;
     std::function<void(Request&, const std::string&)> set;
@@ -75,7 +77,7 @@ const std::vector<Option>& options() {
     return all;
 }
 
-// Reads the option at `i` and its value, and returns where the next one is.
+// Reads the option at `i` with its value; returns the index of the next one.
 std::size_t read_option(Request& request, const std::vector<std::string>& arguments, std::size_t i) {
     const std::string& word = arguments[i];
     if (word == "--colors" || word == "--flat") {

@@ -1,5 +1,5 @@
 #pragma once
-// What the command line of glint-meshgen asks for.
+// The command line of glint-meshgen.
 
 #include "glint/formats.h"
 
@@ -13,10 +13,10 @@ enum class Kind { gyroid, knot, torus, shell, icosphere, terrain, flake, city, s
 
 struct Request {
     Kind kind = Kind::gyroid;
-    std::string output;        ///< meshes: required; scenes: empty is stdout
-    double triangles = 100000; ///< about as many as the mesh shall have
+    std::string output;        ///< required for meshes; for scenes, empty means stdout
+    double triangles = 100000; ///< approximate number of triangles
     bool colors = false;
-    bool flat = false; ///< leave the normals out
+    bool flat = false; ///< omit normals
     PlyFormat format = PlyFormat::binary_little_endian;
     int p = 2;         ///< knot
     int q = 3;         ///< knot
@@ -26,14 +26,13 @@ struct Request {
     int count = 1500;  ///< spiral
 };
 
-/// True for the kinds that are scene files.
+/// Whether a kind is a scene file rather than a mesh.
 bool is_scene(Kind kind);
 
-/// The request, or nothing where help was asked for. Throws Error(usage) with what is wrong and what was
-/// expected.
+/// Parses the command line; returns nothing if help was asked for. Throws Error(usage).
 std::optional<Request> parse_request(const std::vector<std::string>& arguments);
 
-/// What --help prints.
+/// The text of --help.
 std::string help_text();
 
 } // namespace glint::meshgen

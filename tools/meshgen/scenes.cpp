@@ -1,3 +1,5 @@
+// Sphere flake and city.
+
 #include "scenes.h"
 
 #include "math/random.shared.h"
@@ -65,7 +67,7 @@ color = [1, 0.62, 0.40]
 intensity = 55
 )";
 
-// One material for each level; the last serves all below.
+// One material a level; the last is used for all deeper ones.
 constexpr const char* flake_colors[] = {"0.34, 0.06, 0.04", "0.52, 0.20, 0.05", "0.60, 0.40, 0.10",
                                         "0.20, 0.38, 0.34", "0.62, 0.60, 0.54"};
 
@@ -88,7 +90,7 @@ void add_balls(std::string& text, const dvec3& center, double radius, const dvec
         center.x, center.y, center.z, radius, level);
     if (level == levels) return;
 
-    // Six about the equator and three above, as seen from where the ball is fixed.
+    // Six around the equator and three above, relative to the attachment point.
     const dvec3 aside =
         glm::normalize(std::abs(axis.z) > 0.9 ? dvec3(1, 0, 0) : glm::cross(axis, dvec3(0, 0, 1)));
     const dvec3 u = glm::normalize(aside - glm::dot(aside, axis) * axis);
@@ -214,7 +216,7 @@ double chance(unsigned place, unsigned what) {
     return static_cast<double>(unit_float(hash_with(hash_mix(place), what)));
 }
 
-// A tower of one to three drums, each narrower, some with a lamp on top.
+// A tower of one to three drums of decreasing width, some with a lamp on top.
 std::string tower(const dvec3& at, double height, double radius, unsigned place) {
     constexpr const char* materials[] = {"stone", "brick", "slate", "copper", "glass", "stone", "glass"};
     const char* material = materials[static_cast<std::size_t>(chance(place, 1) * 7)];
@@ -240,7 +242,7 @@ std::string sphere_flake_scene(int levels) {
 }
 
 std::string city_scene(int rings) {
-    // Towers on rings about the middle, the highest there.
+    // Towers on concentric rings, the highest in the centre.
     std::string text = city_head;
     unsigned place = 0;
     for (int ring = 0; ring < rings; ++ring) {

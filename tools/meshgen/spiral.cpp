@@ -1,3 +1,5 @@
+// The sunflower scene.
+
 #include "scenes.h"
 
 #include "math/trig.h"
@@ -103,8 +105,8 @@ std::string spiral_scene(int count) {
     constexpr double golden_angle = 137.50776405003785;
     constexpr double triangles = 120048;
     std::string text = fmt::format(head, count, std::lround(count * triangles / 1e6));
-    // Colours by the number modulo 21, one of Fibonacci's: so that arms of the spiral have them.
-    // From the middle of a dome outward; the shells grow, and lean out more and more.
+    // Colours by index modulo 21, a Fibonacci number, so that spiral arms have one colour. From the centre of
+    // a dome outward, shells grow and tilt.
     const double spread = 6.6 / std::sqrt(static_cast<double>(count));
     for (int k = 0; k < count; ++k) {
         const double far = 0.9 + spread * std::sqrt(k + 0.5);

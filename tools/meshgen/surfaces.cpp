@@ -1,4 +1,4 @@
-// Surfaces that are a bent grid: torus, knot, shell.
+// Deformed grids: torus, knot, shell.
 
 #include "math/trig.h"
 #include "shapes.h"
@@ -11,7 +11,7 @@ namespace {
 
 using Index = std::uint32_t;
 
-// The tube's cross-section at one step along it: u and v span its plane, u × v points along the tube.
+// Cross-section of a tube: u and v span its plane, u × v points along the tube.
 struct Section {
     dvec3 center{0};
     dvec3 u{1, 0, 0};
@@ -27,7 +27,7 @@ void add_section(Mesh& mesh, const Section& s, int across) {
     }
 }
 
-// Two triangles between neighbours on the sections that begin at the given vertices.
+// Adds triangles between two adjacent sections, given their first vertices.
 void join_sections(Mesh& mesh, Index first, Index next, int across) {
     const Index n = static_cast<Index>(across);
     for (Index j = 0; j < n; ++j) {
@@ -37,7 +37,7 @@ void join_sections(Mesh& mesh, Index first, Index next, int across) {
     }
 }
 
-// Closes one end of a tube with a fan about its middle.
+// Closes one end of a tube with a triangle fan.
 void cap_section(Mesh& mesh, Index first, const dvec3& middle, int across, bool at_start) {
     const Index n = static_cast<Index>(across);
     const Index center = static_cast<Index>(mesh.positions.size());
@@ -52,7 +52,7 @@ void cap_section(Mesh& mesh, Index first, const dvec3& middle, int across, bool 
     }
 }
 
-// A tube that runs back into itself.
+// A tube whose ends are joined.
 Mesh closed_tube(int around, int across, const std::function<Section(int)>& section) {
     Mesh mesh;
     for (int i = 0; i < around; ++i) add_section(mesh, section(i), across);
@@ -75,7 +75,7 @@ Mesh make_torus(int around, int across, double radius, double tube) {
 
 Mesh make_knot(int around, int across, const Knot& knot) {
     return closed_tube(around, across, [&](int i) {
-        // The normal of the torus beneath the knot gives a frame that closes on itself.
+        // The torus normal gives a frame that is continuous around the knot.
         const double along = 360.0 * i / around * knot.p;
         const double through = 360.0 * i / around * knot.q;
         const dvec3 out(cos_degrees(along), sin_degrees(along), 0);
@@ -93,11 +93,11 @@ Mesh make_knot(int around, int across, const Knot& knot) {
 
 Mesh make_shell(int around, int across) {
     constexpr double turns = 4.25;
-    constexpr double ribs = 15; // each turn
+    constexpr double ribs = 15; // ribs per turn
     Mesh mesh;
     dvec3 mouth(0);
     for (int i = 1; i <= around; ++i) {
-        // Growth by the fourth power comes near to a shell's logarithmic spiral.
+        // Growth with the fourth power approximates a shell's logarithmic spiral.
         const double t = static_cast<double>(i) / around;
         const double grown = 0.06 + 0.94 * t;
         const double size = grown * grown * grown * grown;

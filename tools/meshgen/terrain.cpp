@@ -1,3 +1,5 @@
+// Terrain by ridged noise.
+
 #include "math/random.shared.h"
 #include "shapes.h"
 
@@ -16,7 +18,7 @@ double lattice(unsigned seed, int x, int y) {
 
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-// Smooth noise in 0 … 1 with one random height at every whole point.
+// Value noise in 0 … 1 with a random height at every lattice point.
 double value_noise(unsigned seed, double x, double y) {
     const double fx = std::floor(x);
     const double fy = std::floor(y);
@@ -29,7 +31,7 @@ double value_noise(unsigned seed, double x, double y) {
     return low * (1 - v) + high * v;
 }
 
-// Ridges: octaves of noise folded at the middle, each turned against the one before so that no lattice shows.
+// Ridged noise: octaves folded at their middle, each rotated against the one before to hide the lattice.
 double ridged_noise(unsigned seed, double x, double y) {
     double sum = 0;
     double weight = 0.5;
@@ -44,7 +46,7 @@ double ridged_noise(unsigned seed, double x, double y) {
     return sum;
 }
 
-// Above 0 there is land; the rim lies lower, so that the land is an island.
+// Height above sea level; the border is lower, so that the land is an island.
 double height_at(unsigned seed, double x, double y) {
     const double rim = std::max(0.0, 1 - (x * x + y * y) * 0.85);
     return std::max(0.0,

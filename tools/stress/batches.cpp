@@ -1,3 +1,5 @@
+// Batches of random sizes by all kernels.
+
 #include "batches.h"
 
 #include "describe.h"
@@ -14,7 +16,7 @@ bool same_bits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// All rays of one world in batches.
+/// Traces all rays of a world in batches.
 class Batches {
   public:
     Batches(const World& world, const Answered& answered, Random& random, Tally& tally)

@@ -1,5 +1,5 @@
 #pragma once
-// The same rays once more, many at a time and by every kernel.
+// Traces rays again in batches with every kernel.
 
 #include "cases.h"
 #include "stress_random.h"
@@ -10,10 +10,10 @@
 
 namespace glint::stress {
 
-/// Do all numbers of two hits have the same bits?
+/// Whether two hits are bitwise equal.
 bool same(const Hit& a, const Hit& b);
 
-/// Rays with the answers that they must get.
+/// Rays with their expected results.
 struct Answered {
     std::vector<Ray> rays;
     std::vector<Hit> hits;
@@ -26,11 +26,11 @@ struct Answered {
     }
 };
 
-/// How many of a case's rays to trace alone, when each of ways() traces them again.
+/// Number of rays to trace singly, so that with the repetitions by ways() the case traces `rays` in total.
 std::uint64_t rays_traced_once(std::uint64_t rays);
 
-/// Asks for all of them again, by each of ways() in batches of random sizes with random hints, and counts
-/// what differs.
+/// Traces all rays again by each of ways(), in batches of random sizes with random hints, and counts
+/// differences.
 void check_batches(const World& world, const Answered& answered, Random& random, Tally& tally);
 
 } // namespace glint::stress

@@ -1,3 +1,5 @@
+// The list of families.
+
 #include "cases.h"
 
 #include "closed_cases.h"

@@ -1,6 +1,6 @@
 #pragma once
-// Stress cases of the tracing core. A case is a family and a seed; it makes a small world, shoots rays at it
-// and counts what must not happen. Used by the tests (some) and by glint-stress (many).
+// Stress tests of the tracing core. A case is given by a family and a seed; it makes a small world, traces
+// rays and counts violations. Used by the tests (few cases) and by glint-stress (many).
 
 #include "ways.h"
 
@@ -11,25 +11,25 @@
 
 namespace glint::stress {
 
-/// What came of one case, or of many.
+/// Counts of one or more cases.
 struct Tally {
-    std::uint64_t rays = 0; ///< traced, each way counted
+    std::uint64_t rays = 0; ///< rays traced, counted once for each way
     std::uint64_t hits = 0;
-    std::uint64_t on_edge = 0;                     ///< rays whose hits lie exactly on an edge or a vertex
-    std::uint64_t failures = 0;                    ///< differences, leaks, odd counts
-    std::array<std::uint64_t, most_ways> by_way{}; ///< of `rays`, those that took ways()[i]
-    std::string first_failure;                     ///< which ray of which world failed first
+    std::uint64_t on_edge = 0;                    ///< rays that hit an edge or a vertex exactly
+    std::uint64_t failures = 0;                   ///< differences, leaks and odd counts
+    std::array<std::uint64_t, max_ways> by_way{}; ///< rays traced by ways()[i]
+    std::string first_failure;                    ///< description of the first failure
 
     void add(const Tally& other);
     void fail(const std::string& what);
 };
 
-/// The claim that a family puts to the test.
+/// The property that a family tests.
 enum class Claim {
-    agrees,  ///< closest() and occluded() are those of brute force, to the bit, ray by ray and in batches;
-             ///< next() gives what crossings() gives
-    closed,  ///< a ray from inside a closed mesh hits it
-    crosses, ///< a ray from outside crosses a closed mesh an even number of times, unless it meets an edge
+    agrees,  ///< closest() and occluded() equal brute force bit by bit, with single rays and batches, and
+             ///< next() enumerates the hits of crossings()
+    closed,  ///< rays from inside a closed mesh hit it
+    crosses, ///< rays from outside cross a closed mesh an even number of times unless they meet an edge
              ///< exactly
 };
 
@@ -39,10 +39,10 @@ struct Family {
     Tally (*run)(std::uint64_t seed, std::uint32_t rays);
 };
 
-/// All families, by claim.
+/// All families, sorted by claim.
 std::span<const Family> families();
 
-/// The seed of case number `index` of a run.
+/// Seed of case `index` of a run.
 std::uint64_t case_seed(std::uint64_t seed, std::uint64_t index);
 
 } // namespace glint::stress

@@ -1,3 +1,5 @@
+// Rays at the seams of closed meshes.
+
 #include "closed_cases.h"
 
 #include "batches.h"
@@ -37,7 +39,7 @@ Polyhedron in_double(const Mesh& mesh, double scale) {
     return result;
 }
 
-/// Within the unit ball, or nearly.
+/// A closed mesh approximately within the unit ball.
 Polyhedron make_closed(Closed kind, Random& random) {
     const int around = random.between(16, 32);
     const int across = random.between(8, 16);
@@ -54,13 +56,13 @@ Polyhedron make_closed(Closed kind, Random& random) {
     return random_polyhedron(random);
 }
 
-/// A closed mesh in its place, in float, and rays that look for its seams.
+/// A closed mesh in float coordinates, and rays aimed at its seams.
 class ClosedWorld {
   public:
     ClosedWorld(Closed kind, Random& random)
         : kind_(kind), random_(random), place_(random_placement(random, 12)),
           shape_(make_closed(kind, random)) {
-        // A factor that leaves no coordinate a round number, half the time.
+        // Half the time a factor that makes no coordinate round.
         if (random.one_in(2))
             for (dvec3& p : shape_.positions) p *= 1.0 - 0.01 * random.unit();
         WorldInput input;
@@ -73,7 +75,7 @@ class ClosedWorld {
 
     const World& world() const { return world_; }
 
-    /// Inside by a margin that covers the chords of the mesh and the rounding at offsets of 2^12.
+    /// A point inside by a margin that covers the faceting and the rounding at offsets of 2^12.
     dvec3 inside_point() {
         if (kind_ != Closed::torus) return random_.in_ball(0.7);
         const double angle = random_.uniform(0.0, 2.0 * std::numbers::pi);
@@ -84,7 +86,7 @@ class ClosedWorld {
         const dvec3 inside = inside_point();
         Ray ray = toward(place_(inside), target());
         if (!random_.one_in(4)) return ray;
-        // Straight up or down through a vertex: the origin shares two of its coordinates, to the bit.
+        // Straight up or down through a vertex: the origin shares two of its coordinates exactly.
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
         const int axis = random_.axis();
         dvec3 origin = vertex;
@@ -114,7 +116,7 @@ class ClosedWorld {
   private:
     std::uint32_t any(std::size_t count) { return random_.below(static_cast<std::uint32_t>(count)); }
 
-    /// A vertex, a point of an edge, a point of a face, or any point about.
+    /// A vertex, a point on an edge or face, or any nearby point.
     vec3 target() {
         const uvec3& t = shape_.triangles[any(shape_.triangles.size())];
         const dvec3 a(place_(shape_.positions[t.x]));
@@ -139,7 +141,7 @@ class ClosedWorld {
         ray.origin = origin;
         ray.direction = target - origin;
         if (random_.one_in(2)) ray.direction = vec3(glm::normalize(dvec3(ray.direction)));
-        // Along an axis from anywhere.
+        // Along an axis from a random point.
         if (random_.one_in(8)) ray.direction = vec3(random_.along_axis());
         if (ray.direction == vec3(0.0f)) ray.direction.x = 1.0f;
         return ray;

@@ -1,5 +1,5 @@
 #pragma once
-// Claim::closed and Claim::crosses: closed meshes do not leak.
+// Cases of Claim::closed and Claim::crosses: closed meshes have no leaks.
 
 #include "cases.h"
 
@@ -7,7 +7,7 @@ namespace glint::stress {
 
 enum class Closed { icosphere, torus, polyhedron, knot };
 
-/// Not for the knot, of which no points are known to be inside.
+/// Not for the knot, for which no interior points are known.
 Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays);
 Tally run_through(Closed kind, std::uint64_t seed, std::uint32_t rays);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Rays and hits in words that lose nothing.
+// Lossless descriptions of rays and hits.
 
 #include "trace/world.h"
 

@@ -1,4 +1,4 @@
-// glint-stress: looks for rays that the tracing core gets wrong.
+// glint-stress: searches for rays that the tracing core gets wrong.
 
 #include "cases.h"
 
@@ -24,8 +24,8 @@ struct Options {
     std::uint64_t rays = 10'000'000;
     int threads = 0;
     std::uint64_t seed = 1;
-    std::string family;  ///< empty: all
-    bool replay = false; ///< `seed` is that of one case
+    std::string family;  ///< empty: all families
+    bool replay = false; ///< `seed` is the seed of a single case
 };
 
 constexpr const char* usage =
@@ -70,7 +70,7 @@ struct Outcome {
     std::uint64_t failing_case = 0;
 };
 
-/// All cases of one family, side by side; outcomes in the order of the cases.
+/// Runs all cases of a family in parallel; outcomes are in case order.
 Outcome run_family(const Family& family, std::uint64_t rays, const Options& options,
                    parallel::TaskPool& pool) {
     const std::uint64_t cases = options.replay ? 1 : (rays + rays_a_case - 1) / rays_a_case;

@@ -1,5 +1,5 @@
 #pragma once
-// Where worlds are put.
+// Scale and offset of worlds.
 
 #include "stress_random.h"
 
@@ -7,7 +7,7 @@
 
 namespace glint::stress {
 
-/// A change of size and place: p -> (p + offset) · scale.
+/// A scaled translation: p -> (p + offset) · scale.
 struct Placement {
     dvec3 offset{0};
     double scale = 1;
@@ -15,7 +15,8 @@ struct Placement {
     vec3 operator()(const dvec3& p) const { return vec3((p + offset) * scale); }
 };
 
-/// Half the time none, else a scale of 10^±12 at most and an offset of 2^`offset_bits` at most.
+/// The identity with probability 1/2, otherwise a scale within 10^±12 and an offset of at most
+/// 2^`offset_bits`.
 inline Placement random_placement(Random& random, int offset_bits) {
     Placement placement;
     if (random.one_in(2)) return placement;

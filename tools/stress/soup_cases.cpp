@@ -1,3 +1,5 @@
+// Difficult rays against brute force.
+
 #include "soup_cases.h"
 
 #include "batches.h"
@@ -11,7 +13,7 @@ namespace glint::stress {
 
 namespace {
 
-/// Rays that look for trouble in one world: through corners and edges, along sides and axes, from far away.
+/// Difficult rays in a world: through corners and edges, along sides and axes, from far away.
 class TroubleRays {
   public:
     TroubleRays(const WorldInput& world, const Placement& place, Random& random)
@@ -36,7 +38,7 @@ class TroubleRays {
         Ray ray;
         ray.origin = origin();
         ray.direction = direction(ray.origin);
-        // Directions of any length, t counted in them.
+        // Directions of any length; t is in units of it.
         if (random_.one_in(4))
             ray.direction *= std::ldexp(1.0f, random_.between(-20, 20));
         else if (random_.one_in(2))
@@ -84,7 +86,7 @@ class TroubleRays {
 
     vec3 axis() {
         vec3 d(random_.along_axis());
-        // Nearly along an axis: what 1/d must survive.
+        // Nearly parallel to an axis: stresses 1/d.
         const int other = random_.axis();
         if (random_.one_in(2)) d[other] += random_.one_in(2) ? 1e-30f : -1e-12f;
         return d;
@@ -119,7 +121,7 @@ class TroubleRays {
     std::vector<vec3> corners_;
 };
 
-/// Walks with next() and compares with crossings().
+/// Enumerates hits with next() and compares them with crossings().
 bool walk_agrees(const World& world, const Ray& ray) {
     std::vector<Hit> all;
     world.crossings(ray, all);
@@ -131,7 +133,7 @@ bool walk_agrees(const World& world, const Ray& ray) {
     return !at;
 }
 
-/// One ray against brute force; its hit becomes the end of a second, shorter one.
+/// Compares one ray with brute force, then a second ray that ends at its hit.
 void compare(const World& world, Ray ray, Random& random, Answered& answered, Tally& tally) {
     for (int round = 0; round < 2; ++round) {
         const Hit hit = world.closest(ray);
@@ -146,7 +148,7 @@ void compare(const World& world, Ray ray, Random& random, Answered& answered, Ta
         if (world.occluded(ray) != blocked) tally.fail(describe(ray) + ": occluded differs from brute force");
         if (random.one_in(16) && !walk_agrees(world, ray))
             tally.fail(describe(ray) + ": next() differs from crossings()");
-        // Bounds that fall exactly on a hit: both are exclusive.
+        // Set a bound exactly to a hit: both are exclusive.
         float& bound = random.one_in(2) ? ray.tmin : ray.tmax;
         bound = truth ? truth.t : 1.0f;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Claim::agrees: the trees change nothing.
+// Cases of Claim::agrees: trees give the results of brute force.
 
 #include "cases.h"
 #include "soups.h"

@@ -1,3 +1,5 @@
+// Making worlds of difficult primitives.
+
 #include "soups.h"
 
 #include <array>
@@ -12,7 +14,7 @@ namespace {
 
 using Corners = std::array<dvec3, 3>;
 
-/// A point of the grid of quarters in [-1, 1]^3: shared coordinates, exact ties.
+/// A point of the grid of quarters in [-1, 1]^3: makes shared coordinates and exact ties.
 dvec3 on_grid(Random& random) {
     const int x = random.between(-4, 4);
     const int y = random.between(-4, 4);
@@ -20,7 +22,7 @@ dvec3 on_grid(Random& random) {
     return dvec3(x, y, z) * 0.25;
 }
 
-/// Two long sides and a very short one.
+/// A triangle with two long sides and a very short one.
 Corners needle(Random& random) {
     const dvec3 a = random.in_cube(1.0);
     const dvec3 b = random.in_cube(1.0);
@@ -28,7 +30,7 @@ Corners needle(Random& random) {
     return {a, b, b + random.in_cube(width)};
 }
 
-/// Three corners nearly on one line, in any order.
+/// A triangle with nearly collinear corners.
 Corners sliver(Random& random) {
     const dvec3 a = random.in_cube(1.0);
     const dvec3 b = random.in_cube(1.0);
@@ -100,7 +102,7 @@ void add_triangles(Soup kind, const Placement& place, Random& random, WorldInput
     }
 }
 
-/// A local space somewhere near the placed cube, stretched and sheared.
+/// A local space near the placed cube, stretched and sheared.
 std::int32_t add_affine(const Placement& place, Random& random, WorldInput& world) {
     dmat4 m(1.0);
     for (int column = 0; column < 3; ++column) {
@@ -135,7 +137,8 @@ void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
 
 } // namespace
 
-/// Turned, sheared, mirrored, of many sizes; sometimes none of it, sometimes much squeezed.
+/// A transform with random rotation, shear, reflection and scale; sometimes the identity, sometimes nearly
+/// singular.
 dmat4 any_transform(const Placement& place, Random& random) {
     dmat3 linear(1.0);
     const double size = random.one_in(4) ? 1.0 : random.uniform(0.05, 1.0);
@@ -161,7 +164,7 @@ WorldInput::SharedMesh shared_soup(Random& random) {
         const auto first = static_cast<std::uint32_t>(positions.size());
         for (const dvec3& p : triangle(kind, random)) positions.push_back(vec3(p));
         triangles.emplace_back(first, first + 1, first + 2);
-        // Two more along its sides: edges to be met.
+        // Two more triangles that share its edges.
         if (random.one_in(2)) continue;
         positions.push_back(vec3(random.in_cube(1.0)));
         triangles.emplace_back(first + 1, first, first + 3);
@@ -179,7 +182,7 @@ void add_instances(const Placement& place, Random& random, WorldInput& world) {
         if (again) instance = world.instances.back();
         if (!again) instance.world_from_mesh = any_transform(place, random);
         if (!again) instance.mesh = random.below(3);
-        // Before, between and behind the other objects.
+        // Object numbers interleaved with those of the other objects.
         instance.object = 2 * i;
         world.instances.push_back(instance);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Small worlds of ugly primitives.
+// Small worlds of degenerate and adversarial primitives.
 
 #include "placement.h"
 #include "stress_random.h"
@@ -20,8 +20,8 @@ enum class Soup {
     instanced
 };
 
-/// At most 64 triangles in up to three meshes, at most 12 quadrics and 2 planes, and where it is instanced up
-/// to 12 instances of three meshes of at most 48 triangles, about the cube [-1, 1]^3 before the placement.
+/// At most 64 triangles in up to three meshes, 12 quadrics and 2 planes; with instances, up to 12 instances
+/// of three meshes of at most 48 triangles. All within about the cube [-1, 1]^3 before the placement.
 WorldInput make_soup(Soup kind, const Placement& place, Random& random);
 
 } // namespace glint::stress

@@ -1,5 +1,5 @@
 #pragma once
-// Random numbers for stress cases: a function of the seed alone, on every machine.
+// Random numbers for stress cases, determined by the seed on every machine.
 
 #include "math/vec.h"
 
@@ -34,7 +34,7 @@ class Random {
         const double x = unit();
         return lo + (hi - lo) * x;
     }
-    /// 10^k for a k in [lo, hi]. By products: the C library's pow differs between compilers.
+    /// 10^k for a random k in [lo, hi], by products: the C library's pow varies between compilers.
     double power_of_ten(int lo, int hi) {
         const int k = between(lo, hi);
         double power = 1.0;

@@ -1,3 +1,5 @@
+// The list of kernels and targets.
+
 #include "ways.h"
 
 #include <vector>
@@ -21,7 +23,7 @@ std::span<const Way> ways() {
         {"stream avx2", {Kernel::streams, SimdTarget::avx2}},
         {"stream avx512", {Kernel::streams, SimdTarget::avx512}},
     };
-    static_assert(std::size(all) <= most_ways);
+    static_assert(std::size(all) <= max_ways);
     static const std::vector<Way> here = [] {
         std::vector<Way> able;
         for (const Way& way : all)

@@ -1,5 +1,5 @@
 #pragma once
-// Every way of tracing that this machine can be made to take.
+// All combinations of kernel and SIMD target that this machine supports.
 
 #include "glint/kernels.h"
 
@@ -8,14 +8,14 @@
 namespace glint::stress {
 
 struct Way {
-    const char* name; ///< as `glint --kernel … --simd …` call them
+    const char* name; ///< as in `glint --kernel … --simd …`
     KernelChoice choice;
 };
 
-/// No more than this many.
-inline constexpr std::size_t most_ways = 24;
+/// Maximum number of ways.
+inline constexpr std::size_t max_ways = 24;
 
-/// Each kernel with each target: the same list for the life of the program.
+/// Each kernel with each available target; constant during the life of the program.
 std::span<const Way> ways();
 
 } // namespace glint::stress

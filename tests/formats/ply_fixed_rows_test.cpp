@@ -1,7 +1,7 @@
 // Files are read part by part where they are as most are. Whatever the bytes, that gives what reading them
 // from memory gives, the error's text included.
 
-#include "formats/ply_plain.h"
+#include "formats/ply_fixed_rows.h"
 #include "ply_files.h"
 
 #include <cmath>
@@ -105,7 +105,7 @@ TEST(PlyPlain, UsualFilesNeedNoOtherReader) {
     const auto bytes = std::as_bytes(std::span(file));
     const ply::Source source(bytes, "rich.ply");
     const ply::Header header = ply::parse_header(source);
-    auto body = ply::PlainBody::begin(header, ply::understand(source, header), bytes.size());
+    auto body = ply::FixedRowReader::begin(header, ply::interpret_header(source, header), bytes.size());
     ASSERT_TRUE(body);
     EXPECT_EQ(body->take(bytes.subspan(header.body)), bytes.size() - header.body);
     EXPECT_TRUE(body->complete());

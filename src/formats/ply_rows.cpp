@@ -1,4 +1,6 @@
-#include "formats/ply_body.h"
+// Reading rows in any order, with any types, from text or bytes.
+
+#include "formats/ply_rows.h"
 
 #include "formats/ply_cursor.h"
 #include "formats/ply_light.h"
@@ -12,44 +14,44 @@
 namespace glint::ply {
 namespace {
 
-/// To float without overflow: finite stays finite.
+/// Converts to float; finite values stay finite.
 float to_float(double value) {
-    constexpr double greatest = std::numeric_limits<float>::max();
-    if (std::isfinite(value)) value = std::clamp(value, -greatest, greatest);
+    constexpr double max = std::numeric_limits<float>::max();
+    if (std::isfinite(value)) value = std::clamp(value, -max, max);
     return static_cast<float>(value);
 }
 
-/// Directions and texture coordinates that are not finite mean nothing: 0.
+/// Non-finite directions and texture coordinates become 0.
 float finite_or_zero(double value) { return std::isfinite(value) ? to_float(value) : 0.0f; }
 
-/// Linear light of a stored colour. Bytes and 16-bit values are sRGB codes, and so are wider whole numbers, 0
-/// … 255; floats are linear light, and what is negative or no number is black.
+/// Linear light of a stored colour. 8- and 16-bit values are sRGB codes, wider integers are clamped to 0 …
+/// 255 and read as 8-bit codes; floats are linear, with negative values and NaN as black.
 float to_light(double value, Type type) {
     if (type == Type::uint16) return linear_from_srgb16(static_cast<std::uint16_t>(value));
-    if (is_integer(type)) return light_of_codes()[static_cast<std::size_t>(std::clamp(value, 0.0, 255.0))];
+    if (is_integer(type)) return srgb8_table()[static_cast<std::size_t>(std::clamp(value, 0.0, 255.0))];
     return std::max(0.0f, finite_or_zero(value));
 }
 
 template <class Cursor>
-class BodyReader {
+class RowReader {
   public:
-    BodyReader(const Source& source, const Header& header, const Layout& layout, const LoadWatch& watch)
+    RowReader(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch)
         : header_(header), layout_(layout), watch_(watch), cursor_(source, header.body), size_(source.size()),
           vertices_(header.elements[layout.vertex_element].count) {}
 
-    Body read() {
+    Rows read() {
         for (std::size_t i = 0; i < header_.elements.size(); ++i) {
             const Element& element = header_.elements[i];
             if (element.properties.empty()) continue;
-            check_promise(element);
+            check_row_count(element);
             if (i == layout_.vertex_element) {
                 read_vertices(element);
             } else {
-                read_rows(element, layout_.corners[i]);
+                read_other_rows(element, layout_.corners[i]);
             }
         }
-        body_.trailing = cursor_.trailing();
-        return std::move(body_);
+        rows_.trailing = cursor_.trailing();
+        return std::move(rows_);
     }
 
   private:
@@ -57,41 +59,41 @@ class BodyReader {
 
     void begin_row(const Element& element, std::uint64_t row) {
         constexpr std::uint64_t rows_between = 1U << 14U;
-        if (row % rows_between == 0) watch_.at(size_ - std::min(size_, cursor_.room()), size_);
+        if (row % rows_between == 0) watch_.at(size_ - std::min(size_, cursor_.remaining()), size_);
         cursor_.begin_row(element, row);
     }
 
-    /// Refuses counts that the rest of the file cannot hold, before anything is made of that size.
-    void check_promise(const Element& element) const {
-        std::size_t least = 0;
+    /// Rejects row counts that exceed the rest of the file before allocating memory for them.
+    void check_row_count(const Element& element) const {
+        std::size_t min_size = 0;
         for (const Property& p : element.properties)
-            least += Cursor::least_bytes(p.is_list() ? *p.count_type : p.type);
-        const std::size_t most = cursor_.room() / least;
-        if (element.count > most)
-            cursor_.fail(cursor_.promise_offset(element),
+            min_size += Cursor::min_bytes(p.is_list() ? *p.count_type : p.type);
+        const std::size_t max_rows = cursor_.remaining() / min_size;
+        if (element.count > max_rows)
+            cursor_.fail(cursor_.count_error_offset(element),
                          "the header promises " + std::to_string(element.count) + " rows of " +
-                             in_marks(element.name) + ", but the file has room for at most " +
-                             std::to_string(most),
+                             quoted(element.name) + ", but the file has room for at most " +
+                             std::to_string(max_rows),
                          "the file is cut, or its header is wrong");
     }
 
     std::uint64_t list_length(const Property& property, const Element& element, std::uint64_t row) {
-        // Counts have 32 bits, so that the product cannot overflow.
+        // Counts have 32 bits, so the product cannot overflow.
         const std::int64_t length = cursor_.integer(*property.count_type);
-        const std::uint64_t least = Cursor::least_bytes(property.type);
-        if (length < 0 || static_cast<std::uint64_t>(length) * least > cursor_.room())
+        const std::uint64_t min_size = Cursor::min_bytes(property.type);
+        if (length < 0 || static_cast<std::uint64_t>(length) * min_size > cursor_.remaining())
             fail_length(length, property, element, row);
         return static_cast<std::uint64_t>(length);
     }
 
     [[noreturn]] void fail_length(std::int64_t length, const Property& list, const Element& element,
                                   std::uint64_t row) const {
-        const std::size_t most = cursor_.room() / Cursor::least_bytes(list.type);
+        const std::size_t max_rows = cursor_.remaining() / Cursor::min_bytes(list.type);
         cursor_.fail(cursor_.value_offset(),
-                     "list " + in_marks(list.name) + " of " + row_name(element, row) + " claims " +
+                     "list " + quoted(list.name) + " of " + row_name(element, row) + " claims " +
                          std::to_string(length) + " values",
                      length < 0 ? "a length cannot be negative"
-                                : "there is room for at most " + std::to_string(most) +
+                                : "there is room for at most " + std::to_string(max_rows) +
                                       ": the file is cut, or this length is wrong");
     }
 
@@ -102,11 +104,11 @@ class BodyReader {
 
     void read_vertices(const Element& element) {
         const auto count = static_cast<std::size_t>(element.count);
-        const VertexLayout& vertex = layout_.vertex;
-        body_.mesh.positions.resize(count);
-        if (vertex.normals) body_.mesh.normals.resize(count);
-        if (vertex.colors) body_.mesh.colors.resize(count);
-        if (vertex.uvs) body_.mesh.uvs.resize(count);
+        const VertexFormat& vertex = layout_.vertex;
+        rows_.mesh.positions.resize(count);
+        if (vertex.normals) rows_.mesh.normals.resize(count);
+        if (vertex.colors) rows_.mesh.colors.resize(count);
+        if (vertex.uvs) rows_.mesh.uvs.resize(count);
 
         Values values{};
         std::array<std::size_t, role_count> offsets{};
@@ -131,10 +133,10 @@ class BodyReader {
         const auto value = [&](Role role) { return values[static_cast<std::size_t>(role)]; };
         const auto light = [&](Role role) {
             const Type type = layout_.vertex.types[static_cast<std::size_t>(role)];
-            if (!is_integer(type)) body_.brightest = std::max(body_.brightest, value(role));
+            if (!is_integer(type)) rows_.max_float_color = std::max(rows_.max_float_color, value(role));
             return to_light(value(role), type);
         };
-        Mesh& mesh = body_.mesh;
+        Mesh& mesh = rows_.mesh;
         mesh.positions[i] = {to_float(value(Role::x)), to_float(value(Role::y)), to_float(value(Role::z))};
         if (layout_.vertex.normals)
             mesh.normals[i] = {finite_or_zero(value(Role::nx)), finite_or_zero(value(Role::ny)),
@@ -144,19 +146,20 @@ class BodyReader {
             mesh.uvs[i] = {finite_or_zero(value(Role::u)), finite_or_zero(value(Role::v))};
     }
 
-    /// Notes a vertex that faces must not use; whether one does shows only at the end.
+    /// Records invalid vertices. They are errors only if a face uses them, which is known at the end.
     void check_vertex(std::size_t i, const Values& values,
                       const std::array<std::size_t, role_count>& offsets) {
         for (std::size_t k = 0; k < 3; ++k) {
             if (std::fabs(values[k]) <= coordinate_limit) continue;
-            body_.bad_vertices.push_back(
+            rows_.bad_vertices.push_back(
                 {static_cast<std::uint32_t>(i), offsets[k], std::isfinite(values[k])});
             return;
         }
     }
 
-    /// Rows of any other element; `corners` is the property that lists those of faces or strips, or −1.
-    void read_rows(const Element& element, int corners) {
+    /// Reads the rows of any other element; `corners` is the property with the vertex indices of faces or
+    /// strips, or −1.
+    void read_other_rows(const Element& element, int corners) {
         const bool strips = is_strips(element);
         if (corners >= 0 && !strips)
             reserve_triangles(element, element.properties[static_cast<std::size_t>(corners)]);
@@ -177,9 +180,9 @@ class BodyReader {
     }
 
     void reserve_triangles(const Element& element, const Property& list) {
-        const std::size_t least = Cursor::least_bytes(*list.count_type) + 3 * Cursor::least_bytes(list.type);
-        const std::uint64_t most = std::min<std::uint64_t>(element.count, cursor_.room() / least);
-        body_.mesh.triangles.reserve(body_.mesh.triangles.size() + static_cast<std::size_t>(most));
+        const std::size_t min_size = Cursor::min_bytes(*list.count_type) + 3 * Cursor::min_bytes(list.type);
+        const std::uint64_t max_rows = std::min<std::uint64_t>(element.count, cursor_.remaining() / min_size);
+        rows_.mesh.triangles.reserve(rows_.mesh.triangles.size() + static_cast<std::size_t>(max_rows));
     }
 
     std::uint32_t checked(std::int64_t value, const Element& element, std::uint64_t row) const {
@@ -204,24 +207,24 @@ class BodyReader {
             int k = 0;
             cursor_.integers(list.type, 3,
                              [&](std::int64_t value) { triangle[k++] = checked(value, element, row); });
-            body_.mesh.triangles.push_back(triangle);
+            rows_.mesh.triangles.push_back(triangle);
             return;
         }
 
-        const std::size_t first = body_.corners.size();
+        const std::size_t first = rows_.corners.size();
         cursor_.integers(list.type, length,
-                         [&](std::int64_t value) { body_.corners.push_back(checked(value, element, row)); });
+                         [&](std::int64_t value) { rows_.corners.push_back(checked(value, element, row)); });
         if (length > 3) {
-            body_.polygons.push_back(
-                {body_.mesh.triangles.size(), first, static_cast<std::size_t>(length), offset});
+            rows_.polygons.push_back(
+                {rows_.mesh.triangles.size(), first, static_cast<std::size_t>(length), offset});
         } else {
-            body_.corners.resize(first);
-            ++body_.small_faces;
+            rows_.corners.resize(first);
+            ++rows_.small_faces;
         }
     }
 
-    /// A strip: each corner makes a triangle with the two before it, every second one turned around; −1
-    /// begins anew. Triangles that repeat a corner only turn the strip, and are no faces.
+    /// A triangle strip: each corner makes a triangle with the two before it, with alternating orientation;
+    /// −1 restarts. Triangles with repeated corners only flip the orientation.
     void read_strip(const Property& list, const Element& element, std::uint64_t row) {
         const std::uint64_t length = list_length(list, element, row);
         std::uint32_t older = 0;
@@ -236,7 +239,7 @@ class BodyReader {
             const bool repeats = corner == old || corner == older || old == older;
             if (since_start >= 2 && !repeats) {
                 const bool turned = since_start % 2 == 1;
-                body_.mesh.triangles.emplace_back(turned ? old : older, turned ? older : old, corner);
+                rows_.mesh.triangles.emplace_back(turned ? old : older, turned ? older : old, corner);
             }
             older = old;
             old = corner;
@@ -245,24 +248,24 @@ class BodyReader {
     }
 
     const Header& header_;
-    const Layout& layout_;
+    const MeshLayout& layout_;
     const LoadWatch& watch_;
     Cursor cursor_;
     std::size_t size_; ///< of the file
     std::uint64_t vertices_;
-    Body body_;
+    Rows rows_;
 };
 
 } // namespace
 
-Body read_body(const Source& source, const Header& header, const Layout& layout, const LoadWatch& watch) {
+Rows read_rows(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch) {
     switch (header.format) {
     case PlyFormat::ascii:
-        return BodyReader<TextCursor>(source, header, layout, watch).read();
+        return RowReader<TextCursor>(source, header, layout, watch).read();
     case PlyFormat::binary_little_endian:
-        return BodyReader<BinaryCursor<std::endian::little>>(source, header, layout, watch).read();
+        return RowReader<BinaryCursor<std::endian::little>>(source, header, layout, watch).read();
     default:
-        return BodyReader<BinaryCursor<std::endian::big>>(source, header, layout, watch).read();
+        return RowReader<BinaryCursor<std::endian::big>>(source, header, layout, watch).read();
     }
 }
 
