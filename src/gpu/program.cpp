@@ -94,8 +94,8 @@ std::string shader_source(const ProgramChoice& choice) {
 
 std::string show_source() {
     return joined("", [](const std::string& path) {
-        return path == "gpu/shaders/data.glsl" || path == "gpu/shaders/places.glsl" ||
-               path == "gpu/shaders/show.glsl";
+        return path == "math/shared.h" || path == "gpu/records.shared.h" || path == "gpu/shaders/data.glsl" ||
+               path == "gpu/shaders/places.glsl" || path == "gpu/shaders/show.glsl";
     });
 }
 

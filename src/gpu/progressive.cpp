@@ -14,12 +14,6 @@
 namespace glint {
 namespace {
 
-// shaders/show.glsl
-constexpr std::uint32_t show_centres = 0;
-constexpr std::uint32_t show_spread = 1;
-constexpr std::uint32_t show_means = 2;
-constexpr std::uint32_t show_started = 3;
-
 /// One way over the picture: the centres of every step-th pixel from (x, y) on, or `count` samples more of
 /// each pixel.
 struct Pass {
@@ -182,18 +176,19 @@ const GpuBuffer& GpuProgressive::State::film(std::size_t of_tile) {
 
 GpuSettings GpuProgressive::State::settings_of(const Rect& rect, const Pass& p) const {
     GpuSettings s = studio.settings();
-    s.tile.x = static_cast<std::uint32_t>(p.x + rect.x * p.step);
-    s.tile.y = static_cast<std::uint32_t>(p.y + rect.y * p.step);
-    s.tile.z = static_cast<std::uint32_t>(rect.width);
-    s.tile.w = static_cast<std::uint32_t>(p.count > 0 ? settings.spp : 1);
-    s.area.x = static_cast<std::uint32_t>(settings.width);
-    s.area.y = static_cast<std::uint32_t>(settings.height);
-    s.area.w = static_cast<std::uint32_t>(p.count > 0 ? p.first + p.count : 1);
-    s.pass = uvec4(static_cast<std::uint32_t>(p.step), static_cast<std::uint32_t>(p.first), 0u, 0u);
+    s.tile_x = static_cast<std::uint32_t>(p.x + rect.x * p.step);
+    s.tile_y = static_cast<std::uint32_t>(p.y + rect.y * p.step);
+    s.tile_width = static_cast<std::uint32_t>(rect.width);
+    s.samples = static_cast<std::uint32_t>(p.count > 0 ? settings.spp : 1);
+    s.end_x = static_cast<std::uint32_t>(settings.width);
+    s.end_y = static_cast<std::uint32_t>(settings.height);
+    s.end_sample = static_cast<std::uint32_t>(p.count > 0 ? p.first + p.count : 1);
+    s.pixel_step = static_cast<std::uint32_t>(p.step);
+    s.first_sample = static_cast<std::uint32_t>(p.first);
     if (first_hit) {
         // Nothing bounces.
-        s.area.z = static_cast<std::uint32_t>(options.show);
-        s.limits.x = 0;
+        s.aov = static_cast<std::uint32_t>(options.show);
+        s.max_depth = 0;
     }
     return s;
 }
@@ -210,7 +205,7 @@ void GpuProgressive::State::end_tile() {
         means[tile] = static_cast<std::uint32_t>(now().first + now().count);
     } else {
         GpuSettings how = settings_of(rect, now());
-        how.pass.z = show_centres;
+        how.show_mode = show_centres;
         show(how, *scratch, *known, rect);
         glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     }
@@ -258,8 +253,10 @@ void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, 
         block = std::make_unique<GpuBuffer>(studio.context(), "the settings", nullptr, sizeof(GpuSettings));
     const auto term = term_of(options.show);
     GpuSettings s = how;
-    s.turn = uvec4(static_cast<std::uint32_t>(terms), term ? static_cast<std::uint32_t>(*term) : 0u,
-                   slots_of(rect), first_hit ? 0u : 1u);
+    s.film_terms = static_cast<std::uint32_t>(terms);
+    s.shown_term = term ? static_cast<std::uint32_t>(*term) : 0u;
+    s.slot_count = slots_of(rect);
+    s.smooth_steps = first_hit ? 0u : 1u;
     block->write(0, &s, sizeof s);
     studio.show_program().use();
     block->bind_uniform(0);
@@ -267,7 +264,7 @@ void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, 
     from.bind_storage(7);
     glBindImageTexture(0, known->texture(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     glBindImageTexture(1, shown.texture(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    glDispatchCompute((s.turn.z + Pace::group_size - 1) / Pace::group_size, 1, 1);
+    glDispatchCompute((s.slot_count + Pace::group_size - 1) / Pace::group_size, 1, 1);
 }
 
 std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
@@ -277,14 +274,14 @@ std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
     for (std::size_t i = 0; i < picture_tiles.size(); ++i) {
         const bool started = has_samples && i == tile && work->is_under_way();
         GpuSettings how = settings_of(picture_tiles[i], Pass{});
-        how.pass.z = show_spread;
-        how.pass.w = static_cast<std::uint32_t>(reached.step);
+        how.show_mode = show_spread;
+        how.known_step = static_cast<std::uint32_t>(reached.step);
         if (started) {
-            how.pass.z = show_started;
-            how.pass.y = static_cast<std::uint32_t>(now().first);
+            how.show_mode = show_started;
+            how.first_sample = static_cast<std::uint32_t>(now().first);
         } else if (has_samples && means[i] > 0) {
-            how.pass.z = show_means;
-            how.pass.w = means[i];
+            how.show_mode = show_means;
+            how.known_samples = means[i];
         }
         show(how, has_samples && i < films.size() && films[i] ? *films[i] : *scratch, *shown,
              picture_tiles[i]);

@@ -44,7 +44,9 @@ std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
     for (std::size_t first = 0; first < rays.size(); first += most) {
         const std::size_t past = std::min(first + most, rays.size());
         GpuSettings settings = parts_->settings;
-        settings.turn = uvec4(first, past, any ? 1 : 0, 0);
+        settings.first_slot = static_cast<std::uint32_t>(first);
+        settings.end_slot = static_cast<std::uint32_t>(past);
+        settings.any_hit = any ? 1 : 0;
         parts_->block.write(0, &settings, sizeof settings);
         parts_->timer.start();
         glDispatchCompute(static_cast<GLuint>((past - first + Pace::group_size - 1) / Pace::group_size), 1,

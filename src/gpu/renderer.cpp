@@ -61,12 +61,12 @@ class Rendering {
     bool render_tile(const Rect& tile) {
         const std::uint32_t slots = slots_of(tile);
         GpuSettings settings = scene_;
-        settings.tile.x = static_cast<std::uint32_t>(area_.x + tile.x);
-        settings.tile.y = static_cast<std::uint32_t>(area_.y + tile.y);
-        settings.tile.z = static_cast<std::uint32_t>(tile.width);
-        settings.area.x = static_cast<std::uint32_t>(area_.x + area_.width);
-        settings.area.y = static_cast<std::uint32_t>(area_.y + area_.height);
-        settings.area.w = static_cast<std::uint32_t>(settings_.spp);
+        settings.tile_x = static_cast<std::uint32_t>(area_.x + tile.x);
+        settings.tile_y = static_cast<std::uint32_t>(area_.y + tile.y);
+        settings.tile_width = static_cast<std::uint32_t>(tile.width);
+        settings.end_x = static_cast<std::uint32_t>(area_.x + area_.width);
+        settings.end_y = static_cast<std::uint32_t>(area_.y + area_.height);
+        settings.end_sample = static_cast<std::uint32_t>(settings_.spp);
         film_->clear();
         work_.begin(settings, slots);
         const std::uint64_t groups_before = progress_.tiles_done;
@@ -177,9 +177,9 @@ Picture GpuRenderer::render(const RenderOptions& options) {
         // One ray through each pixel's centre, nothing bounces, and numbers have no terms.
         wanted.terms = false;
         wanted.coverage = false;
-        settings.area.z = static_cast<std::uint32_t>(options.show);
-        settings.limits.x = 0;
-        settings.tile.w = 1;
+        settings.aov = static_cast<std::uint32_t>(options.show);
+        settings.max_depth = 0;
+        settings.samples = 1;
         picture.spp = 1;
     }
     return Rendering(studio, studio.program(wanted.terms, first_hit), settings, wanted, picture).run();

@@ -1,6 +1,7 @@
 #include "gpu/scene_data.h"
 
 #include "glint/error.h"
+#include "glint/term.h"
 #include "render/camera_sampler.h"
 #include "trace/world_data.h"
 
@@ -11,6 +12,14 @@
 
 namespace glint {
 namespace {
+
+static_assert(static_cast<uint>(Term::ambient) == term_ambient);
+static_assert(static_cast<uint>(Term::diffuse) == term_diffuse);
+static_assert(static_cast<uint>(Term::highlight) == term_highlight);
+static_assert(static_cast<uint>(Term::clamp) == term_clamp);
+static_assert(static_cast<uint>(Term::reflection) == term_reflection);
+static_assert(static_cast<uint>(Term::transmission) == term_transmission);
+static_assert(static_cast<uint>(Term::emission) == term_emission);
 
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr std::uint32_t object_solid = 1;
@@ -54,7 +63,7 @@ class Flattener {
             data_.words.push_back(world_.first_numbers[i]);
             data_.words.push_back(world_.meshes[i].object);
         }
-        data_.settings.limits.w = static_cast<std::uint32_t>(world_.meshes.size());
+        data_.settings.mesh_count = static_cast<std::uint32_t>(world_.meshes.size());
     }
 
     void add_shapes() {
@@ -63,8 +72,8 @@ class Flattener {
             add(plane.plane.offset);
             add(plane.object);
         }
-        data_.settings.limits.z = static_cast<std::uint32_t>(world_.planes.size());
-        data_.settings.at_shapes.x = shapes();
+        data_.settings.plane_count = static_cast<std::uint32_t>(world_.planes.size());
+        data_.settings.first_quadric = shapes();
         for (const Quadric& quadric : world_.quadrics) {
             add(static_cast<double>(quadric.kind));
             add(quadric.affine);
@@ -75,18 +84,18 @@ class Flattener {
             add(quadric.shape.height);
             add(quadric.shape.radius);
         }
-        data_.settings.at_shapes.y = shapes();
+        data_.settings.first_affine = shapes();
         for (const Affine& affine : world_.affines) {
             add(affine.linear);
             add(affine.inverse);
             add(affine.translation);
         }
         add_instances();
-        data_.settings.at_shapes.w = data_.tree.root;
+        data_.settings.tree_root = data_.tree.root;
     }
 
     void add_instances() {
-        data_.settings.at_shapes.z = shapes();
+        data_.settings.first_instance = shapes();
         for (std::uint32_t i = 0; i < world_.instances.size(); ++i) {
             const PlacedMesh& placed = world_.instances[i];
             add(world_.instance_tree.inverse(i));
@@ -119,11 +128,11 @@ class Flattener {
         std::sort(glass.begin(), glass.end(), [&](std::uint32_t a, std::uint32_t b) {
             return scene_.objects[a].rank < scene_.objects[b].rank;
         });
-        data_.settings.at_tables.z = words();
+        data_.settings.first_interior = words();
         media_.assign(scene_.objects.size(), 0);
         for (const std::uint32_t object : glass) {
             data_.words.push_back(object);
-            media_[object] = words() - data_.settings.at_tables.z;
+            media_[object] = words() - data_.settings.first_interior;
         }
     }
 
@@ -174,37 +183,43 @@ class Flattener {
             data_.tables.emplace_back(m.absorption, m.highlight);
             data_.tables.emplace_back(m.shininess, m.transparency, m.index, m.reflectivity);
         }
-        data_.settings.at_tables.x = static_cast<std::uint32_t>(data_.tables.size());
+        data_.settings.first_light = static_cast<std::uint32_t>(data_.tables.size());
         for (const LightRecord& l : scene_.lights) {
             data_.tables.emplace_back(l.position, static_cast<float>(l.kind));
             data_.tables.emplace_back(l.direction, l.cos_outer);
             data_.tables.emplace_back(l.strength, l.cos_inner);
         }
-        data_.settings.limits.y = static_cast<std::uint32_t>(scene_.lights.size());
+        data_.settings.light_count = static_cast<std::uint32_t>(scene_.lights.size());
     }
 
     void add_filter() {
         GpuSettings& s = data_.settings;
         const CameraSampler sampler(scene_.description);
         const PixelFilterSampler& filter = sampler.filter();
-        s.camera_right.w = filter.radius();
-        s.at_tables.y = static_cast<std::uint32_t>(data_.tables.size());
+        s.filter_radius = filter.radius();
+        s.first_tail = static_cast<std::uint32_t>(data_.tables.size());
         for (const float tail : filter.tails()) data_.tables.emplace_back(tail, 0.0f, 0.0f, 0.0f);
         const RenderSettings& r = scene_.description.render;
-        s.seed = uvec4(static_cast<std::uint32_t>(r.seed), static_cast<std::uint32_t>(r.seed >> 32),
-                       static_cast<std::uint32_t>(filter.tails().size() - 1),
-                       static_cast<std::uint32_t>(filter.negative_steps()));
-        s.tile.w = static_cast<std::uint32_t>(r.spp);
+        s.seed_low = static_cast<std::uint32_t>(r.seed);
+        s.seed_high = static_cast<std::uint32_t>(r.seed >> 32);
+        s.filter_steps = static_cast<std::uint32_t>(filter.tails().size() - 1);
+        s.negative_filter_steps = static_cast<std::uint32_t>(filter.negative_steps());
+        s.samples = static_cast<std::uint32_t>(r.spp);
+        s.pixel_step = 1;
     }
 
     void set_scene() {
         GpuSettings& s = data_.settings;
         const WhittedSettings& w = scene_.description.whitted;
-        s.ambient_light = vec4(scene_.ambient, data_.tree.corner);
-        s.background = vec4(scene_.background, world_.instance_tree.slack());
-        s.limits.x = static_cast<std::uint32_t>(w.max_depth);
-        s.modes = uvec4(w.shadows == Shadows::opaque, w.clamp, w.energy == Energy::balanced,
-                        w.highlight_model == HighlightModel::phong);
+        s.ambient_light = scene_.ambient;
+        s.max_coordinate = data_.tree.corner;
+        s.background = scene_.background;
+        s.instance_slack = world_.instance_tree.slack();
+        s.max_depth = static_cast<std::uint32_t>(w.max_depth);
+        s.opaque_shadows = w.shadows == Shadows::opaque ? 1 : 0;
+        s.clamp_light = w.clamp ? 1 : 0;
+        s.balanced_energy = w.energy == Energy::balanced ? 1 : 0;
+        s.phong_highlights = w.highlight_model == HighlightModel::phong ? 1 : 0;
     }
 
     const FrozenScene& scene_;
@@ -215,7 +230,7 @@ class Flattener {
 };
 
 /// Highest rank first; camera_media has the lowest first.
-uvec4 media_of_eye(const GpuSceneData& data, const std::vector<std::uint32_t>& objects) {
+uvec4 interiors_at_eye(const GpuSceneData& data, const std::vector<std::uint32_t>& objects) {
     if (objects.size() > most_media)
         throw Error(ErrorKind::device,
                     "the camera is in " + std::to_string(objects.size()) +
@@ -235,12 +250,15 @@ uvec4 media_of_eye(const GpuSceneData& data, const std::vector<std::uint32_t>& o
 
 void set_view(GpuSceneData& data, const FrozenScene& scene) {
     GpuSettings& s = data.settings;
-    s.media_of_eye = media_of_eye(data, scene.camera_media);
+    s.interiors_at_eye = interiors_at_eye(data, scene.camera_media);
     const PinholeCamera camera = camera_of(scene.description);
-    s.camera_eye = vec4(camera.eye, camera.width);
-    s.camera_forward = vec4(camera.forward, camera.height);
-    s.camera_right = vec4(camera.right, s.camera_right.w);
-    s.camera_up = vec4(camera.up, scene.index_outside);
+    s.camera_eye = camera.eye;
+    s.image_width = camera.width;
+    s.camera_forward = camera.forward;
+    s.image_height = camera.height;
+    s.camera_right = camera.right;
+    s.camera_up = camera.up;
+    s.index_outside = scene.index_outside;
 }
 
 GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }

@@ -1,7 +1,7 @@
 #pragma once
 // A frozen scene as the shader reads it: flat arrays, records found by their numbers (shaders/data.glsl).
 
-#include "gpu/settings.h"
+#include "gpu/records.shared.h"
 #include "gpu/tree.h"
 #include "scene/frozen.h"
 
@@ -16,7 +16,7 @@ struct GpuSceneData {
     std::vector<std::uint32_t> words;
     std::vector<vec4> tables;
     std::vector<double> shapes;
-    GpuSettings settings; ///< all that the scene decides
+    GpuSettings settings{}; ///< all that the scene decides
     bool glass = false;   ///< does anything let light through?
 };
 

@@ -8,17 +8,13 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t counters = 16; ///< words before the slots' fields (shaders/places.glsl)
-constexpr std::uint32_t fault_media = 1;
-constexpr std::uint32_t fault_loops = 2;
-
 int whole_squares(int pixels) { return (pixels + 7) / 8 * 8; }
 
-std::size_t state_fields(std::size_t terms) { return 2 + 3 * terms; }
+std::size_t state_fields(std::size_t terms) { return field_terms + fields_of_term * terms; }
 
 std::size_t slot_fields(const GpuSettings& scene, std::size_t terms) {
-    const std::size_t rays = scene.limits.x + 2;
-    return state_fields(terms) + rays * 14;
+    const std::size_t rays = scene.max_depth + 2;
+    return state_fields(terms) + rays * fields_of_ray;
 }
 
 /// What the counters of a tile say.
@@ -32,15 +28,15 @@ struct Counters {
 
 std::uint32_t slots_of(const Rect& tile) { return static_cast<std::uint32_t>(tile.width * tile.height); }
 
-std::size_t film_fields(std::size_t terms) { return 6 * terms + 2; }
+std::size_t film_fields(std::size_t terms) { return film_fields_of_term * terms + film_counts; }
 
 std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, std::size_t terms, int width,
                            int height) {
     const std::size_t largest =
         std::min<std::uint64_t>(context.device().largest_buffer, std::size_t{1} << 28);
     const std::size_t bytes = 4 * std::max(slot_fields(scene, terms), film_fields(terms));
-    const auto slots =
-        static_cast<int>(std::clamp<std::size_t>((largest - 4 * counters) / bytes, 64, Pace::most_slots));
+    const auto slots = static_cast<int>(
+        std::clamp<std::size_t>((largest - 4 * work_counters) / bytes, 64, Pace::most_slots));
     const int across = std::min(whole_squares(width), slots / 64 * 8);
     const int down = std::min(whole_squares(height), std::max(slots / std::max(across, 8) / 8 * 8, 8));
     std::vector<Rect> tiles;
@@ -53,14 +49,14 @@ std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, 
 
 void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     settings_ = settings;
-    settings_.at_tables.w = studio_.pace().steps();
+    settings_.max_walk_steps = studio_.pace().steps();
     slots_ = slots;
-    const std::size_t bytes = 4 * (counters + slot_fields(settings, terms_) * slots);
+    const std::size_t bytes = 4 * (work_counters + slot_fields(settings, terms_) * slots);
     if (work_ == nullptr || work_->bytes() < bytes) {
         work_.reset();
         work_ = std::make_unique<GpuBuffer>(studio_.context(), "the rays under way", nullptr, bytes);
     } else {
-        work_->clear(4 * (counters + state_fields(terms_) * slots));
+        work_->clear(4 * (work_counters + state_fields(terms_) * slots));
     }
     if (block_ == nullptr) {
         block_ = std::make_unique<GpuBuffer>(studio_.context(), "the settings", nullptr, sizeof(GpuSettings));
@@ -80,7 +76,10 @@ bool TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     Pace& pace = studio_.pace();
     const std::uint32_t past = std::min(first_ + pace.slots(), slots_);
     const bool whole = past - first_ == pace.slots();
-    settings_.turn = uvec4(first_, past, slots_, pace.nodes());
+    settings_.first_slot = first_;
+    settings_.end_slot = past;
+    settings_.slot_count = slots_;
+    settings_.max_nodes = pace.nodes();
     const double start = wall_seconds();
     block_->write(0, &settings_, sizeof settings_);
     timer_->start();
@@ -102,7 +101,7 @@ void TileWork::count() {
     const Counters zero;
     work_->write(0, &zero, sizeof zero);
     if (c.faults != 0) unfinished_ = 0;
-    if ((c.faults & fault_media) != 0)
+    if ((c.faults & fault_interiors) != 0)
         throw Error(ErrorKind::device,
                     "a ray is in more than eight transparent solids at once, which the GPU cannot follow",
                     "render on the CPU");

@@ -51,7 +51,7 @@ class TileWork {
     const std::size_t terms_;
     std::unique_ptr<GpuBuffer> work_, block_;
     std::unique_ptr<GpuTimer> timer_;
-    GpuSettings settings_;
+    GpuSettings settings_{};
     std::uint32_t slots_ = 0;
     std::uint32_t first_ = 0; ///< of the next dispatch
     std::uint32_t unfinished_ = 0;

@@ -1,5 +1,5 @@
-// What the host lays before the shader: gpu/scene_data.h and gpu/settings.h fill it. Records are found by
-// their numbers; offsets stand in the settings.
+// The buffers that the host fills (gpu/scene_data.h). Records are found by their numbers; where each kind begins
+// is in the settings.
 
 layout(std430, binding = 0) readonly buffer Nodes { uvec4 nodes[]; };     // six to a node
 layout(std430, binding = 1) readonly buffer Leaves { uint leaves[]; };    // trace/mesh_tree.h: leaf_words
@@ -10,24 +10,7 @@ layout(std430, binding = 5) readonly buffer Shapes { double shapes[]; };  // pla
 layout(std430, binding = 6) buffer Work { uint work[]; };                 // counters, rays that wait
 layout(std430, binding = 7) buffer Film { float film[]; };                // sums over samples
 
-layout(std140, binding = 0) uniform Settings {
-    vec4 camera_eye;     // w: width of the picture, pixels
-    vec4 camera_forward; // w: its height
-    vec4 camera_right;   // w: radius of the pixel filter
-    vec4 camera_up;      // w: index of refraction outside everything
-    vec4 ambient_light;  // w: largest |coordinate| of boxes in the world
-    vec4 background;     // w: what boxes of instances grow by, in origins' |coordinates|
-    uvec4 seed;          // low, high, steps of the filter's table, those below 0
-    uvec4 media_of_eye;
-    uvec4 limits;     // bounces, lights, planes, meshes
-    uvec4 modes;      // shadows opaque, clamp, balanced, phong
-    uvec4 at_shapes;  // quadrics, affines, instances (doubles); root of the tree
-    uvec4 at_tables;  // lights, filter (of tables); media (of words); turns of walks to stop after
-    uvec4 tile;       // x, y of its first pixel; its width, a multiple of 8; samples a pixel
-    uvec4 area;       // x, y past the last pixel; what is shown of first hits, samples to take up to
-    uvec4 turn;       // first slot, past the last, slots in all, nodes of ray trees to follow
-    uvec4 pass;       // pixels from one slot's to the next's, samples before; show.glsl: mode, known step or samples
-} settings;
+layout(std140, binding = 0) uniform SettingsBlock { GpuSettings settings; };
 
 const uint none = 0xffffffffu;
 
@@ -84,7 +67,7 @@ struct Light {
 };
 
 Light light_at(uint light) {
-    uint at = settings.at_tables.x + 3u * light;
+    uint at = settings.first_light + 3u * light;
     vec4 a = tables[at];
     vec4 b = tables[at + 1u];
     vec4 c = tables[at + 2u];

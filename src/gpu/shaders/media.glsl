@@ -5,7 +5,7 @@
 bool media_overflowed = false;
 
 uint media_head(uvec4 media) { return media.x >> 16; }
-uint media_object(uint medium) { return words[settings.at_tables.z + medium - 1u]; }
+uint media_object(uint medium) { return words[settings.first_interior + medium - 1u]; }
 
 #if GLINT_GLASS
 uvec4 media_with(uvec4 media, uint medium) {
@@ -51,10 +51,10 @@ bool media_hide(uvec4 media, uint object) {
 
 float media_index(uvec4 media) {
     uint head = media_head(media);
-    return head == 0u ? settings.camera_up.w : material_index(object_material(media_object(head)));
+    return head == 0u ? settings.index_outside : material_index(object_material(media_object(head)));
 }
 #else
 uvec4 media_across(uvec4 media, uint medium, bool entering) { return media; }
 bool media_hide(uvec4 media, uint object) { return false; }
-float media_index(uvec4 media) { return settings.camera_up.w; }
+float media_index(uvec4 media) { return settings.index_outside; }
 #endif

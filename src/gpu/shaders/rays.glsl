@@ -5,12 +5,12 @@ layout(local_size_x = 64) in;
 const uint words_of_ray = 7u; // origin, direction, limit; then t, u, v, object, number in it, steps
 
 void main() {
-    uint ray = settings.turn.x + gl_GlobalInvocationID.x;
-    if (ray >= settings.turn.y) return;
+    uint ray = settings.first_slot + gl_GlobalInvocationID.x;
+    if (ray >= settings.end_slot) return;
     uint at = words_of_ray * ray;
     vec3 origin = uintBitsToFloat(uvec3(work[at], work[at + 1u], work[at + 2u]));
     vec3 direction = uintBitsToFloat(uvec3(work[at + 3u], work[at + 4u], work[at + 5u]));
-    Hit hit = trace(origin, direction, uintBitsToFloat(work[at + 6u]), no_hit(0.0f), settings.turn.z != 0u);
+    Hit hit = trace(origin, direction, uintBitsToFloat(work[at + 6u]), no_hit(0.0f), settings.any_hit != 0u);
     work[at] = floatBitsToUint(hit.t);
     work[at + 1u] = floatBitsToUint(hit.u);
     work[at + 2u] = floatBitsToUint(hit.v);

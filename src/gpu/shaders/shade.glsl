@@ -68,10 +68,10 @@ Arriving arriving_from(Light light, Lit s) {
 void add_light(Lit s, Material m, Arriving a, float shadow, inout vec3 diffuse, inout vec3 highlight) {
     if (!(shadow > 0.0f)) return;
     vec3 lit = diffuse_term(a.light, s.color, m.diffuse) * shadow;
-    if (settings.modes.y != 0u) lit = limit_to_one(lit);
+    if (settings.clamp_light != 0u) lit = limit_to_one(lit);
     diffuse = diffuse + lit;
     if (!(m.highlight > 0.0f)) return;
-    float lobe = settings.modes.w == 0u ? blinn_lobe(s.n * s.lit_side, a.direction, s.v, m.shininess)
+    float lobe = settings.phong_highlights == 0u ? blinn_lobe(s.n * s.lit_side, a.direction, s.v, m.shininess)
                                         : phong_lobe(s.n * s.lit_side, a.direction, s.v, m.shininess);
     highlight = highlight + highlight_term(a.light, m.highlight, lobe) * shadow;
 }
@@ -126,7 +126,7 @@ Path reflected_path(Path path, Lit s, float share) {
     next.origin = offset_ray_origin(s.p, s.p_error, s.n_g, next.direction);
     next.weight = path.weight * share;
     next.depth = path.depth + 1u;
-    if (path.term == none) next.term = 4u;
+    if (path.term == none) next.term = term_reflection;
     return next;
 }
 
@@ -137,6 +137,6 @@ Path transmitted_path(Path path, Lit s, Split split) {
     next.weight = path.weight * split.refracted;
     next.media = split.media;
     next.depth = path.depth + 1u;
-    if (path.term == none) next.term = 5u;
+    if (path.term == none) next.term = term_transmission;
     return next;
 }

@@ -1,27 +1,21 @@
-// From films to the picture as it is shown: one slot a pixel of the tile, as in whitted.glsl. settings.turn: the
-// terms that films tell apart, the one that is shown, slots, whether to go smoothly from pixel to pixel.
+// From films to the picture as it is shown: one slot a pixel of the tile, as in whitted.glsl.
 
 layout(local_size_x = 64) in;
 layout(rgba32f, binding = 0) uniform image2D known; // centres of pixels, where they were looked at
 layout(rgba32f, binding = 1) writeonly uniform image2D shown;
 
-const uint show_centres = 0u; // from the film to `known`
-const uint show_spread = 1u;  // `known` with what lies between
-const uint show_means = 2u;   // of so many samples each
-const uint show_started = 3u; // of as many as each pixel has in `work`
-
 /// Correctly rounded, as on the CPU: in double the quotient of two floats is too precise to be rounded twice.
 vec3 divided(vec3 sum, uint by) { return vec3(dvec3(sum) / double(by)); }
 
 vec3 film_vector(uint slot, bool positive) {
-    uint stride = settings.turn.z;
-    uint at = slot + 3u * ((positive ? 0u : settings.turn.x) + settings.turn.y) * stride;
+    uint stride = settings.slot_count;
+    uint at = slot + 3u * ((positive ? 0u : settings.film_terms) + settings.shown_term) * stride;
     return vec3(film[at], film[at + stride], film[at + 2u * stride]);
 }
 
 /// imaging/film.h: pixel_value().
 vec3 pixel_value(uint slot, uint count) {
-    uint positives = uint(film[slot + 6u * settings.turn.x * settings.turn.z]);
+    uint positives = uint(film[slot + film_fields_of_term * settings.film_terms * settings.slot_count]);
     uint negatives = count - positives;
     if (positives == 0u) return divided(film_vector(slot, false), negatives);
     bool lobes = count >= 16u && 4u * positives >= 3u * count;
@@ -36,7 +30,7 @@ vec3 mixed(vec3 a, vec3 b, float share) { return share == 0.0f ? a : a + (b - a)
 vec3 spread(ivec2 pixel, int step) {
     ivec2 size = imageSize(known);
     ivec2 before = pixel / step * step;
-    if (settings.turn.w == 0u) return imageLoad(known, before).rgb;
+    if (settings.smooth_steps == 0u) return imageLoad(known, before).rgb;
     ivec2 after = before + step;
     if (after.x >= size.x) after.x = before.x;
     if (after.y >= size.y) after.y = before.y;
@@ -49,18 +43,18 @@ vec3 spread(ivec2 pixel, int step) {
 
 void main() {
     uint slot = gl_GlobalInvocationID.x;
-    if (slot >= settings.turn.z) return;
+    if (slot >= settings.slot_count) return;
     uvec2 pixel = slot_pixel(slot);
-    if (any(greaterThanEqual(pixel, settings.area.xy))) return;
-    uint mode = settings.pass.z;
+    if (any(greaterThanEqual(pixel, uvec2(settings.end_x, settings.end_y)))) return;
+    uint mode = settings.show_mode;
     if (mode == show_centres) {
         imageStore(known, ivec2(pixel), vec4(pixel_value(slot, 1u), 1.0f));
         return;
     }
     uint count = 0u;
-    if (mode == show_means) count = settings.pass.w;
-    if (mode == show_started) count = work[slot_field(slot, 0u)] + settings.pass.y;
-    int step = mode == show_spread ? int(settings.pass.w) : 1;
+    if (mode == show_means) count = settings.known_samples;
+    if (mode == show_started) count = work[slot_field(slot, field_sample)] + settings.first_sample;
+    int step = mode == show_spread ? int(settings.known_step) : 1;
     vec3 value = count == 0u ? spread(ivec2(pixel), step) : pixel_value(slot, count);
     imageStore(shown, ivec2(pixel), vec4(value, 1.0f));
 }

@@ -22,7 +22,7 @@ Surface triangle_surface(Hit hit, vec3 direction, double u, double v) {
     dvec3 p, n;
 #if GLINT_INSTANCES
     if (hit.instance != none) {
-        uint at = settings.at_shapes.z + 26u * hit.instance;
+        uint at = settings.first_instance + 26u * hit.instance;
         dmat3 inverse = shape_matrix(at);
         point_of_triangle(a, b, c, u, v, inverse * dvec3(direction), p, n);
         dmat3 linear = shape_matrix(at + 12u);
@@ -49,9 +49,9 @@ Surface quadric_surface(Hit hit, dvec3 origin, dvec3 direction) {
     span_in_quadric(hit.at, origin, direction, span);
     double t = hit.u != 0.0f ? span.leave : span.enter;
     int part = hit.u != 0.0f ? span.leave_part : span.enter_part;
-    uint at = settings.at_shapes.x + 12u * hit.at;
+    uint at = settings.first_quadric + 12u * hit.at;
     double affine = shapes[at + 1u];
-    uint place = settings.at_shapes.y + 21u * uint(max(affine, 0.0));
+    uint place = settings.first_affine + 21u * uint(max(affine, 0.0));
     dmat3 inverse = dmat3(1.0);
     if (affine >= 0.0) {
         inverse = shape_matrix(place + 9u);

@@ -140,12 +140,12 @@ ShearedVertex sheared(SpaceRay ray, vec3 vertex) {
 /// Object and number within it of the triangle with a running number.
 void name_triangle(uint number, uint instance, out uint object, out uint prim) {
     if (instance != none) {
-        object = uint(shapes[settings.at_shapes.z + 26u * instance + 22u]);
+        object = uint(shapes[settings.first_instance + 26u * instance + 22u]);
         prim = number;
         return;
     }
     uint low = 0u;
-    uint high = settings.limits.w;
+    uint high = settings.mesh_count;
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;
         if (words[2u * middle] <= number)
@@ -176,10 +176,10 @@ bool test_triangle(SpaceRay ray, uint code, uint i, uint instance, float limit, 
 
 /// The span of a line in a quadric, in the quadric's own space.
 bool span_in_quadric(uint quadric, dvec3 origin, dvec3 direction, out SolidSpan span) {
-    uint at = settings.at_shapes.x + 12u * quadric;
+    uint at = settings.first_quadric + 12u * quadric;
     double affine = shapes[at + 1u];
     if (affine >= 0.0) {
-        uint place = settings.at_shapes.y + 21u * uint(affine);
+        uint place = settings.first_affine + 21u * uint(affine);
         dmat3 inverse = shape_matrix(place + 9u);
         origin = inverse * (origin - shape_vector(place + 18u));
         direction = inverse * direction;
@@ -196,7 +196,7 @@ bool span_in_quadric(uint quadric, dvec3 origin, dvec3 direction, out SolidSpan 
 bool test_quadric(uint quadric, dvec3 origin, dvec3 direction, Hit after, float limit, inout Hit hit) {
     SolidSpan span;
     if (!span_in_quadric(quadric, origin, direction, span)) return false;
-    uint at = settings.at_shapes.x + 12u * quadric;
+    uint at = settings.first_quadric + 12u * quadric;
     hit = Hit(float(span.enter), 0.0f, 0.0f, uint(shapes[at]), uint(shapes[at + 2u]), uint(shapes[at + 3u]),
               quadric, none, false, false);
     if (!(span.enter > 0.0) || !follows(after, hit)) {
@@ -216,7 +216,7 @@ bool test_plane(uint plane, dvec3 origin, dvec3 direction, float limit, inout Hi
 
 /// The ray in the space of an instance's mesh, rounded once.
 void to_instance(uint instance, vec3 origin, vec3 direction, out vec3 local_origin, out vec3 local_direction) {
-    uint at = settings.at_shapes.z + 26u * instance;
+    uint at = settings.first_instance + 26u * instance;
     dmat3 inverse = shape_matrix(at);
     local_origin = vec3(inverse * (dvec3(origin) - shape_vector(at + 9u)));
     local_direction = vec3(inverse * dvec3(direction));
@@ -247,15 +247,15 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
     steps_to_shapes = 0u;
 #endif
     if (!traceable(origin, direction)) return best;
-    SpaceRay ray = space_ray(origin, direction, settings.ambient_light.w, settings.background.w);
+    SpaceRay ray = space_ray(origin, direction, settings.max_coordinate, settings.instance_slack);
     float from = max(after.t, 0.0f);
     uint stack[GLINT_STACK];
     int waiting = 0;
     uint instance = none;
     uint node = 0u;
     uint met = 0u;                     // children of `node` that are still to be entered
-    uint next = settings.at_shapes.w;  // the node to visit now, or none
-    uint left = settings.limits.z;     // shapes of the leaf that are still to be tested
+    uint next = settings.tree_root;  // the node to visit now, or none
+    uint left = settings.plane_count;     // shapes of the leaf that are still to be tested
     uint leaf = kind_plane;            // their kind
     uint leaf_at = 0u;
     for (;;) {
@@ -267,7 +267,7 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
                     uint entry = stack[--waiting];
                     if (entry == leave_instance) {
                         instance = none;
-                        ray = space_ray(origin, direction, settings.ambient_light.w, settings.background.w);
+                        ray = space_ray(origin, direction, settings.max_coordinate, settings.instance_slack);
                         continue;
                     }
                     node = entry >> 8;
@@ -292,7 +292,7 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
                     instance = code & 0x1fffffffu;
                     vec3 local_origin, local_direction;
                     to_instance(instance, origin, direction, local_origin, local_direction);
-                    uint at = settings.at_shapes.z + 26u * instance;
+                    uint at = settings.first_instance + 26u * instance;
                     ray = space_ray(local_origin, local_direction, float(shapes[at + 25u]), 0.0f);
                     if (traceable(local_origin, local_direction)) next = uint(shapes[at + 24u]);
 #endif

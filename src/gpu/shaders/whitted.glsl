@@ -15,45 +15,45 @@ vec3 terms[GLINT_TERMS];
 void add_term(uint term, vec3 value) { terms[GLINT_TERMS == 1 ? 0u : term] += value; }
 
 void add_to_film(uint slot, float weight, bool covered) {
-    uint stride = settings.turn.z;
-    uint at = slot + (weight > 0.0f ? 0u : 3u * uint(GLINT_TERMS) * stride);
+    uint stride = settings.slot_count;
+    uint at = slot + (weight > 0.0f ? 0u : film_fields_of_term / 2u * uint(GLINT_TERMS) * stride);
     for (int i = 0; i < GLINT_TERMS; ++i)
         for (int axis = 0; axis < 3; ++axis) film[at + uint(3 * i + axis) * stride] += terms[i][axis];
-    uint counts = slot + 6u * uint(GLINT_TERMS) * stride;
+    uint counts = slot + film_fields_of_term * uint(GLINT_TERMS) * stride;
     if (weight > 0.0f) film[counts] += 1.0f;
     if (covered) film[counts + stride] += 1.0f;
 }
 
 void save_slot(uint slot, uint number, uint state) {
-    work[slot_field(slot, 0u)] = number - settings.pass.y;
-    work[slot_field(slot, 1u)] = state;
-    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(slot_field(slot, 2u + 3u * i), terms[i]);
-    if (number >= settings.area.w) atomicAdd(work[counter_unfinished], 0xffffffffu); // one less
+    work[slot_field(slot, field_sample)] = number - settings.first_sample;
+    work[slot_field(slot, field_state)] = state;
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(slot_field(slot, field_terms + fields_of_term * i), terms[i]);
+    if (number >= settings.end_sample) atomicAdd(work[counter_unfinished], 0xffffffffu); // one less
 }
 
 void main() {
-    uint slot = settings.turn.x + gl_GlobalInvocationID.x;
-    if (slot >= settings.turn.y) return;
+    uint slot = settings.first_slot + gl_GlobalInvocationID.x;
+    if (slot >= settings.end_slot) return;
     uvec2 pixel = slot_pixel(slot);
-    uint number = work[slot_field(slot, 0u)] + settings.pass.y;
-    if (any(greaterThanEqual(pixel, settings.area.xy)) || number >= settings.area.w) return;
+    uint number = work[slot_field(slot, field_sample)] + settings.first_sample;
+    if (any(greaterThanEqual(pixel, uvec2(settings.end_x, settings.end_y))) || number >= settings.end_sample) return;
 
-    uint state = work[slot_field(slot, 1u)];
+    uint state = work[slot_field(slot, field_state)];
     // The driver ended the loop below before its end: see gpu/pace.h.
     if ((state & state_running) != 0u) {
         atomicOr(work[counter_faults], fault_loops);
         return;
     }
-    work[slot_field(slot, 1u)] = state | state_running;
+    work[slot_field(slot, field_state)] = state | state_running;
     atomicAdd(work[counter_unfinished], 1u);
-    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) terms[i] = saved_vector(slot_field(slot, 2u + 3u * i));
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) terms[i] = saved_vector(slot_field(slot, field_terms + fields_of_term * i));
     uint waiting = state & state_waiting;
     bool begun = (state & state_begun) != 0u;
     float weight = (state & state_negative) != 0u ? -1.0f : 1.0f;
     bool covered = (state & state_covered) != 0u;
 
     uvec4 rays = uvec4(0u);
-    uint budget = settings.turn.w;
+    uint budget = settings.max_nodes;
     uint phase = phase_next;
     Path path;
     Path sibling;
@@ -72,7 +72,7 @@ void main() {
     float limit = 0.0f;
     Hit after = no_hit(0.0f);
 #if GLINT_FIRST_HIT
-    int shown = int(settings.area.z);
+    int shown = int(settings.aov);
     float hidden = 0.0f;
     float first_t = 0.0f;
 #endif
@@ -85,7 +85,7 @@ void main() {
                 begun = false;
                 ++number;
             }
-            if ((idle && number >= settings.area.w) || budget == 0u || turns >= settings.at_tables.w) {
+            if ((idle && number >= settings.end_sample) || budget == 0u || turns >= settings.max_walk_steps) {
                 // Here and not behind the loop: a driver may have ended that.
                 if (has_path) save_path(slot, waiting++, path);
                 save_slot(slot, number,
@@ -94,7 +94,7 @@ void main() {
                 break;
             }
             if (idle) {
-                path = primary_path(pixel, number, settings.tile.w, weight);
+                path = primary_path(pixel, number, settings.samples, weight);
                 begun = true;
                 covered = false;
                 ++rays.x;
@@ -128,7 +128,7 @@ void main() {
             if (hit.kind == kind_none) {
                 // What never leaves a solid brings nothing; what misses everything gets the background.
                 if (path.media.x == 0u)
-                    add_term(path.term == none ? 6u : path.term, path.weight * settings.background.xyz);
+                    add_term(path.term == none ? term_emission : path.term, path.weight * settings.background);
                 phase = phase_next;
                 continue;
             }
@@ -154,7 +154,7 @@ void main() {
 #if GLINT_FIRST_HIT
             hidden = 0.0f;
             first_t = hit.t;
-            if (shown != shown_shadows) light = settings.limits.y;
+            if (shown != shown_shadows) light = settings.light_count;
 #endif
         } else {
             if (hit.kind != kind_none) {
@@ -163,7 +163,7 @@ void main() {
                 } else {
                     if (!media_hide(shadow_media, hit.object)) {
                         float tau = material_transparency(object_material(hit.object));
-                        shadow = settings.modes.x != 0u || !(tau > 0.0f) ? 0.0f : shadow * tau;
+                        shadow = settings.opaque_shadows != 0u || !(tau > 0.0f) ? 0.0f : shadow * tau;
                     }
                     uint medium = object_medium(hit.object);
                     if (medium != 0u)
@@ -183,7 +183,7 @@ void main() {
 
         // The next light that is worth a ray. It ends at t = 1 for a light with a place.
         bool shines = m.diffuse > 0.0f || m.highlight > 0.0f;
-        for (; shines && light < settings.limits.y; ++light) {
+        for (; shines && light < settings.light_count; ++light) {
             Light source = light_at(light);
             arriving = arriving_from(source, s);
             if (arriving.light == vec3(0.0f)) continue;
@@ -204,7 +204,7 @@ void main() {
             shadow_media = path.media;
             uint medium = object_medium(s.object);
             if (s.lit_side < 0.0f && medium != 0u) shadow_media = media_across(shadow_media, medium, s.entering);
-            walking = GLINT_GLASS != 0 && (settings.modes.x == 0u || shadow_media.x != 0u);
+            walking = GLINT_GLASS != 0 && (settings.opaque_shadows == 0u || shadow_media.x != 0u);
             continue;
         }
 
@@ -213,22 +213,22 @@ void main() {
         phase = phase_next;
 #else
         // The local terms, limited and weighed, and what becomes of the light that goes on.
-        vec3 ambient = ambient_term(settings.ambient_light.xyz, s.color, m.ambient);
+        vec3 ambient = ambient_term(settings.ambient_light, s.color, m.ambient);
         vec3 clamped = vec3(0.0f);
-        if (settings.modes.y != 0u) {
+        if (settings.clamp_light != 0u) {
             ambient = limit_to_range(ambient);
             highlight = limit_to_range(highlight);
             vec3 sum = (ambient + diffuse) + highlight;
             clamped = limit_to_one(sum) - sum;
         }
-        bool goes_on = (m.reflectivity > 0.0f || m.transparency > 0.0f) && path.depth < settings.limits.x;
-        float local = goes_on ? local_weight(m.reflectivity, m.transparency, settings.modes.z != 0u) : 1.0f;
+        bool goes_on = (m.reflectivity > 0.0f || m.transparency > 0.0f) && path.depth < settings.max_depth;
+        float local = goes_on ? local_weight(m.reflectivity, m.transparency, settings.balanced_energy != 0u) : 1.0f;
         if (path.term == none && GLINT_TERMS != 1) {
-            add_term(0u, path.weight * (ambient * local));
-            add_term(1u, path.weight * (diffuse * local));
-            add_term(2u, path.weight * (highlight * local));
-            add_term(3u, path.weight * (clamped * local));
-            add_term(6u, path.weight * m.emission);
+            add_term(term_ambient, path.weight * (ambient * local));
+            add_term(term_diffuse, path.weight * (diffuse * local));
+            add_term(term_highlight, path.weight * (highlight * local));
+            add_term(term_clamp, path.weight * (clamped * local));
+            add_term(term_emission, path.weight * m.emission);
         } else {
             vec3 sum = (((ambient * local + diffuse * local) + highlight * local) + clamped * local) + m.emission;
             add_term(path.term, path.weight * sum);
@@ -253,7 +253,7 @@ void main() {
 #endif
     }
 
-    if (media_overflowed) atomicOr(work[counter_faults], fault_media);
+    if (media_overflowed) atomicOr(work[counter_faults], fault_interiors);
     for (uint i = 0u; i < 4u; ++i)
         if (rays[i] != 0u) atomicAdd(work[counter_rays + i], rays[i]);
 }
