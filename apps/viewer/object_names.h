@@ -8,9 +8,6 @@
 
 namespace glint::viewer {
 
-/// "plane", "sphere", …: the table that objects of this shape stand in.
-const char* shape_word(const Object& object);
-
 /// "sphere.ball": by its name, else by its number among its kind.
 std::string table_of(const Object& object, std::size_t number_in_kind);
 

@@ -1,5 +1,6 @@
 #include "render/explain_parts.h"
 
+#include "glint/names.h"
 #include "shading/whitted.shared.h"
 
 #include <algorithm>
@@ -261,16 +262,13 @@ ExplainedScene::ExplainedScene(const FrozenScene& frozen)
 }
 
 std::string object_label(const SceneDescription& scene, std::size_t object) {
-    static constexpr const char* types[] = {"plane",      "sphere", "cylinder", "triangle",
-                                            "polyhedron", "mesh",   "instance"};
     const Object& o = scene.objects[object];
     const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
-    return std::string(types[o.shape.index()]) + " " + name;
+    return std::string(name_of(o.shape)) + " " + name;
 }
 
 std::string light_label(const SceneDescription& scene, std::size_t light) {
-    static constexpr const char* types[] = {"ambient", "point", "directional", "spot"};
-    return std::string(types[scene.lights[light].kind.index()]) + " light " + std::to_string(light + 1);
+    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
 }
 
 const std::string& ExplainedScene::material_name(std::uint32_t object) const {

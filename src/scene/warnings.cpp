@@ -1,4 +1,5 @@
 #include "geometry/mesh.h"
+#include "glint/names.h"
 #include "scene/frozen.h"
 #include "scene/validate.h"
 
@@ -15,9 +16,7 @@ namespace {
 constexpr std::uint32_t probes_per_object = 64;
 
 std::string title(const Object& object) {
-    static constexpr const char* types[] = {"plane",      "sphere", "cylinder", "triangle",
-                                            "polyhedron", "mesh",   "instance"};
-    const std::string type = types[object.shape.index()];
+    const std::string type(name_of(object.shape));
     return object.name.empty() ? type : type + " \"" + object.name + "\"";
 }
 
