@@ -14,16 +14,14 @@ using Json = nlohmann::ordered_json;
 Json vector_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json scene_json(const SceneStats& stats) {
-    Json json{{"objects", stats.objects},
-              {"triangles", stats.triangles},
-              {"spheres", stats.spheres},
-              {"cylinders", stats.cylinders},
-              {"planes", stats.planes},
-              {"lights", stats.lights},
-              {"tree_nodes", stats.tree_nodes},
-              {"tree_depth", stats.tree_depth},
-              {"tree_quality", stats.tree_quality},
-              {"bytes", stats.bytes}};
+    Json json{{"objects", stats.objects}, {"triangles", stats.triangles}};
+    for (const PrimitiveCount& quadric : stats.quadrics) json[quadric.kind] = quadric.count;
+    json.update({{"planes", stats.planes},
+                 {"lights", stats.lights},
+                 {"tree_nodes", stats.tree_nodes},
+                 {"tree_depth", stats.tree_depth},
+                 {"tree_quality", stats.tree_quality},
+                 {"bytes", stats.bytes}});
     // Where there is nothing finite, there are no bounds.
     if (stats.bounds_min.x <= stats.bounds_max.x) {
         json["bounds_min"] = vector_json(stats.bounds_min);

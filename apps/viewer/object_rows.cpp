@@ -158,12 +158,6 @@ class TransformRows {
     const FileKeys& keys_;
 };
 
-/// Solids own space; thin sheets have none.
-bool is_solid(const Shape& shape) {
-    const auto* plane = std::get_if<PlaneShape>(&shape);
-    return plane != nullptr ? plane->solid : !std::holds_alternative<TriangleShape>(shape);
-}
-
 } // namespace
 
 void object_rows(Ui& ui, const SceneDescription& scene, const Object& object, const std::string& table,

@@ -184,6 +184,9 @@ struct Light {
     Location where;
 };
 
+/// Whether a shape bounds a volume. A mesh is taken to: building its scene finds out.
+bool is_solid(const Shape& shape);
+
 /// Everything a scene file says. Objects and lights stand in the order of the file: it decides ties and sums.
 struct SceneDescription {
     std::optional<CameraDescription> camera; ///< none: the scene is framed by freeze()
@@ -194,12 +197,17 @@ struct SceneDescription {
     std::vector<Light> lights;
 };
 
+/// How many primitives of one kind there are: "spheres", 3.
+struct PrimitiveCount {
+    std::string kind;
+    std::uint64_t count = 0;
+};
+
 /// Sizes of a frozen scene.
 struct SceneStats {
     std::uint64_t objects = 0;
     std::uint64_t triangles = 0;
-    std::uint64_t spheres = 0;
-    std::uint64_t cylinders = 0;
+    std::vector<PrimitiveCount> quadrics; ///< every kind, in a fixed order
     std::uint64_t planes = 0;
     std::uint64_t lights = 0;
     std::uint64_t tree_nodes = 0;

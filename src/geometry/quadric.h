@@ -1,25 +1,31 @@
 #pragma once
-// Sphere, cylinder and plane against lines, in double. Roots by Haines et al., "Precision Improvements for
-// Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7. Every sum is written so that mirrored scenes,
-// scenes with x and y exchanged and scenes scaled by 2^k give the same bits.
+// Quadrics and planes against lines, in double: geometry/quadric.shared.h has the equations.
 
+#include "geometry/exact_point.h"
 #include "geometry/quadric.shared.h"
 #include "math/vec.h"
 
+#include <array>
+
 namespace glint {
 
-struct Sphere {
-    dvec3 center{0};
-    double radius = 1;
-};
+/// By kind, in the plural.
+inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders"};
+static_assert(quadric_names.back() != nullptr, "a kind of quadric has no name");
 
-/// A solid cylinder with both caps; `axis` is of unit length and points from the base to the top.
-struct Cylinder {
-    dvec3 base{0};
-    dvec3 axis{0, 0, 1};
-    double height = 1;
-    double radius = 1;
-};
+inline QuadricShape make_sphere(const dvec3& center, double radius) {
+    return {quadric_sphere, center, dvec3(0, 0, 1), 0, radius};
+}
+/// `axis` is of unit length and points from the base to the top.
+inline QuadricShape make_cylinder(const dvec3& base, const dvec3& axis, double height, double radius) {
+    return {quadric_cylinder, base, axis, height, radius};
+}
+
+/// The image under p ↦ m p, which must stretch all lengths alike, by `scale`.
+inline QuadricShape transformed(const QuadricShape& shape, const dmat4& m, double scale) {
+    return {shape.kind, dvec3(m * dvec4(shape.base, 1.0)), glm::normalize(dmat3(m) * shape.axis),
+            shape.height * scale, shape.radius * scale};
+}
 
 /// All p with normal · p = offset.
 struct Plane {
@@ -33,43 +39,37 @@ struct Line {
     dvec3 direction{0, 0, 1};
 };
 
-enum class CylinderPart { side, base_cap, top_cap };
-
-/// The part of a line inside a convex solid: enter <= t <= leave. A tangent has enter == leave.
 struct Interval {
-    double enter;
-    double leave;
-};
-
-/// The same, with the parts of the surface where the line passes.
-struct CylinderInterval {
-    Interval t;
-    CylinderPart enter_part;
-    CylinderPart leave_part;
-};
-
-/// A point of a surface with the unit normal there, both in double.
-struct ExactPoint {
-    dvec3 p;
-    dvec3 n;
+    double low;
+    double high;
 };
 
 /// False if the line misses; a tangent hits.
-bool intersect(const Line& line, const Sphere& sphere, Interval& t);
-bool intersect(const Line& line, const Cylinder& cylinder, CylinderInterval& t);
+inline bool intersect(const Line& line, const QuadricShape& shape, SolidSpan& span) {
+    return line_in_quadric(shape, line.origin, line.direction, span);
+}
 /// False if the line is parallel to the plane.
 inline bool intersect(const Line& line, const Plane& plane, double& t) {
     return line_meets_plane(line.origin, line.direction, plane.normal, plane.offset, t);
 }
 
-/// The point of the surface nearest to p, outward normal.
-ExactPoint surface(const Sphere& sphere, const dvec3& p);
-/// The same for one part of the surface.
-ExactPoint surface(const Cylinder& cylinder, CylinderPart part, const dvec3& p);
-ExactPoint surface(const Plane& plane, const dvec3& p);
+/// The point of one part of the surface (SolidSpan::enter_part) nearest to p, outward normal.
+inline ExactPoint surface(const QuadricShape& shape, int part, const dvec3& p) {
+    ExactPoint point;
+    point_of_quadric(shape, part, p, point.p, point.n);
+    return point;
+}
+inline ExactPoint surface(const Plane& plane, const dvec3& p) {
+    ExactPoint point;
+    point_of_plane(plane.normal, plane.offset, p, point.p, point.n);
+    return point;
+}
 
-/// Least and greatest g · p over the solid.
-Interval extent(const Sphere& sphere, const dvec3& g);
-Interval extent(const Cylinder& cylinder, const dvec3& g);
+/// Least and greatest g · p over the quadric.
+inline Interval extent(const QuadricShape& shape, const dvec3& g) {
+    Interval values;
+    extent_of_quadric(shape, g, values.low, values.high);
+    return values;
+}
 
 } // namespace glint

@@ -2,74 +2,135 @@
 #define GLINT_GEOMETRY_QUADRIC_SHARED_H
 #include "math/shared.h"
 
-// The equations of geometry/quadric.h, in double.
+// Everything that tells one quadric from another, in double: its kind, its bounds, where lines are inside it,
+// and its points and normals. C++ (geometry/quadric.h), vectors of rays (trace/quadric_lanes-inl.h) and the
+// shader read this text; nothing else asks for a quadric's kind. Plane equations are here too.
+//
+// Roots by Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019),
+// chapter 7. Every sum is written so that mirrored scenes, scenes with x and y exchanged and scenes scaled by
+// 2^k give the same bits.
+
+// Shapes are the same for all rays of a vector.
+#ifndef GLINT_LANES
 
 GLINT_SHARED_BEGIN
 
-/// The part of a line inside a solid, and what it goes through: 0 the side, 1 the base cap, 2 the top cap.
-struct SolidSpan {
-    double enter;
-    double leave;
-    int enter_part;
-    int leave_part;
+const int quadric_sphere = 0;   // base: the centre
+const int quadric_cylinder = 1; // solid, with both caps; from base along axis
+const int quadric_kinds = 2;
+
+/// What a kind does not use is 0, but for the axis, which is always a unit vector.
+struct QuadricShape {
+    int kind;
+    dvec3 base;
+    dvec3 axis;
+    double height;
+    double radius;
 };
 
-/// The part of v square to a unit axis.
-GLINT_FN dvec3 square_to(dvec3 axis, dvec3 v) { return v - axis * dot(axis, v); }
+/// Errors of double arithmetic relative to the largest number in it, with a wide margin: 2^-45.
+const double surface_error = 1.0 / 35184372088832.0;
 
-/// The part of the line f + t d with |f + t d| <= r.
-GLINT_FN bool line_in_ball(dvec3 f, dvec3 d, double r, GLINT_OUT(double) enter, GLINT_OUT(double) leave) {
-    enter = -infinite_double();
-    leave = infinite_double();
-    double a = dot(d, d);
-    if (a == 0.0) return dot(f, f) <= r * r;
-
-    // The discriminant from the line's nearest point: no difference of large squares where f is long.
-    double b = -dot(f, d);
-    dvec3 nearest = f + d * (b / a);
-    double delta = r * r - dot(nearest, nearest);
-    if (!(delta >= 0.0)) return false;
-
-    // Both roots without a difference of nearly equal numbers.
-    double root = sqrt(a * delta);
-    double q = b >= 0.0 ? b + root : b - root;
-    double one = q / a;
-    double other = q == 0.0 ? 0.0 : (dot(f, f) - r * r) / q;
-    enter = one < other ? one : other;
-    leave = one < other ? other : one;
-    return true;
+/// The largest number that a point of the surface is computed from.
+GLINT_FN double size_of_quadric(GLINT_IN(QuadricShape) shape) {
+    dvec3 base = abs(shape.base);
+    return max(max(base.x, base.y), base.z) + shape.radius + shape.height;
 }
 
-/// The same for a solid cylinder of unit axis; o is the line's origin seen from the middle of the base.
-GLINT_FN bool line_in_cylinder(dvec3 o, dvec3 d, dvec3 axis, double height, double radius,
-                               GLINT_OUT(SolidSpan) span) {
-    double side_enter;
-    double side_leave;
-    if (!line_in_ball(square_to(axis, o), square_to(axis, d), radius, side_enter, side_leave)) return false;
+/// The least and the greatest g · p over all points p of the quadric.
+GLINT_FN void extent_of_quadric(GLINT_IN(QuadricShape) shape, dvec3 g, GLINT_OUT(double) low,
+                                GLINT_OUT(double) high) {
+    dvec3 across = shape.kind == quadric_sphere ? g : g - shape.axis * dot(shape.axis, g);
+    double reach = shape.radius * sqrt(dot(across, across));
+    double base = dot(g, shape.base);
+    double top = shape.kind == quadric_sphere ? base : dot(g, shape.base + shape.axis * shape.height);
+    low = (base < top ? base : top) - reach;
+    high = (base < top ? top : base) + reach;
+}
 
-    // Between the planes of the two caps; reversed if it comes in through the top.
-    double h = dot(axis, o);
-    double rise = dot(axis, d);
-    double cap_enter = -infinite_double();
-    double cap_leave = infinite_double();
-    bool reversed = rise < 0.0;
-    if (rise == 0.0) {
-        if (!(h >= 0.0 && h <= height)) return false;
-    } else {
-        double at_base = -h / rise;
-        double at_top = (height - h) / rise;
-        cap_enter = reversed ? at_top : at_base;
-        cap_leave = reversed ? at_base : at_top;
-    }
+GLINT_SHARED_END
+#endif
+
+GLINT_SHARED_BEGIN
+
+/// The part of a line inside a solid, enter <= t <= leave, and the parts of the surface that it passes. A
+/// tangent has enter == leave. Parts: 0 the side, 1 the base cap, 2 the top cap.
+struct SolidSpan {
+    real64 enter;
+    real64 leave;
+    integer enter_part;
+    integer leave_part;
+};
+
+/// The part of v perpendicular to a unit axis.
+GLINT_FN dvec3 square_to(dvec3 axis, dvec3 v) { return v - axis * dot(axis, v); }
+
+/// The part of the line f + t d with |f + t d| <= r. False if there is none: then it is not set.
+GLINT_FN truth line_in_ball(dvec3 f, dvec3 d, double r, GLINT_OUT(real64) enter, GLINT_OUT(real64) leave) {
+    enter = -infinite_double();
+    leave = infinite_double();
+    real64 a = dot(d, d);
+    truth still = a == 0.0; // d = 0: all of the line is inside, or nothing
+
+    // The discriminant from the line's nearest point: no difference of large squares where f is long. NaN if
+    // still.
+    real64 b = -dot(f, d);
+    dvec3 nearest = f + d * (b / a);
+    real64 delta = r * r - dot(nearest, nearest);
+    real64 squared = dot(f, f);
+    truth met = (still && squared <= r * r) || delta >= 0.0;
+    if (!any_lane(met)) return met;
+
+    // Both roots without a difference of nearly equal numbers.
+    real64 root = sqrt(a * delta);
+    real64 q = pick(b >= 0.0, b + root, b - root);
+    real64 one = q / a;
+    real64 other = pick(q == 0.0, 0.0, (squared - r * r) / q);
+    truth ordered = one < other;
+    enter = pick(still, enter, pick(ordered, one, other));
+    leave = pick(still, leave, pick(ordered, other, one));
+    return met;
+}
+
+/// Clips a span to 0 <= h + t rise <= height, where h is measured along the axis from the base cap.
+GLINT_FN truth clip_to_caps(real64 h, real64 rise, double height, real64 side_enter, real64 side_leave,
+                            GLINT_OUT(SolidSpan) span) {
+    truth level = rise == 0.0;
+    truth reversed = rise < 0.0; // in through the top
+    real64 at_base = -h / rise;
+    real64 at_top = (height - h) / rise;
+    real64 cap_enter = pick(level, -infinite_double(), pick(reversed, at_top, at_base));
+    real64 cap_leave = pick(level, infinite_double(), pick(reversed, at_base, at_top));
 
     // The solid is convex: one way in, one way out, at the rim too.
-    bool enter_side = side_enter > cap_enter;
-    bool leave_side = side_leave < cap_leave;
-    span.enter = enter_side ? side_enter : cap_enter;
-    span.leave = leave_side ? side_leave : cap_leave;
-    span.enter_part = enter_side ? 0 : (reversed ? 2 : 1);
-    span.leave_part = leave_side ? 0 : (reversed ? 1 : 2);
-    return span.enter <= span.leave;
+    truth enter_side = side_enter > cap_enter;
+    truth leave_side = side_leave < cap_leave;
+    span.enter = pick(enter_side, side_enter, cap_enter);
+    span.leave = pick(leave_side, side_leave, cap_leave);
+    span.enter_part = pick(enter_side, 0, pick(reversed, 2, 1));
+    span.leave_part = pick(leave_side, 0, pick(reversed, 1, 2));
+    truth outside = level && !(h >= 0.0 && h <= height);
+    return !outside && span.enter <= span.leave;
+}
+
+/// The part of a line in a solid cylinder; o is the line's origin seen from the base.
+GLINT_FN truth line_in_cylinder(dvec3 o, dvec3 d, dvec3 axis, double height, double radius,
+                                GLINT_OUT(SolidSpan) span) {
+    real64 side_enter;
+    real64 side_leave;
+    truth met = line_in_ball(square_to(axis, o), square_to(axis, d), radius, side_enter, side_leave);
+    if (!any_lane(met)) return met;
+    return clip_to_caps(dot(axis, o), dot(axis, d), height, side_enter, side_leave, span) && met;
+}
+
+/// The part of the line o + t d inside a quadric.
+GLINT_FN truth line_in_quadric(GLINT_IN(QuadricShape) shape, dvec3 o, dvec3 d, GLINT_OUT(SolidSpan) span) {
+    dvec3 from = o - shape.base;
+    if (shape.kind == quadric_cylinder)
+        return line_in_cylinder(from, d, shape.axis, shape.height, shape.radius, span);
+    span.enter_part = 0;
+    span.leave_part = 0;
+    return line_in_ball(from, d, shape.radius, span.enter, span.leave);
 }
 
 /// The point of a sphere nearest to p, and the outward normal there.
@@ -80,35 +141,43 @@ GLINT_FN void point_of_sphere(dvec3 center, double radius, dvec3 p, GLINT_OUT(dv
 }
 
 /// The same for one part of a cylinder's surface.
-GLINT_FN void point_of_cylinder(dvec3 base, dvec3 axis, double height, double radius, int part, dvec3 p,
+GLINT_FN void point_of_cylinder(dvec3 base, dvec3 axis, double height, double radius, integer part, dvec3 p,
                                 GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
     dvec3 v = p - base;
     dvec3 radial = square_to(axis, v);
-    if (part == 1) {
-        n = -axis;
-        on = base + radial;
-    } else if (part == 2) {
-        n = axis;
-        on = base + axis * height + radial;
-    } else {
-        n = radial / sqrt(dot(radial, radial));
-        on = base + axis * dot(axis, v) + n * radius;
-    }
+    dvec3 out_of_side = radial / sqrt(dot(radial, radial));
+    truth on_base = part == 1;
+    truth on_top = part == 2;
+    dvec3 on_side = base + axis * dot(axis, v) + out_of_side * radius;
+    n = pick(on_base, -axis, pick(on_top, axis, out_of_side));
+    on = pick(on_base, base + radial, pick(on_top, base + axis * height + radial, on_side));
+}
+
+/// The point of one part of a quadric's surface nearest to p, and the outward normal there.
+GLINT_FN void point_of_quadric(GLINT_IN(QuadricShape) shape, integer part, dvec3 p, GLINT_OUT(dvec3) on,
+                               GLINT_OUT(dvec3) n) {
+    if (shape.kind == quadric_cylinder)
+        point_of_cylinder(shape.base, shape.axis, shape.height, shape.radius, part, p, on, n);
+    else
+        point_of_sphere(shape.base, shape.radius, p, on, n);
 }
 
 /// Where a line meets the plane of all p with normal · p = offset; false if it is parallel.
-GLINT_FN bool line_meets_plane(dvec3 o, dvec3 d, dvec3 normal, double offset, GLINT_OUT(double) t) {
-    double fall = dot(normal, d);
-    t = 0.0;
-    if (fall == 0.0) return false;
+GLINT_FN truth line_meets_plane(dvec3 o, dvec3 d, dvec3 normal, double offset, GLINT_OUT(real64) t) {
+    real64 fall = dot(normal, d);
     t = (offset - dot(normal, o)) / fall;
-    return true;
+    return fall != 0.0;
 }
 
-/// The point of a plane nearest to p, and its normal made unit.
+/// The point of a plane nearest to p; `squared` is normal · normal.
+GLINT_FN dvec3 foot_on_plane(dvec3 normal, real64 squared, double offset, dvec3 p) {
+    return p + normal * ((offset - dot(normal, p)) / squared);
+}
+
+/// The same, and the unit normal.
 GLINT_FN void point_of_plane(dvec3 normal, double offset, dvec3 p, GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
-    double squared = dot(normal, normal);
-    on = p + normal * ((offset - dot(normal, p)) / squared);
+    real64 squared = dot(normal, normal);
+    on = foot_on_plane(normal, squared, offset, p);
     n = normal / sqrt(squared);
 }
 

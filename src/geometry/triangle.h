@@ -13,7 +13,7 @@
 //
 // Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (triangle_point_error) against that.
 
-#include "geometry/quadric.h"
+#include "geometry/exact_point.h"
 #include "geometry/triangle.shared.h"
 #include "math/ray.h"
 #include "math/vec.h"

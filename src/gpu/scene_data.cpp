@@ -75,7 +75,7 @@ class Flattener {
         data_.settings.plane_count = static_cast<std::uint32_t>(world_.planes.size());
         data_.settings.first_quadric = shapes();
         for (const Quadric& quadric : world_.quadrics) {
-            add(static_cast<double>(quadric.kind));
+            add(quadric.shape.kind == quadric_sphere ? 2.0 : 3.0); // kind_sphere, kind_cylinder of trace.glsl
             add(quadric.affine);
             add(quadric.object);
             add(quadric.prim);

@@ -7,12 +7,12 @@
 // Only + - * / sqrt floor reach the machine: everything else is computed by ourselves, with the same bits
 // anywhere. GLINT_PRECISE marks values that a shader's compiler must not fuse.
 //
-// What differs from ray to ray is `real`, `integer`, `truth` or vec3, and choices between such values are
-// made by pick(condition, one, other), which computes both: so the same functions serve vectors of rays
-// (math/lanes-inl.h). There a `real` holds one float for each of several rays. any_lane(t) lets a function
-// return early where a truth holds for none of them. What is the same for all rays of a vector (a light, a
-// setting) is float, int or bool, and `if` may ask for it; where the rays are vectors, GLINT_LANES is
-// defined.
+// What differs from ray to ray is `real`, `integer`, `truth` or vec3, in double `real64` or dvec3, and
+// choices between such values are made by pick(condition, one, other), which computes both: so the same
+// functions serve vectors of rays (math/lanes-inl.h in single precision, math/double_lanes-inl.h in double).
+// There a `real` holds one float for each of several rays. any_lane(t) lets a function return early where a
+// truth holds for none of them. What is the same for all rays of a vector (a light, a shape) is float,
+// double, int or bool, and `if` may ask for it; where the rays are vectors, GLINT_LANES is defined.
 
 #ifndef GLINT_GLSL
 
@@ -34,6 +34,7 @@ namespace glint {
 
 using uint = std::uint32_t;
 using real = float;
+using real64 = double;
 using integer = int;
 using truth = bool;
 using glm::abs;
@@ -50,7 +51,9 @@ using std::sqrt;
 /// `one` where the condition holds, else `other`.
 inline float pick(bool condition, float one, float other) { return condition ? one : other; }
 inline int pick(bool condition, int one, int other) { return condition ? one : other; }
+inline double pick(bool condition, double one, double other) { return condition ? one : other; }
 inline vec3 pick(bool condition, const vec3& one, const vec3& other) { return condition ? one : other; }
+inline dvec3 pick(bool condition, const dvec3& one, const dvec3& other) { return condition ? one : other; }
 
 /// Does it hold for any ray of a vector? For one ray: for that.
 inline bool any_lane(bool t) { return t; }
@@ -77,6 +80,7 @@ inline double infinite_double() { return std::numeric_limits<double>::infinity()
 #define GLINT_IN(type) type
 #define GLINT_OUT(type) out type
 #define real float
+#define real64 double
 #define integer int
 #define truth bool
 #define pick(condition, one, other) ((condition) ? (one) : (other))

@@ -153,7 +153,7 @@ void WhittedTracer::step_off_edge(const Ray& ray, const Hit& hit, SurfacePoint& 
 void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
     const MeshAttributes& attributes =
         scene_.attributes[static_cast<std::size_t>(scene_.objects[hit.object].attributes)];
-    if (hit.kind == PrimKind::sphere) {
+    if (hit.kind == PrimKind::quadric) {
         s.color = attributes.mesh->colors[hit.prim];
         return;
     }

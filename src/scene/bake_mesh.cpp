@@ -122,7 +122,7 @@ void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id
     std::uint32_t prim = 0;
     for (const vec3& p : s.data->positions) {
         const dvec3 center = transform_point(m, dvec3(p));
-        baked_.input.spheres.push_back({id, prim++, center, stretched, -1});
+        baked_.input.quadrics.push_back({id, prim++, make_sphere(center, stretched), -1});
         baked_.objects[id].bounds.grow(vec3(center - stretched));
         baked_.objects[id].bounds.grow(vec3(center + stretched));
     }

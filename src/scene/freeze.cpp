@@ -200,8 +200,8 @@ SceneStats Scene::stats() const {
     SceneStats stats;
     stats.objects = frozen_->objects.size();
     stats.triangles = world.triangles;
-    stats.spheres = world.spheres;
-    stats.cylinders = world.cylinders;
+    for (std::size_t kind = 0; kind < quadric_names.size(); ++kind)
+        stats.quadrics.push_back({quadric_names[kind], world.quadrics[kind]});
     stats.planes = world.planes;
     stats.lights = frozen_->description.lights.size();
     stats.tree_nodes = world.nodes;

@@ -1,5 +1,5 @@
-// Planes, spheres and cylinders for every SIMD target: one shape at a time, as many rays at once as doubles
-// fit into a vector.
+// Planes and quadrics for every SIMD target: one shape at a time, as many rays at once as doubles fit into a
+// vector.
 
 #include "trace/surface_batch.h"
 #include "trace/flags.h"
@@ -31,138 +31,105 @@ class BoxRays {
     HWY_INLINE BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
         : origin_(rays.line.origin), tmin_(rays.tmin) {
         const Vec& d = rays.line.direction;
-        const Doubles most = hn::Max(hn::Abs(d.x), hn::Max(hn::Abs(d.y), hn::Abs(d.z)));
-        const Doubles least = hn::Mul(most, all(1e-18));
-        const auto inverse = [&](Doubles along) {
-            return hn::Div(all(1.0), hn::CopySign(hn::Max(hn::Abs(along), least), along));
+        const real64 least = largest(d) * 1e-18;
+        const auto inverse = [&](real64 along) {
+            return real64(1.0) / hn::CopySign(greater(abs(along), least).v, along.v);
         };
         inverse_ = {inverse(d.x), inverse(d.y), inverse(d.z)};
-        const Vec& o = origin_;
-        const Doubles reach = hn::Max(hn::Abs(o.x), hn::Max(hn::Abs(o.y), hn::Abs(o.z)));
+        const real64 reach = largest(origin_);
         const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
-        pad_ = hn::Mul(all(0x1p-20), hn::Add(reach, all(std::max({far.x, far.y, far.z}))));
-        pad_ = hn::Add(pad_, hn::Mul(all(double(more)), reach));
+        pad_ = (reach + double(std::max({far.x, far.y, far.z}))) * 0x1p-20;
+        pad_ = pad_ + reach * double(more);
     }
 
     /// Which rays may meet the box between their tmin and `limit`; `enter` says where.
-    HWY_INLINE Mask meet(const vec3& lo, const vec3& hi, Doubles limit, Doubles& enter) const {
-        Doubles leave = limit;
+    HWY_INLINE truth meet(const vec3& lo, const vec3& hi, real64 limit, real64& enter) const {
+        real64 leave = limit;
         enter = tmin_;
         slab(origin_.x, inverse_.x, lo.x, hi.x, enter, leave);
         slab(origin_.y, inverse_.y, lo.y, hi.y, enter, leave);
         slab(origin_.z, inverse_.z, lo.z, hi.z, enter, leave);
-        return hn::Le(enter, leave);
+        return enter <= leave;
     }
 
   private:
-    HWY_INLINE void slab(Doubles from, Doubles inverse, float lo, float hi, Doubles& enter,
-                         Doubles& leave) const {
-        const Doubles one = hn::Mul(hn::Sub(hn::Sub(all(double(lo)), pad_), from), inverse);
-        const Doubles other = hn::Mul(hn::Sub(hn::Add(all(double(hi)), pad_), from), inverse);
-        enter = hn::Max(enter, hn::Min(one, other));
-        leave = hn::Min(leave, hn::Max(one, other));
+    HWY_INLINE void slab(real64 from, real64 inverse, float lo, float hi, real64& enter,
+                         real64& leave) const {
+        const real64 one = (real64(double(lo)) - pad_ - from) * inverse;
+        const real64 other = (real64(double(hi)) + pad_ - from) * inverse;
+        enter = greater(enter, lesser(one, other));
+        leave = lesser(leave, greater(one, other));
     }
 
     Vec origin_, inverse_;
-    Doubles tmin_, pad_;
+    real64 tmin_, pad_;
 };
 
-Vec across(const Vec& axis, const Vec& v) { return v - axis * dot(axis, v); }
-
-/// The solid cylinder of geometry/quadric.cpp. False if all lines miss.
-bool in_cylinder(const Lines& line, const Cylinder& cylinder, Inside& in) {
-    const Vec axis = all(cylinder.axis);
-    const Vec from_base = line.origin - all(cylinder.base);
-    if (!in_ball(across(axis, from_base), across(axis, line.direction), cylinder.radius, in)) return false;
-
-    const Doubles zero = hn::Zero(dd);
-    const Doubles height = all(cylinder.height);
-    const Doubles infinity = all(std::numeric_limits<double>::infinity());
-    const Doubles h = dot(axis, from_base);
-    const Doubles rise = dot(axis, line.direction);
-    const Mask level = hn::Eq(rise, zero);
-    const Mask reversed = hn::Lt(rise, zero);
-    const Doubles at_base = hn::Div(hn::Neg(h), rise);
-    const Doubles at_top = hn::Div(hn::Sub(height, h), rise);
-    const Doubles first =
-        hn::IfThenElse(level, hn::Sub(zero, infinity), hn::IfThenElse(reversed, at_top, at_base));
-    const Doubles last = hn::IfThenElse(level, infinity, hn::IfThenElse(reversed, at_base, at_top));
-    const Mask outside = hn::And(level, hn::Not(hn::And(hn::Ge(h, zero), hn::Le(h, height))));
-
-    in.enter = hn::IfThenElse(hn::Gt(in.enter, first), in.enter, first);
-    in.leave = hn::IfThenElse(hn::Lt(in.leave, last), in.leave, last);
-    in.met = hn::AndNot(outside, hn::And(in.met, hn::Le(in.enter, in.leave)));
-    return true;
+truth in_special(const WorldData& world, const Quadric& quadric, const Lines& line, SolidSpan& span) {
+    if (quadric.affine < 0) return line_in_quadric(quadric.shape, line.origin, line.direction, span);
+    const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
+    return line_in_quadric(quadric.shape, transformed(affine.inverse, line.origin - affine.translation),
+                           transformed(affine.inverse, line.direction), span);
 }
 
-bool in_special(const WorldData& world, const Quadric& quadric, Lines line, Inside& in) {
-    if (quadric.affine >= 0) {
-        const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
-        line = {transformed(affine.inverse, line.origin - all(affine.translation)),
-                transformed(affine.inverse, line.direction)};
-    }
-    if (quadric.kind == PrimKind::cylinder) return in_cylinder(line, quadric.shape, in);
-    return in_ball(line.origin - all(quadric.shape.base), line.direction, quadric.shape.radius, in);
-}
-
-/// Most are plain spheres: they need no call.
-HWY_INLINE bool in_quadric(const WorldData& world, const Quadric& quadric, const Lines& line, Inside& in) {
-    if (quadric.kind == PrimKind::sphere && quadric.affine < 0)
-        return in_ball(line.origin - all(quadric.shape.base), line.direction, quadric.shape.radius, in);
-    return in_special(world, quadric, line, in);
+/// Which lines pass through a quadric, and where. Most are plain spheres: they need no call.
+HWY_INLINE truth in_quadric(const WorldData& world, const Quadric& quadric, const Lines& line,
+                            SolidSpan& span) {
+    if (quadric.shape.kind == quadric_sphere && quadric.affine < 0)
+        return line_in_ball(line.origin - quadric.shape.base, line.direction, quadric.shape.radius,
+                            span.enter, span.leave);
+    return in_special(world, quadric, line, span);
 }
 
 /// Does a hit at `exact` count, its t rounded to float?
-HWY_INLINE Mask takes(const Rays& rays, Mask met, Doubles exact, Doubles near) {
-    return hn::And(met, hn::And(hn::Gt(exact, rays.tmin), hn::Lt(near, rays.tmax)));
+HWY_INLINE truth takes(const Rays& rays, truth met, real64 exact, real64 near) {
+    return met && exact > rays.tmin && near < rays.tmax;
 }
 
 /// Keeps the least (t, root) of each ray.
 struct Least {
     const Rays& rays;
-    Doubles t = all(std::numeric_limits<double>::infinity());
-    Doubles root = hn::Zero(dd);
+    real64 t = infinity;
+    real64 root = 0.0;
 
-    HWY_INLINE void add(Mask met, Doubles exact, double number) {
-        const Doubles near = rounded(exact);
-        const Doubles it = all(number);
-        const Mask closer = hn::Or(hn::Lt(near, t), hn::And(hn::Eq(near, t), hn::Lt(it, root)));
-        const Mask better = hn::And(takes(rays, met, exact, near), closer);
-        t = hn::IfThenElse(better, near, t);
-        root = hn::IfThenElse(better, it, root);
+    HWY_INLINE void add(truth met, real64 exact, double number) {
+        const real64 near = rounded(exact);
+        const truth closer = near < t || (near == t && number < root);
+        const truth better = takes(rays, met, exact, near) && closer;
+        t = pick(better, near, t);
+        root = pick(better, number, root);
     }
     bool done() const { return false; }
-    Doubles limit() const { return hn::Min(t, rays.tmax); } ///< beyond it nothing counts
+    real64 limit() const { return lesser(t, rays.tmax); } ///< beyond it nothing counts
 };
 
 /// Finds which rays meet anything.
 struct AnyHit {
     const Rays& rays;
-    Mask found = hn::FirstN(dd, 0);
+    truth found = hn::FirstN(dd, 0);
 
-    HWY_INLINE void add(Mask met, Doubles exact, double) {
-        found = hn::Or(found, takes(rays, met, exact, rounded(exact)));
+    HWY_INLINE void add(truth met, real64 exact, double) {
+        found = found || takes(rays, met, exact, rounded(exact));
     }
-    bool done() const { return hn::AllTrue(dd, found); }
-    Doubles limit() const {
-        return hn::IfThenElse(found, all(-std::numeric_limits<double>::infinity()), rays.tmax);
-    }
+    bool done() const { return all_lanes(found); }
+    real64 limit() const { return pick(found, -infinity, rays.tmax); }
 };
 
 template <class Sink>
 HWY_INLINE void meet_plane(const NumberedPlane& numbered, const Lines& line, Sink& sink) {
-    const Vec normal = all(numbered.plane.normal);
-    const Doubles fall = dot(normal, line.direction);
-    const Doubles t = hn::Div(hn::Sub(all(numbered.plane.offset), dot(normal, line.origin)), fall);
-    sink.add(hn::Ne(fall, hn::Zero(dd)), t, 2.0 * numbered.surface);
+    real64 t;
+    const truth met =
+        line_meets_plane(line.origin, line.direction, numbered.plane.normal, numbered.plane.offset, t);
+    sink.add(met, t, 2.0 * numbered.surface);
 }
 
 template <class Sink>
 HWY_INLINE void meet_quadric(const WorldData& world, const Quadric& quadric, const Lines& line, Sink& sink) {
-    Inside in;
-    if (!in_quadric(world, quadric, line, in)) return;
-    sink.add(in.met, in.enter, 2.0 * quadric.surface);
-    sink.add(in.met, in.leave, 2.0 * quadric.surface + 1.0);
+    SolidSpan span;
+    const truth met = in_quadric(world, quadric, line, span);
+    if (!any_lane(met)) return;
+    sink.add(met, span.enter, 2.0 * quadric.surface);
+    sink.add(met, span.leave, 2.0 * quadric.surface + 1.0);
 }
 
 /// The quadrics whose boxes any of the rays meets, roughly nearest first: neighbours go nearly the same way.
@@ -181,15 +148,16 @@ void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
             continue;
         }
         const TreeNode& node = tree.nodes[at.first];
-        Doubles enter[2];
-        Mask met[2];
+        real64 enter[2];
+        bool met[2];
         for (int k = 0; k < 2; ++k)
-            met[k] = boxes.meet(vec3(node.lo[0][k], node.lo[1][k], node.lo[2][k]),
-                                vec3(node.hi[0][k], node.hi[1][k], node.hi[2][k]), sink.limit(), enter[k]);
+            met[k] = any_lane(boxes.meet(vec3(node.lo[0][k], node.lo[1][k], node.lo[2][k]),
+                                         vec3(node.hi[0][k], node.hi[1][k], node.hi[2][k]), sink.limit(),
+                                         enter[k]));
         // What the first ray meets first is looked at first.
-        const int near = hn::GetLane(enter[1]) < hn::GetLane(enter[0]) ? 1 : 0;
+        const int near = hn::GetLane(enter[1].v) < hn::GetLane(enter[0].v) ? 1 : 0;
         for (const int k : {1 - near, near})
-            if (!hn::AllFalse(dd, met[k])) stack[size++] = node.child[k];
+            if (met[k]) stack[size++] = node.child[k];
     }
 }
 
@@ -205,16 +173,16 @@ HWY_INLINE void meet_all(const WorldData& world, const Ahead& ahead, const Rays&
         if (Ahead::has(ahead.quadrics, i)) meet_quadric(world, world.quadrics[i], rays.line, sink);
 }
 
-std::uint32_t bits_of(Mask mask) {
+std::uint32_t bits_of(truth mask) {
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(dd, mask, bits);
+    hn::StoreMaskBits(dd, mask.m, bits);
     return bits[0];
 }
 
 HWY_INLINE std::uint32_t mesh_ahead_of(const Ahead& ahead, const TriangleBounds& bounds, const Rays& rays,
-                                       Doubles limit) {
+                                       real64 limit) {
     if (!ahead.triangles) return 0u;
-    Doubles enter;
+    real64 enter;
     return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box.lo, bounds.box.hi, limit, enter));
 }
 
@@ -291,16 +259,16 @@ Hit hit_of(const WorldData& world, std::size_t root) {
 
 /// The hits that a vector of rays has found.
 HWY_INLINE void write_hits(const WorldData& world, const Least& least, Hit* hits, std::size_t count) {
-    const Mask any = hn::Lt(least.t, all(std::numeric_limits<double>::infinity()));
-    if (hn::AllFalse(dd, any)) {
+    const truth any = least.t < infinity;
+    if (!any_lane(any)) {
         std::fill_n(hits, count, Hit{});
         return;
     }
     alignas(64) double t[lanes], root[lanes];
-    hn::Store(least.t, dd, t);
-    hn::Store(least.root, dd, root);
+    hn::Store(least.t.v, dd, t);
+    hn::Store(least.root.v, dd, root);
     // Neighbours mostly hit the same.
-    if (hn::AllTrue(dd, hn::And(any, hn::Eq(least.root, all(root[0]))))) {
+    if (all_lanes(any && least.root == root[0])) {
         const Hit hit = hit_of(world, static_cast<std::size_t>(root[0]));
         for (std::size_t k = 0; k < count; ++k) {
             hits[k] = hit;
@@ -310,7 +278,7 @@ HWY_INLINE void write_hits(const WorldData& world, const Least& least, Hit* hits
     }
     for (std::size_t k = 0; k < count; ++k) {
         hits[k] = Hit{};
-        if (!(t[k] < std::numeric_limits<double>::infinity())) continue;
+        if (!(t[k] < infinity)) continue;
         hits[k] = hit_of(world, static_cast<std::size_t>(root[k]));
         hits[k].t = static_cast<float>(t[k]);
     }

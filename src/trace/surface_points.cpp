@@ -1,4 +1,4 @@
-// From hits on planes and spheres back to the surface, for every SIMD target: several hits at once, with the
+// From hits on planes and quadrics back to the surface, for every SIMD target: several hits at once, with the
 // bits of World::surface().
 
 #include "trace/surface_batch.h"
@@ -22,42 +22,34 @@ namespace {
 /// Exact points with their normals, and what the arithmetic may have lost.
 struct Points {
     Vec p, n;
-    Doubles slack;
+    real64 slack;
 };
 
-HWY_INLINE Doubles largest(const Vec& v) {
-    return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
-}
-HWY_INLINE Vec at(const Lines& line, Doubles t) { return line.origin + line.direction * t; }
-HWY_INLINE Vec chosen(Mask mask, const Vec& one, const Vec& other) {
-    return {hn::IfThenElse(mask, one.x, other.x), hn::IfThenElse(mask, one.y, other.y),
-            hn::IfThenElse(mask, one.z, other.z)};
-}
+HWY_INLINE Vec at(const Lines& line, real64 t) { return line.origin + line.direction * t; }
 
 HWY_INLINE Points on_plane(const NumberedPlane& numbered, const Lines& line) {
-    const Vec normal = all(numbered.plane.normal);
-    const Doubles offset = all(numbered.plane.offset);
-    const Doubles t = hn::Div(hn::Sub(offset, dot(normal, line.origin)), dot(normal, line.direction));
+    const Plane& plane = numbered.plane;
+    real64 t;
+    line_meets_plane(line.origin, line.direction, plane.normal, plane.offset, t);
     const Vec p = at(line, t);
-    const Doubles off = hn::Div(hn::Sub(offset, dot(normal, p)), all(numbered.squared));
-    return {p + normal * off, all(numbered.unit),
-            hn::Mul(all(surface_error), hn::Add(largest(line.origin), largest(p)))};
+    return {foot_on_plane(plane.normal, numbered.squared, plane.offset, p), numbered.unit,
+            (largest(line.origin) + largest(p)) * surface_error};
 }
 
-HWY_INLINE Points on_sphere(const Quadric& sphere, const Lines& line, Mask leaving) {
-    const Vec center = all(sphere.shape.base);
-    Inside in{hn::Zero(dd), hn::Zero(dd), hn::FirstN(dd, 0)};
-    in_ball(line.origin - center, line.direction, sphere.shape.radius, in);
-    const Vec v = at(line, hn::IfThenElse(leaving, in.leave, in.enter)) - center;
-    const Doubles length = hn::Sqrt(dot(v, v));
-    const Vec n{hn::Div(v.x, length), hn::Div(v.y, length), hn::Div(v.z, length)};
-    return {center + n * all(sphere.shape.radius), n, all(surface_error * size_of(sphere))};
+HWY_INLINE Points on_quadric(const QuadricShape& shape, const Lines& line, truth leaving) {
+    SolidSpan span{0.0, 0.0, 0, 0};
+    line_in_quadric(shape, line.origin, line.direction, span);
+    Points points;
+    point_of_quadric(shape, pick(leaving, span.leave_part, span.enter_part),
+                     at(line, pick(leaving, span.leave, span.enter)), points.p, points.n);
+    points.slack = surface_error * size_of_quadric(shape);
+    return points;
 }
 
-HWY_INLINE Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, Mask leaving) {
+HWY_INLINE Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, truth leaving) {
     const SurfaceName& name = world.surfaces[number];
     if (name.kind == PrimKind::plane) return on_plane(world.planes[name.index], line);
-    return on_sphere(world.quadrics[name.index], line, leaving);
+    return on_quadric(world.quadrics[name.index].shape, line, leaving);
 }
 
 HWY_INLINE bool same_primitive(const Hit& a, const Hit& b) {
@@ -74,39 +66,39 @@ HWY_INLINE bool same_primitive(const Hit* hits) {
 }
 
 /// Which hits are on their ray's way out.
-HWY_INLINE Mask on_way_out(const Hit* hits) {
+HWY_INLINE truth on_way_out(const Hit* hits) {
     alignas(64) double root[lanes];
     for (std::size_t k = 0; k < lanes; ++k) root[k] = double(hits[k].u);
-    return hn::Ne(hn::Load(dd, root), hn::Zero(dd));
+    return real64(hn::Load(dd, root)) != 0.0;
 }
 
 /// Surface by surface: `numbers` are those of the hits, no_surface where there is none.
-Points on_surfaces(const WorldData& world, const std::uint32_t* numbers, const Lines& line, Mask leaving) {
+Points on_surfaces(const WorldData& world, const std::uint32_t* numbers, const Lines& line, truth leaving) {
     alignas(64) double number[lanes];
     for (std::size_t k = 0; k < lanes; ++k) number[k] = double(numbers[k]);
-    const Doubles wanted = hn::Load(dd, number);
-    Points points{line.origin, line.origin, hn::Zero(dd)};
+    const real64 wanted = hn::Load(dd, number);
+    Points points{line.origin, line.origin, 0.0};
     for (std::size_t k = 0; k < lanes; ++k) {
         if (std::find(numbers, numbers + k, numbers[k]) != numbers + k || numbers[k] == no_surface) continue;
         const Points found = on_surface(world, numbers[k], line, leaving);
-        const Mask same = hn::Eq(wanted, all(number[k]));
-        points = {chosen(same, found.p, points.p), chosen(same, found.n, points.n),
-                  hn::IfThenElse(same, found.slack, points.slack)};
+        const truth same = wanted == number[k];
+        points = {pick(same, found.p, points.p), pick(same, found.n, points.n),
+                  pick(same, found.slack, points.slack)};
     }
     return points;
 }
 
 /// Rounds to float, with half a float's spacing and the slack as the error.
 HWY_INLINE void store(const Points& points, const SurfaceRows& rows, std::size_t first) {
-    const auto slack = hn::DemoteTo(df, points.slack);
-    const Doubles p[3] = {points.p.x, points.p.y, points.p.z};
-    const Doubles n[3] = {points.n.x, points.n.y, points.n.z};
+    const auto slack = hn::DemoteTo(df, points.slack.v);
+    const real64 p[3] = {points.p.x, points.p.y, points.p.z};
+    const real64 n[3] = {points.n.x, points.n.y, points.n.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto near = hn::DemoteTo(df, p[axis]);
+        const auto near = hn::DemoteTo(df, p[axis].v);
         const auto error = hn::Add(hn::Mul(hn::Abs(near), hn::Set(df, 0x1p-24f)), slack);
         hn::StoreU(near, df, rows.p[axis] + first);
         hn::StoreU(error, df, rows.p_error[axis] + first);
-        hn::StoreU(hn::DemoteTo(df, n[axis]), df, rows.n[axis] + first);
+        hn::StoreU(hn::DemoteTo(df, n[axis].v), df, rows.n[axis] + first);
     }
 }
 

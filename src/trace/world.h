@@ -1,7 +1,8 @@
 #pragma once
-// Everything that rays can hit, in trees: the marriage of bvh/ and geometry/. It knows shapes and numbers of
+// Everything that rays can hit, in trees: combines bvh/ and geometry/. It knows shapes and numbers of
 // objects, nothing of materials.
 
+#include "geometry/quadric.h"
 #include "math/bounds.h"
 #include "math/ray.h"
 #include "math/vec.h"
@@ -17,13 +18,12 @@
 
 namespace glint {
 
-enum class PrimKind : std::uint8_t { none, triangle, sphere, cylinder, plane };
+enum class PrimKind : std::uint8_t { none, triangle, quadric, plane };
 
 /// Where a ray meets the world. Of all hits the closest is the least (t, object, prim).
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
-    /// Triangle: weight of vertex 1 (the report's β). Sphere, cylinder: 0 on the ray's way in, 1 on its way
-    /// out.
+    /// Triangle: weight of vertex 1 (the report's β). Quadric: 0 on the ray's way in, 1 on its way out.
     float u = 0;
     float v = 0; ///< triangle: weight of vertex 2 (the report's γ)
     std::uint32_t object = 0xffffffffu;
@@ -55,11 +55,11 @@ struct SurfaceRows {
 /// What a search for the closest hit does, counted on a plain walk through the trees.
 struct TraceCost {
     std::uint32_t nodes = 0;  ///< whose boxes were tested
-    std::uint32_t shapes = 0; ///< triangles, spheres, cylinders and planes that were tested
+    std::uint32_t shapes = 0; ///< triangles, quadrics and planes that were tested
 };
 
 /// Plain input of World. Quadrics in double: their equations are solved in double and rounded once. An object
-/// has one shape: one entry here, or several spheres told apart by `prim`.
+/// has one shape: one entry here, or several quadrics with different `prim`.
 struct WorldInput {
     struct Triangles {
         std::uint32_t object = 0;
@@ -78,20 +78,11 @@ struct WorldInput {
         dmat4 world_from_mesh{1.0}; ///< affine and regular
         bool flip = false;          ///< turn the normals against the winding as it is in the world
     };
-    struct Sphere {
+    struct Quadric {
         std::uint32_t object = 0;
         std::uint32_t prim = 0;
-        dvec3 center{0};
-        double radius = 1;
+        QuadricShape shape{};
         std::int32_t affine = -1; ///< index into `world_from_local`, or -1: already in world space
-    };
-    struct Cylinder {
-        std::uint32_t object = 0;
-        dvec3 base{0};
-        dvec3 axis{0, 0, 1}; ///< unit
-        double height = 1;
-        double radius = 1;
-        std::int32_t affine = -1;
     };
     /// normal · p = offset; the normal may have any length but 0.
     struct Plane {
@@ -102,8 +93,7 @@ struct WorldInput {
     std::vector<Triangles> meshes;
     std::vector<SharedMesh> shared_meshes;
     std::vector<Instance> instances;
-    std::vector<Sphere> spheres;
-    std::vector<Cylinder> cylinders;
+    std::vector<Quadric> quadrics;
     std::vector<Plane> planes;
     std::vector<dmat4> world_from_local; ///< affine and regular
     BuildQuality quality = BuildQuality::high;
@@ -111,8 +101,7 @@ struct WorldInput {
 
 struct WorldStats {
     std::uint64_t triangles = 0; ///< those of a shared mesh as often as it stands there
-    std::uint64_t spheres = 0;
-    std::uint64_t cylinders = 0;
+    std::array<std::uint64_t, quadric_kinds> quadrics{}; ///< by kind
     std::uint64_t planes = 0;
     std::uint64_t nodes = 0;
     int depth = 0;           ///< a shared mesh's below that of the tree of instances
@@ -166,7 +155,7 @@ class World {
     TraceCost cost(const Ray& ray) const;
 
     SurfacePoint surface(const Ray& ray, const Hit& hit) const;
-    /// The same for many, but only where done[i] becomes 1: on planes, and on spheres that are not stretched.
+    /// The same for many, but only where done[i] becomes 1: on planes and quadrics of the world's own space.
     /// Else it becomes 0, and what is written for the hit has no meaning.
     void surfaces(std::span<const Ray> rays, std::span<const Hit> hits, const SurfaceRows& rows,
                   std::span<std::uint8_t> done, const KernelChoice& choice = {}) const;

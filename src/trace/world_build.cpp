@@ -61,28 +61,20 @@ BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) 
             gradient = glm::transpose(affine.linear) * gradient;
             shift = affine.translation[axis];
         }
-        const Interval reach = quadric.kind == PrimKind::cylinder ? extent(quadric.shape, gradient)
-                                                                  : extent(quadric.sphere(), gradient);
+        const Interval reach = extent(quadric.shape, gradient);
         constexpr float infinity = std::numeric_limits<float>::infinity();
-        box.lo[axis] = std::nextafter(static_cast<float>(reach.enter + shift), -infinity);
-        box.hi[axis] = std::nextafter(static_cast<float>(reach.leave + shift), infinity);
+        box.lo[axis] = std::nextafter(static_cast<float>(reach.low + shift), -infinity);
+        box.hi[axis] = std::nextafter(static_cast<float>(reach.high + shift), infinity);
     }
     return box;
 }
 
-std::vector<Quadric> collect_quadrics(const WorldInput& input) {
-    std::vector<Quadric> quadrics;
-    for (const auto& s : input.spheres)
-        quadrics.push_back(
-            {PrimKind::sphere, s.affine, s.object, s.prim, 0, {s.center, dvec3(0.0), 0.0, s.radius}});
-    for (const auto& c : input.cylinders)
-        quadrics.push_back(
-            {PrimKind::cylinder, c.affine, c.object, 0, 0, {c.base, c.axis, c.height, c.radius}});
-    return quadrics;
-}
-
 void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
-    std::vector<Quadric> quadrics = collect_quadrics(input);
+    std::vector<Quadric> quadrics;
+    for (const auto& q : input.quadrics) quadrics.push_back({q.affine, q.object, q.prim, 0, q.shape});
+    // Grouped by kind, so that leaves mostly hold one.
+    std::stable_sort(quadrics.begin(), quadrics.end(),
+                     [](const Quadric& a, const Quadric& b) { return a.shape.kind < b.shape.kind; });
     std::vector<BoxRef> boxes;
     for (Quadric& quadric : quadrics) {
         const BoxRef box = box_of(world, quadric, static_cast<std::uint32_t>(boxes.size()));
@@ -102,7 +94,7 @@ void number_surfaces(WorldData& world) {
     std::uint32_t index = 0;
     for (const NumberedPlane& p : world.planes) names.push_back({PrimKind::plane, p.object, 0, index++});
     index = 0;
-    for (const Quadric& q : world.quadrics) names.push_back({q.kind, q.object, q.prim, index++});
+    for (const Quadric& q : world.quadrics) names.push_back({PrimKind::quadric, q.object, q.prim, index++});
     std::sort(names.begin(), names.end(), [](const SurfaceName& a, const SurfaceName& b) {
         return std::pair(a.object, a.prim) < std::pair(b.object, b.prim);
     });
@@ -141,8 +133,7 @@ void count(WorldData& world, const WorldInput& input) {
         stats.bytes += bytes_of(mesh.positions) + bytes_of(mesh.triangles);
     }
     count_shared(world);
-    stats.spheres = input.spheres.size();
-    stats.cylinders = input.cylinders.size();
+    for (const Quadric& q : world.quadrics) ++stats.quadrics[static_cast<std::size_t>(q.shape.kind)];
     stats.planes = input.planes.size();
     stats.quality = input.quality;
     stats.nodes += world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();

@@ -23,17 +23,14 @@ using bvh::Tree;
 using bvh::TreeNode;
 using bvh::TreeRef;
 
-/// A sphere or a cylinder, in its local space where it has one.
+/// A quadric, in its local space where it has one.
 struct Quadric {
-    PrimKind kind = PrimKind::none;
     std::int32_t affine = -1; ///< index into WorldData::affines, or -1
     std::uint32_t object = 0;
     std::uint32_t prim = 0;
     std::uint32_t surface = 0; ///< index into WorldData::surfaces
-    Cylinder shape;            ///< a sphere has base = centre and its radius
-    Bounds box{};              ///< around it, in the world
-
-    Sphere sphere() const { return {shape.base, shape.radius}; }
+    QuadricShape shape{};
+    Bounds box{}; ///< around it, in the world
 };
 
 struct NumberedPlane {
@@ -44,7 +41,7 @@ struct NumberedPlane {
     dvec3 unit{0.0, 0.0, 1}; ///< the normal of unit length
 };
 
-/// Whose a plane or quadric is.
+/// Object and primitive of a plane or quadric.
 struct SurfaceName {
     PrimKind kind = PrimKind::none;
     std::uint32_t object = 0;
@@ -104,13 +101,11 @@ void place_instances(WorldData& world, WorldInput& input, TaskPool& pool);
 /// Of a shared mesh or a mesh: throws std::invalid_argument for an index out of range.
 void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
-/// The intervals in which a line, taken to the quadric's local space, is inside it.
-inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric,
-                      CylinderInterval& inside) {
+/// The part of a line, taken to the quadric's local space, inside it; false if there is none.
+inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric, SolidSpan& span) {
     const Line local =
         quadric.affine < 0 ? line : world.affines[static_cast<std::size_t>(quadric.affine)].to_local(line);
-    if (quadric.kind == PrimKind::cylinder) return intersect(local, quadric.shape, inside);
-    return intersect(local, quadric.sphere(), inside.t);
+    return intersect(local, quadric.shape, span);
 }
 
 /// Where all triangles are: what a box test must grow it by besides, in the origin's largest |coordinate|, is
@@ -190,20 +185,12 @@ inline std::uint32_t surface_number(const WorldData& world, const Hit& hit) {
 
 inline constexpr std::uint32_t no_surface = 0xffffffffu;
 
-/// The same for planes and for spheres of the world's own space; no_surface for all else.
+/// The same for planes and for quadrics of the world's own space; no_surface for all else.
 inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
-    if (hit.kind != PrimKind::plane && hit.kind != PrimKind::sphere) return no_surface;
+    if (hit.kind != PrimKind::plane && hit.kind != PrimKind::quadric) return no_surface;
     const std::uint32_t number = surface_number(world, hit);
     const bool plain = hit.kind == PrimKind::plane || world.quadrics[world.surfaces[number].index].affine < 0;
     return plain ? number : no_surface;
-}
-
-/// Errors of the arithmetic in double, relative to the largest number in it, with a wide margin.
-inline constexpr double surface_error = 0x1p-45;
-
-/// The largest number that a point on it is computed from.
-inline double size_of(const Quadric& quadric) {
-    return largest(quadric.shape.base) + quadric.shape.radius + quadric.shape.height;
 }
 
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
@@ -260,7 +247,7 @@ class TriangleTester {
     std::uint32_t instance_;
 };
 
-/// The same for planes, spheres and cylinders.
+/// The same for planes and quadrics.
 template <class Sink>
 class QuadricTester {
   public:
@@ -270,10 +257,10 @@ class QuadricTester {
     bool quadrics(std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t i = first; i < first + count; ++i) {
             const Quadric& quadric = world_.quadrics[i];
-            CylinderInterval inside;
-            if (!intersect(world_, line_, quadric, inside)) continue;
-            if (root(inside.t.enter, 0.0f, quadric.object, quadric.prim, quadric.kind)) return true;
-            if (root(inside.t.leave, 1.0f, quadric.object, quadric.prim, quadric.kind)) return true;
+            SolidSpan span;
+            if (!intersect(world_, line_, quadric, span)) continue;
+            if (root(span.enter, 0.0f, quadric.object, quadric.prim, PrimKind::quadric)) return true;
+            if (root(span.leave, 1.0f, quadric.object, quadric.prim, PrimKind::quadric)) return true;
         }
         return false;
     }
@@ -301,7 +288,7 @@ class QuadricTester {
     Sink& sink_;
 };
 
-/// Planes, spheres and cylinders: hands every hit with max(tmin, from) <= t <= sink.limit to the sink; others
+/// Planes and quadrics: hands every hit with max(tmin, from) <= t <= sink.limit to the sink; others
 /// may come too. Returns whether the sink ended the search.
 template <class Sink>
 bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& sink) {
@@ -347,7 +334,7 @@ void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     trace_instances(world, ray, from, sink);
 }
 
-/// The closest plane, sphere or cylinder; whether there is any.
+/// The closest plane or quadric; whether there is any.
 Hit closest_surface(const WorldData& world, const Ray& ray);
 bool occluded_surface(const WorldData& world, const Ray& ray);
 

@@ -56,22 +56,19 @@ SurfacePoint triangle_surface(const WorldData& world, const Ray& ray, const Hit&
 SurfacePoint quadric_surface(const WorldData& world, const Ray& ray, const Hit& hit) {
     const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
     const Line line = exact_line(ray);
-    CylinderInterval inside{};
-    intersect(world, line, quadric, inside);
+    SolidSpan span{};
+    intersect(world, line, quadric, span);
     const bool leaving = hit.u != 0.0f;
-    const double t = leaving ? inside.t.leave : inside.t.enter;
-    const CylinderPart part = leaving ? inside.leave_part : inside.enter_part;
-    const auto on_shape = [&](const dvec3& p) {
-        return quadric.kind == PrimKind::cylinder ? surface(quadric.shape, part, p)
-                                                  : surface(quadric.sphere(), p);
-    };
-    const double size = size_of(quadric);
-    if (quadric.affine < 0) return rounded(on_shape(line.origin + line.direction * t), surface_error * size);
+    const double t = leaving ? span.leave : span.enter;
+    const int part = leaving ? span.leave_part : span.enter_part;
+    const double size = size_of_quadric(quadric.shape);
+    if (quadric.affine < 0)
+        return rounded(surface(quadric.shape, part, line.origin + line.direction * t), surface_error * size);
 
     // Solved in local space with the same t; normals go by the inverse transpose.
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
     const Line local = affine.to_local(line);
-    const ExactPoint point = on_shape(local.origin + local.direction * t);
+    const ExactPoint point = surface(quadric.shape, part, local.origin + local.direction * t);
     const dvec3 normal = glm::transpose(affine.inverse) * point.n;
     const double stretch = largest(affine.linear[0]) + largest(affine.linear[1]) + largest(affine.linear[2]);
     return rounded(
@@ -94,8 +91,7 @@ SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
     switch (hit.kind) {
     case PrimKind::triangle:
         return triangle_surface(*data_, ray, hit);
-    case PrimKind::sphere:
-    case PrimKind::cylinder:
+    case PrimKind::quadric:
         return quadric_surface(*data_, ray, hit);
     case PrimKind::plane:
         return plane_surface(*data_, ray, hit);

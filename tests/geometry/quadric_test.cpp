@@ -12,12 +12,14 @@
 namespace glint {
 namespace {
 
-const Sphere unit_sphere{};
+const QuadricShape unit_sphere = make_sphere(dvec3(0), 1.0);
 /// Radius 2, from z = 1 to z = 4.
-const Cylinder drum{{0, 0, 1}, {0, 0, 1}, 3.0, 2.0};
+const QuadricShape drum = make_cylinder({0, 0, 1}, {0, 0, 1}, 3.0, 2.0);
+
+enum Part { side, base_cap, top_cap };
 
 TEST(Sphere, IsEnteredAndLeft) {
-    Interval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{0, 0, -5}, {0, 0, 1}}, unit_sphere, t));
     EXPECT_EQ(t.enter, 4.0);
     EXPECT_EQ(t.leave, 6.0);
@@ -27,7 +29,7 @@ TEST(Sphere, IsEnteredAndLeft) {
 }
 
 TEST(Sphere, SurroundsTheOrigin) {
-    Interval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{0.5, 0, 0}, {1, 0, 0}}, unit_sphere, t));
     EXPECT_EQ(t.enter, -1.5);
     EXPECT_EQ(t.leave, 0.5);
@@ -37,7 +39,7 @@ TEST(Sphere, SurroundsTheOrigin) {
 }
 
 TEST(Sphere, IsTouchedByATangent) {
-    Interval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{1, 0, -5}, {0, 0, 1}}, unit_sphere, t));
     EXPECT_EQ(t.enter, 5.0);
     EXPECT_EQ(t.leave, 5.0);
@@ -49,7 +51,7 @@ TEST(Sphere, IsTouchedByATangent) {
 
 TEST(Sphere, IsExactFromFarAway) {
     // The square of the distance swallows the radius; the roots must not mind.
-    Interval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{0.6, 0, -1e7}, {0, 0, 1}}, unit_sphere, t));
     EXPECT_NEAR(t.enter, 1e7 - 0.8, 4e-9);
     EXPECT_NEAR(t.leave, 1e7 + 0.8, 4e-9);
@@ -57,71 +59,71 @@ TEST(Sphere, IsExactFromFarAway) {
 
 TEST(Sphere, MissesByNaN) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    Interval t{};
+    SolidSpan t{};
     EXPECT_FALSE(intersect({{nan, 0, -5}, {0, 0, 1}}, unit_sphere, t));
     EXPECT_FALSE(intersect({{0, 0, -5}, {0, nan, 1}}, unit_sphere, t));
 }
 
 TEST(Sphere, SurfaceIsNearest) {
-    const ExactPoint point = surface(Sphere{{1, 2, 3}, 2.0}, {1, 2, 9});
+    const ExactPoint point = surface(make_sphere({1, 2, 3}, 2.0), side, {1, 2, 9});
     EXPECT_EQ(point.p, dvec3(1, 2, 5));
     EXPECT_EQ(point.n, dvec3(0, 0, 1));
 }
 
 TEST(Cylinder, IsEnteredThroughItsSide) {
-    CylinderInterval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{-5, 0, 2}, {1, 0, 0}}, drum, t));
-    EXPECT_EQ(t.t.enter, 3.0);
-    EXPECT_EQ(t.t.leave, 7.0);
-    EXPECT_EQ(t.enter_part, CylinderPart::side);
-    EXPECT_EQ(t.leave_part, CylinderPart::side);
+    EXPECT_EQ(t.enter, 3.0);
+    EXPECT_EQ(t.leave, 7.0);
+    EXPECT_EQ(t.enter_part, side);
+    EXPECT_EQ(t.leave_part, side);
     EXPECT_FALSE(intersect({{-5, 0, 4.5}, {1, 0, 0}}, drum, t)) << "over the top";
     EXPECT_FALSE(intersect({{-5, 2.5, 2}, {1, 0, 0}}, drum, t)) << "past the side";
 }
 
 TEST(Cylinder, IsEnteredThroughItsCaps) {
-    CylinderInterval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{1, 1, -1}, {0, 0, 1}}, drum, t));
-    EXPECT_EQ(t.t.enter, 2.0);
-    EXPECT_EQ(t.t.leave, 5.0);
-    EXPECT_EQ(t.enter_part, CylinderPart::base_cap);
-    EXPECT_EQ(t.leave_part, CylinderPart::top_cap);
+    EXPECT_EQ(t.enter, 2.0);
+    EXPECT_EQ(t.leave, 5.0);
+    EXPECT_EQ(t.enter_part, base_cap);
+    EXPECT_EQ(t.leave_part, top_cap);
     ASSERT_TRUE(intersect({{1, 1, 6}, {0, 0, -1}}, drum, t));
-    EXPECT_EQ(t.t.enter, 2.0);
-    EXPECT_EQ(t.enter_part, CylinderPart::top_cap);
-    EXPECT_EQ(t.leave_part, CylinderPart::base_cap);
+    EXPECT_EQ(t.enter, 2.0);
+    EXPECT_EQ(t.enter_part, top_cap);
+    EXPECT_EQ(t.leave_part, base_cap);
     EXPECT_FALSE(intersect({{1.5, 1.5, -1}, {0, 0, 1}}, drum, t)) << "beside the cap";
 }
 
 TEST(Cylinder, IsCrossedFromCapToSide) {
-    CylinderInterval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{0, 0, 0}, {1, 0, 1}}, drum, t));
-    EXPECT_EQ(t.t.enter, 1.0);
-    EXPECT_EQ(t.t.leave, 2.0);
-    EXPECT_EQ(t.enter_part, CylinderPart::base_cap);
-    EXPECT_EQ(t.leave_part, CylinderPart::side);
+    EXPECT_EQ(t.enter, 1.0);
+    EXPECT_EQ(t.leave, 2.0);
+    EXPECT_EQ(t.enter_part, base_cap);
+    EXPECT_EQ(t.leave_part, side);
 }
 
 TEST(Cylinder, SurroundsTheOrigin) {
-    CylinderInterval t{};
+    SolidSpan t{};
     ASSERT_TRUE(intersect({{0, 0, 2}, {0, 0, 1}}, drum, t)) << "on the axis";
-    EXPECT_EQ(t.t.enter, -1.0);
-    EXPECT_EQ(t.t.leave, 2.0);
+    EXPECT_EQ(t.enter, -1.0);
+    EXPECT_EQ(t.leave, 2.0);
     ASSERT_TRUE(intersect({{1, 0, 2}, {0, 1, 0}}, drum, t));
-    EXPECT_NEAR(t.t.enter, -std::sqrt(3.0), 1e-15);
-    EXPECT_NEAR(t.t.leave, std::sqrt(3.0), 1e-15);
+    EXPECT_NEAR(t.enter, -std::sqrt(3.0), 1e-15);
+    EXPECT_NEAR(t.leave, std::sqrt(3.0), 1e-15);
 }
 
 TEST(Cylinder, HasOneWayInAndOneOutAtItsRim) {
-    CylinderInterval t{};
+    SolidSpan t{};
     // Exactly through both rims.
-    ASSERT_TRUE(intersect({{-3.0, 0, 0.25}, {4, 0, 3}}, Cylinder{{0, 0, 1}, {0, 0, 1}, 3.0, 2.0}, t));
-    EXPECT_EQ(t.t.enter, 0.25);
-    EXPECT_EQ(t.t.leave, 1.25);
+    ASSERT_TRUE(intersect({{-3.0, 0, 0.25}, {4, 0, 3}}, make_cylinder({0, 0, 1}, {0, 0, 1}, 3.0, 2.0), t));
+    EXPECT_EQ(t.enter, 0.25);
+    EXPECT_EQ(t.leave, 1.25);
     // Touching the rim from outside.
     ASSERT_TRUE(intersect({{1, 0, 5}, {1, 0, -1}}, drum, t));
-    EXPECT_EQ(t.t.enter, 1.0);
-    EXPECT_EQ(t.t.leave, 1.0);
+    EXPECT_EQ(t.enter, 1.0);
+    EXPECT_EQ(t.leave, 1.0);
     // Down the side and along the cap, both on the surface.
     EXPECT_TRUE(intersect({{2, 0, 9}, {0, 0, -1}}, drum, t));
     EXPECT_TRUE(intersect({{-9, 0, 4}, {1, 0, 0}}, drum, t));
@@ -129,22 +131,22 @@ TEST(Cylinder, HasOneWayInAndOneOutAtItsRim) {
 
 TEST(Cylinder, TurnsWithItsAxis) {
     // The drum along any axis, and mirrored, to the bit.
-    CylinderInterval reference{};
+    SolidSpan reference{};
     const Line line{{-3.1, 0.4, 0.3}, {1.1, 0.2, 0.7}};
     ASSERT_TRUE(intersect(line, drum, reference));
     const auto swapped = [](const dvec3& v) { return dvec3(v.y, v.x, v.z); };
     const auto mirrored = [](const dvec3& v) { return dvec3(-v.x, v.y, v.z); };
     const dvec3 axis = glm::normalize(dvec3(0.3, -0.5, 0.8));
-    const Cylinder slanted{{0.1, 0.2, 0.3}, axis, 3.0, 2.0};
-    CylinderInterval slanted_t{};
+    const QuadricShape slanted = make_cylinder({0.1, 0.2, 0.3}, axis, 3.0, 2.0);
+    SolidSpan slanted_t{};
     ASSERT_TRUE(intersect(line, slanted, slanted_t));
     for (const auto& turn :
          {std::function<dvec3(const dvec3&)>(swapped), std::function<dvec3(const dvec3&)>(mirrored)}) {
-        CylinderInterval t{};
+        SolidSpan t{};
         ASSERT_TRUE(intersect({turn(line.origin), turn(line.direction)},
-                              Cylinder{turn(slanted.base), turn(axis), 3.0, 2.0}, t));
-        EXPECT_EQ(t.t.enter, slanted_t.t.enter);
-        EXPECT_EQ(t.t.leave, slanted_t.t.leave);
+                              make_cylinder(turn(slanted.base), turn(axis), 3.0, 2.0), t));
+        EXPECT_EQ(t.enter, slanted_t.enter);
+        EXPECT_EQ(t.leave, slanted_t.leave);
     }
 }
 
@@ -155,21 +157,24 @@ TEST(Cylinder, AgreesWithPointsInside) {
     int hits = 0;
     for (int round = 0; round < 100'000; ++round) {
         const dvec3 axis = glm::normalize(dvec3{number(), number(), number() + 1e-3});
-        const Cylinder c{{number(), number(), number()}, axis, 1.0 + number() * 0.9, 1.0 + number() * 0.9};
+        const dvec3 base{number(), number(), number()};
+        const double height = 1.0 + number() * 0.9;
+        const double radius = 1.0 + number() * 0.9;
+        const QuadricShape c = make_cylinder(base, axis, height, radius);
         const Line line{{number() * 4, number() * 4, number() * 4}, {number(), number(), number()}};
         const auto inside = [&](double t) {
             const dvec3 v = line.origin + line.direction * t - c.base;
             const double h = glm::dot(axis, v);
             return h >= 0 && h <= c.height && glm::length(v - axis * h) <= c.radius;
         };
-        CylinderInterval t{};
+        SolidSpan t{};
         const bool hit = intersect(line, c, t);
         hits += hit ? 1 : 0;
         if (hit) {
-            const double length = t.t.leave - t.t.enter;
+            const double length = t.leave - t.enter;
             if (length < 1e-9) continue;
-            ASSERT_TRUE(inside(t.t.enter + length * 1e-4) && inside(t.t.leave - length * 1e-4)) << round;
-            ASSERT_FALSE(inside(t.t.enter - length * 1e-4) || inside(t.t.leave + length * 1e-4)) << round;
+            ASSERT_TRUE(inside(t.enter + length * 1e-4) && inside(t.leave - length * 1e-4)) << round;
+            ASSERT_FALSE(inside(t.enter - length * 1e-4) || inside(t.leave + length * 1e-4)) << round;
         } else {
             for (int i = -50; i <= 50; ++i) ASSERT_FALSE(inside(0.1 * i)) << round;
         }
@@ -178,12 +183,12 @@ TEST(Cylinder, AgreesWithPointsInside) {
 }
 
 TEST(Cylinder, SurfaceIsNearestOnThePartHit) {
-    EXPECT_EQ(surface(drum, CylinderPart::side, {4, 0, 2}).p, dvec3(2, 0, 2));
-    EXPECT_EQ(surface(drum, CylinderPart::side, {4, 0, 2}).n, dvec3(1, 0, 0));
-    EXPECT_EQ(surface(drum, CylinderPart::base_cap, {1, 0, 1.1}).p, dvec3(1, 0, 1));
-    EXPECT_EQ(surface(drum, CylinderPart::base_cap, {1, 0, 1.1}).n, dvec3(0, 0, -1));
-    EXPECT_EQ(surface(drum, CylinderPart::top_cap, {1, 0, 4.1}).p, dvec3(1, 0, 4));
-    EXPECT_EQ(surface(drum, CylinderPart::top_cap, {1, 0, 4.1}).n, dvec3(0, 0, 1));
+    EXPECT_EQ(surface(drum, side, {4, 0, 2}).p, dvec3(2, 0, 2));
+    EXPECT_EQ(surface(drum, side, {4, 0, 2}).n, dvec3(1, 0, 0));
+    EXPECT_EQ(surface(drum, base_cap, {1, 0, 1.1}).p, dvec3(1, 0, 1));
+    EXPECT_EQ(surface(drum, base_cap, {1, 0, 1.1}).n, dvec3(0, 0, -1));
+    EXPECT_EQ(surface(drum, top_cap, {1, 0, 4.1}).p, dvec3(1, 0, 4));
+    EXPECT_EQ(surface(drum, top_cap, {1, 0, 4.1}).n, dvec3(0, 0, 1));
 }
 
 TEST(Plane, IsMetWhereItsEquationHolds) {
@@ -197,19 +202,19 @@ TEST(Plane, IsMetWhereItsEquationHolds) {
 }
 
 TEST(Extent, IsTight) {
-    const Interval sphere = extent(Sphere{{1, 2, 3}, 2}, {0, 1, 0});
-    EXPECT_EQ(sphere.enter, 0.0);
-    EXPECT_EQ(sphere.leave, 4.0);
+    const Interval sphere = extent(make_sphere({1, 2, 3}, 2.0), {0, 1, 0});
+    EXPECT_EQ(sphere.low, 0.0);
+    EXPECT_EQ(sphere.high, 4.0);
     const Interval along = extent(drum, {0, 0, -1});
-    EXPECT_EQ(along.enter, -4.0);
-    EXPECT_EQ(along.leave, -1.0);
+    EXPECT_EQ(along.low, -4.0);
+    EXPECT_EQ(along.high, -1.0);
     const Interval across = extent(drum, {1, 0, 0});
-    EXPECT_EQ(across.enter, -2.0);
-    EXPECT_EQ(across.leave, 2.0);
+    EXPECT_EQ(across.low, -2.0);
+    EXPECT_EQ(across.high, 2.0);
     const double r = std::sqrt(0.5);
-    const Interval slanted = extent(Cylinder{{0, 0, 0}, {r, 0, r}, 2.0, 1.0}, {1, 0, 0});
-    EXPECT_NEAR(slanted.enter, -r, 1e-15);
-    EXPECT_NEAR(slanted.leave, 3 * r, 1e-15);
+    const Interval slanted = extent(make_cylinder({0, 0, 0}, {r, 0, r}, 2.0, 1.0), {1, 0, 0});
+    EXPECT_NEAR(slanted.low, -r, 1e-15);
+    EXPECT_NEAR(slanted.high, 3 * r, 1e-15);
 }
 
 } // namespace

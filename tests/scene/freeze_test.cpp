@@ -36,8 +36,11 @@ TEST(Freeze, CountsWhatThereIs) {
     add_ambient(scene, Vec3(0.1));
     const SceneStats stats = freeze(scene).stats();
     EXPECT_EQ(stats.objects, 5u);
-    EXPECT_EQ(stats.spheres, 1u);
-    EXPECT_EQ(stats.cylinders, 1u);
+    ASSERT_GE(stats.quadrics.size(), 2u);
+    EXPECT_EQ(stats.quadrics[0].kind, "spheres");
+    EXPECT_EQ(stats.quadrics[1].kind, "cylinders");
+    EXPECT_EQ(stats.quadrics[0].count, 1u);
+    EXPECT_EQ(stats.quadrics[1].count, 1u);
     EXPECT_EQ(stats.planes, 1u);
     EXPECT_EQ(stats.triangles, 12u);
     EXPECT_EQ(stats.lights, 2u);

@@ -111,7 +111,7 @@ TEST(Crossings, OfAThinWallCountBothFaces) {
 TEST(Crossings, OfASphereSmallerThanTheSpacingOfTAreTwo) {
     // At t = 2^24 floats are 2 apart; the ray still enters and leaves.
     WorldInput input;
-    input.spheres.push_back({3, 0, {0, 0, 16777216.0}, 0.25, -1});
+    input.quadrics.push_back({3, 0, make_sphere({0, 0, 16777216.0}, 0.25)});
     const World world = world_of(input);
     const Ray ray = ray_from({0, 0, 0}, {0, 0, 1});
     const std::vector<Hit> hits = walk(world, ray);
@@ -124,8 +124,8 @@ TEST(Crossings, OfASphereSmallerThanTheSpacingOfTAreTwo) {
 
 TEST(Crossings, FromInsideAreOneForAConvexSolid) {
     WorldInput input;
-    input.spheres.push_back({0, 0, {0, 0, 0}, 1.0, -1});
-    input.cylinders.push_back({1, {0, 0, -1}, {0, 0, 1}, 2.0, 1.0, -1});
+    input.quadrics.push_back({0, 0, make_sphere({0, 0, 0}, 1.0)});
+    input.quadrics.push_back({1, 0, make_cylinder({0, 0, -1}, {0, 0, 1}, 2.0, 1.0)});
     const World world = world_of(input);
     Numbers random(3);
     for (int i = 0; i < 10'000; ++i) {
@@ -146,7 +146,7 @@ TEST(Crossings, AreRealWherePlacesAreCrowded) {
         for (const dvec3& p : shape.positions) mesh.positions.push_back(vec3(p));
         mesh.triangles = shape.triangles;
         input.meshes.push_back(mesh);
-        input.spheres.push_back({10 + k, k, glm::round(random.point() * 2.0) * 0.25, 0.75, -1});
+        input.quadrics.push_back({10 + k, k, make_sphere(glm::round(random.point() * 2.0) * 0.25, 0.75)});
     }
     const World world = world_of(input);
     for (int i = 0; i < 5000; ++i) {
@@ -162,7 +162,7 @@ TEST(Precedes, OrdersByDistanceObjectPrimitiveThenWayIn) {
     a.t = 1;
     a.object = 2;
     a.prim = 3;
-    a.kind = PrimKind::sphere;
+    a.kind = PrimKind::quadric;
     Hit b = a;
     EXPECT_FALSE(precedes(a, b));
     b.u = 1;

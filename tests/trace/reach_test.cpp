@@ -28,11 +28,14 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
         const dvec3 n = normal == dvec3(0.0) ? dvec3(0, 0, 1) : normal;
         input.planes.push_back({object++, n, glm::dot(n, snapped(numbers, size))});
     }
-    for (std::uint32_t i = 0; i < spheres; ++i)
-        input.spheres.push_back(
-            {object++, 0, snapped(numbers, size), (0.1 + std::abs(numbers())) * 0.3 * size, -1});
-    input.cylinders.push_back(
-        {object++, snapped(numbers, size), numbers.direction(), size * 0.5, size * 0.25, -1});
+    for (std::uint32_t i = 0; i < spheres; ++i) {
+        const dvec3 center = snapped(numbers, size);
+        const double radius = (0.1 + std::abs(numbers())) * 0.3 * size;
+        input.quadrics.push_back({object++, 0, make_sphere(center, radius)});
+    }
+    const dvec3 base = snapped(numbers, size);
+    const dvec3 axis = numbers.direction();
+    input.quadrics.push_back({object++, 0, make_cylinder(base, axis, size * 0.5, size * 0.25)});
     WorldInput::Triangles mesh = square(object, static_cast<float>(numbers()));
     const vec3 corner(snapped(numbers, size));
     for (vec3& p : mesh.positions) p = p * static_cast<float>(size) + corner;

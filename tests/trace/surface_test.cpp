@@ -30,8 +30,8 @@ TEST(Surface, OfATriangleIsInItsPlane) {
 
 TEST(Surface, OfQuadricsHasOutwardNormals) {
     WorldInput input;
-    input.spheres.push_back({0, 7, {1, 2, 3}, 2.0, -1});
-    input.cylinders.push_back({1, {10, 0, 0}, {1, 0, 0}, 4.0, 1.0, -1});
+    input.quadrics.push_back({0, 7, make_sphere({1, 2, 3}, 2.0)});
+    input.quadrics.push_back({1, 0, make_cylinder({10, 0, 0}, {1, 0, 0}, 4.0, 1.0)});
     input.planes.push_back({2, {0, 0, 5}, -20.0});
     const World world = world_of(input);
 
@@ -71,7 +71,7 @@ TEST(Surface, OfAStretchedSphereIsAnEllipsoid) {
     m[2] = dvec4(0, 0, 0.5, 0);
     m[3] = dvec4(5, 0, 0, 1);
     input.world_from_local = {m};
-    input.spheres.push_back({0, 0, {0, 0, 0}, 1.0, 0});
+    input.quadrics.push_back({0, 0, make_sphere({0, 0, 0}, 1.0), 0});
     const World world = world_of(input);
     EXPECT_NEAR(world.bounds().lo.x, 3.0f, 1e-6f);
     EXPECT_NEAR(world.bounds().hi.z, 0.5f, 1e-6f);
@@ -160,7 +160,7 @@ WorldInput some_sphere(Numbers& random, dvec3& about, double& reach) {
     about = random.point() * size * std::pow(10.0, 3.0 * random());
     reach = size;
     WorldInput input;
-    input.spheres.push_back({0, 0, about, size, -1});
+    input.quadrics.push_back({0, 0, make_sphere(about, size)});
     return input;
 }
 
@@ -172,7 +172,7 @@ WorldInput some_ellipsoid(Numbers& random, dvec3& about, double& reach) {
     m[3] = dvec4(about, 1.0);
     reach = 1.0;
     input.world_from_local = {m};
-    input.spheres.push_back({0, 0, {0, 0, 0}, 1.0, 0});
+    input.quadrics.push_back({0, 0, make_sphere({0, 0, 0}, 1.0), 0});
     return input;
 }
 
@@ -181,7 +181,7 @@ WorldInput some_cylinder(Numbers& random, dvec3& about, double& reach) {
     const dvec3 base = random.point() * size * std::pow(10.0, 2.0 * random());
     const dvec3 axis = random.direction();
     WorldInput input;
-    input.cylinders.push_back({0, base, axis, size * 2.0, size * 0.7, -1});
+    input.quadrics.push_back({0, 0, make_cylinder(base, axis, size * 2.0, size * 0.7)});
     about = base + axis * size;
     reach = size;
     return input;

@@ -53,8 +53,8 @@ TEST(World, FindsASingleTriangle) {
 WorldInput one_of_each() {
     WorldInput input;
     input.meshes = {square(3, 9.0f)};
-    input.spheres.push_back({1, 5, {0.25, 0.5, 3}, 1.0, -1});
-    input.cylinders.push_back({2, {0.25, 0.5, 5}, {0, 0, 1}, 2.0, 1.0, -1});
+    input.quadrics.push_back({1, 5, make_sphere({0.25, 0.5, 3}, 1.0)});
+    input.quadrics.push_back({2, 0, make_cylinder({0.25, 0.5, 5}, {0, 0, 1}, 2.0, 1.0)});
     input.planes.push_back({0, {0, 0, 4}, 4.0});
     return input;
 }
@@ -73,8 +73,8 @@ TEST(World, KeepsTheOrderAlongTheRay) {
     EXPECT_EQ(hits[1].prim, 5u) << "a sphere has the number it was given";
     const WorldStats stats = world.stats();
     EXPECT_EQ(stats.triangles, 2u);
-    EXPECT_EQ(stats.spheres, 1u);
-    EXPECT_EQ(stats.cylinders, 1u);
+    EXPECT_EQ(stats.quadrics[quadric_sphere], 1u);
+    EXPECT_EQ(stats.quadrics[quadric_cylinder], 1u);
     EXPECT_EQ(stats.planes, 1u);
     EXPECT_EQ(world.bounds().hi.z, 9.0f);
 }
@@ -114,8 +114,8 @@ TEST(World, BreaksTiesByObjectThenPrimitive) {
     input.planes[0].object = 2;
     EXPECT_EQ(world_of(input).closest(ray).object, 2u);
     input.planes[0].object = 6;
-    input.spheres.push_back({4, 8, {0.75, 0.25, 3}, 1.0, -1});
-    input.spheres.push_back({4, 2, {0.75, 0.25, 3}, 1.0, -1});
+    input.quadrics.push_back({4, 8, make_sphere({0.75, 0.25, 3}, 1.0)});
+    input.quadrics.push_back({4, 2, make_sphere({0.75, 0.25, 3}, 1.0)});
     const Hit hit = world_of(input).closest(ray);
     EXPECT_EQ(hit.object, 4u);
     EXPECT_EQ(hit.prim, 2u);
@@ -230,9 +230,10 @@ TEST(World, HasTheSameBitsAtAnyPowerOfTwo) {
             m[2] = dvec4(dvec3(0.1, 0.2, 1.3) * scale, 0);
             m[3] = dvec4(center * -0.7 * scale, 1);
             input.world_from_local = {m};
-            input.spheres.push_back({0, 0, center * scale, 0.5 * scale, -1});
-            input.spheres.push_back({1, 0, local, 0.4, 0});
-            input.cylinders.push_back({2, center * 0.5 * scale, axis, 1.1 * scale, 0.3 * scale, -1});
+            input.quadrics.push_back({0, 0, make_sphere(center * scale, 0.5 * scale)});
+            input.quadrics.push_back({1, 0, make_sphere(local, 0.4), 0});
+            input.quadrics.push_back(
+                {2, 0, make_cylinder(center * 0.5 * scale, axis, 1.1 * scale, 0.3 * scale)});
             input.planes.push_back({3, normal, 0.3 * scale});
             return world_of(input);
         };
@@ -278,10 +279,10 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
             const dvec3 axis = random.direction();
             turned.meshes = input.meshes;
             for (vec3& p : turned.meshes[0].positions) p = turn(p);
-            input.spheres.push_back({1, 0, center, 0.5, -1});
-            turned.spheres.push_back({1, 0, turn(center), 0.5, -1});
-            input.cylinders.push_back({2, -center, axis, 0.9, 0.3, -1});
-            turned.cylinders.push_back({2, turn(-center), turn(axis), 0.9, 0.3, -1});
+            input.quadrics.push_back({1, 0, make_sphere(center, 0.5)});
+            turned.quadrics.push_back({1, 0, make_sphere(turn(center), 0.5)});
+            input.quadrics.push_back({2, 0, make_cylinder(-center, axis, 0.9, 0.3)});
+            turned.quadrics.push_back({2, 0, make_cylinder(turn(-center), turn(axis), 0.9, 0.3)});
             input.planes.push_back({3, axis, 0.2});
             turned.planes.push_back({3, turn(axis), 0.2});
             const Ray ray = ray_from(vec3(random.point() * 3.0), vec3(random.point()));

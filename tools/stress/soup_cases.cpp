@@ -29,8 +29,9 @@ class TroubleRays {
                         vec3(dvec3(instance.world_from_mesh * dvec4(dvec3((*mesh.positions)[t[k]]), 1.0))));
         }
         if (corners_.empty())
-            for (const auto& s : world.spheres)
-                for (int k = 0; k < 3; ++k) corners_.push_back(vec3(s.center));
+            for (const auto& q : world.quadrics)
+                if (q.shape.kind == quadric_sphere)
+                    for (int k = 0; k < 3; ++k) corners_.push_back(vec3(q.shape.base));
         while (corners_.size() < 3) corners_.push_back(place(random.in_cube(1.0)));
     }
 

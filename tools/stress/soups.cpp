@@ -123,11 +123,12 @@ void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
         const dvec3 p = local ? at * 0.5 : dvec3(place(at));
         const double radius = 0.25 * random.between(1, 3) * (local ? 1.0 : place.scale);
         if (random.one_in(2)) {
-            world.spheres.push_back({20 + i / 4, i, p, radius, affine});
+            world.quadrics.push_back({20 + i / 4, i, make_sphere(p, radius), affine});
             continue;
         }
         const dvec3 axis = random.one_in(2) ? random.along_axis() : random.direction();
-        world.cylinders.push_back({40 + i, p, axis, radius * random.between(1, 4), radius, affine});
+        world.quadrics.push_back(
+            {40 + i, 0, make_cylinder(p, axis, radius * random.between(1, 4), radius), affine});
     }
     for (std::uint32_t i = random.below(3); i > 0; --i) {
         const dvec3 normal = random.one_in(2) ? dvec3(0, 0, 1) : random.in_cube(3.0);

@@ -1,0 +1,31 @@
+#pragma once
+// Meshes and their instances. scene/bake_mesh.h does the work.
+
+#include "scene/shapes/shape_baker.h"
+
+namespace glint {
+
+/// Baking finds out whether a mesh is closed.
+inline bool has_inside(const MeshShape&) { return true; }
+inline bool has_inside(const InstanceShape&) { return true; }
+
+/// Over the vertices that faces use, or over all points where there are no faces.
+inline double farthest(const Mesh& mesh, const dvec3& d) {
+    double most = no_support;
+    for (const uvec3& t : mesh.triangles)
+        for (int corner = 0; corner < 3; ++corner) raise_support(most, d, dvec3(mesh.positions[t[corner]]));
+    if (mesh.triangles.empty())
+        for (const vec3& p : mesh.positions) raise_support(most, d, dvec3(p));
+    return most;
+}
+
+inline double support(const MeshShape& s, const dvec3& d) {
+    return s.data ? farthest(*s.data, s.scale * d) : no_support;
+}
+/// Whoever has the scene asks for the mesh's.
+inline double support(const InstanceShape&, const dvec3&) { return no_support; }
+
+inline void bake(const MeshShape&, ShapeBaker& out) { out.mesh(); }
+inline void bake(const InstanceShape& s, ShapeBaker& out) { out.instance(s.mesh); }
+
+} // namespace glint

@@ -1,0 +1,63 @@
+#pragma once
+// What a shape is made of: the parts that shapes hand to the tracing core, and the helpers they share.
+
+#include "geometry/quadric.h"
+#include "glint/scene.h"
+#include "scene/bake_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace glint {
+
+/// A box in double around a shape, in the shape's own space.
+struct ShapeBox {
+    dvec3 lo{std::numeric_limits<double>::infinity()};
+    dvec3 hi{-std::numeric_limits<double>::infinity()};
+
+    void grow(const dvec3& p, double radius = 0) {
+        lo = glm::min(lo, p - radius);
+        hi = glm::max(hi, p + radius);
+    }
+};
+
+/// What support() gives for shapes without a finite point.
+inline constexpr double no_support = -std::numeric_limits<double>::infinity();
+
+/// Raises `most` to d · p; points that are not finite do not count.
+inline void raise_support(double& most, const dvec3& d, const dvec3& p) {
+    const double along = glm::dot(d, p);
+    if (std::isfinite(along)) most = std::max(most, along);
+}
+
+/// Adds the parts of one object to the input of the tracing core: they come in the shape's space, and the
+/// object's transform is applied in double and rounded once.
+class ShapeBaker {
+  public:
+    /// All must outlive this.
+    ShapeBaker(const SceneDescription& scene, const Object& object, std::uint32_t id, Baked& baked,
+               MeshBaker& meshes)
+        : scene_(scene), object_(object), id_(id), baked_(baked), meshes_(meshes) {}
+
+    /// All p with normal · p = offset.
+    void plane(const dvec3& normal, double offset);
+    /// A quadric within `box`. It is moved where the transform keeps angles, else solved in its own space.
+    void quadric(const QuadricShape& shape, const ShapeBox& box);
+    /// `closed`: they bound a volume.
+    void triangles(const std::vector<dvec3>& positions, std::vector<uvec3> triangles, bool closed);
+    /// The object's own mesh.
+    void mesh();
+    /// The mesh of the object with that name: by its own scale and transform first.
+    void instance(const std::string& name);
+
+  private:
+    const SceneDescription& scene_;
+    const Object& object_;
+    std::uint32_t id_;
+    Baked& baked_;
+    MeshBaker& meshes_;
+};
+
+} // namespace glint

@@ -1,0 +1,16 @@
+#pragma once
+// All shapes. Each has one header here with the functions below; a shape that lacks one does not compile.
+//
+//   bool has_inside(const S&)                has it an inside?
+//   double support(const S&, const dvec3& d) the largest d · p over its points; no_support if none is finite
+//   ShapeBox box(const S&)                   a box around it (not of meshes)
+//   void bake(const S&, ShapeBaker&)         its parts for the tracing core
+//
+// All in the shape's own space, before the object's transform.
+
+#include "scene/shapes/cylinder.h"
+#include "scene/shapes/mesh.h"
+#include "scene/shapes/plane.h"
+#include "scene/shapes/polyhedron.h"
+#include "scene/shapes/sphere.h"
+#include "scene/shapes/triangle.h"

@@ -1,0 +1,22 @@
+#pragma once
+#include "scene/shapes/shape_baker.h"
+
+namespace glint {
+
+inline bool has_inside(const SphereShape&) { return true; }
+
+inline double support(const SphereShape& s, const dvec3& d) {
+    return glm::dot(d, s.center) + s.radius * glm::length(d);
+}
+
+inline ShapeBox box(const SphereShape& s) {
+    ShapeBox box;
+    box.grow(s.center, s.radius);
+    return box;
+}
+
+inline void bake(const SphereShape& s, ShapeBaker& out) {
+    out.quadric(make_sphere(s.center, s.radius), box(s));
+}
+
+} // namespace glint
