@@ -119,8 +119,8 @@ class GpuProgressive {
 
     /// Begins a picture; the kernel of the options does not count. What is on the device of the scene before
     /// stays there: trees that both share, and everything where only camera and size differ. Throws
-    /// std::invalid_argument for an impossible step, and Error(device) as GpuRenderer does: then the picture
-    /// before is gone, and none is begun.
+    /// Error(usage) for an impossible step, and Error(device) as GpuRenderer does: then the picture before is
+    /// gone, and none is begun.
     void start(const Scene& scene, const ProgressiveOptions& options = {});
 
     /// Goes on for about so many seconds, by dispatches of some hundredths of a second, and at least to the

@@ -1,5 +1,5 @@
 #pragma once
-// A picture that is there at once and gets better from then on: for windows.
+// Progressive rendering for interactive views.
 
 #include "glint/image.h"
 #include "glint/kernels.h"
@@ -12,8 +12,8 @@
 namespace glint {
 
 struct ProgressiveOptions {
-    /// The first pass looks at every so-many-th pixel of each row and column, the next at twice as many, and
-    /// so on: a power of two from 1 to most_coarse.
+    /// The first pass measures every n-th pixel of each row and column, the next every n/2-th, and so on: a
+    /// power of two from 1 to most_coarse.
     int coarsest = 8;
     Aspect show = Aspect::final;
     KernelChoice kernel;                ///< changes the time, never the picture
@@ -23,7 +23,7 @@ inline constexpr int most_coarse = 64;
 
 /// How good a picture has become.
 struct Refinement {
-    int step = 0;        ///< every so-many-th pixel of each row and column is known; 0: nothing is
+    int step = 0;        ///< every n-th pixel of each row and column is known; 0: nothing is
     int samples = 0;     ///< of each pixel that its value is the mean of; 0: one ray through its centre
     double fraction = 0; ///< of the whole way, by samples
     bool finished = false;
@@ -42,16 +42,16 @@ class Progressive {
     Progressive(const Progressive&) = delete;
     Progressive& operator=(const Progressive&) = delete;
 
-    /// Begins a picture; the one before is kept to be looked at until there is a better. Throws
-    /// std::invalid_argument for an impossible step.
+    /// Begins a picture; the one before stays in image() until the first pass has ended. Throws Error(usage),
+    /// and begins nothing, for an impossible step.
     void start(const Scene& scene, const ProgressiveOptions& options = {});
 
-    /// Goes on for about so many seconds, and at least to the end of the first pass. False when nothing is
+    /// Goes on for about `seconds`, and at least to the end of the first pass. False when nothing is
     /// left to do: the picture is finished, or none was started. After a cancelled call the work that was
     /// whole is kept, and the next call goes on.
     bool advance(double seconds);
 
-    /// The picture so far, linear: between pixels that are known yet, light is interpolated.
+    /// The picture so far, linear; light is interpolated between the pixels that are known.
     const Image& image() const;
     const Refinement& reached() const;
     int threads() const;

@@ -1,9 +1,9 @@
 #include "gpu/program.h"
 
-#include "gpu/clock.h"
 #include "gpu/context.h"
 #include "gpu/scene_data.h"
 #include "gpu/shader_text.h"
+#include "render/schedule.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "gpu/tile_work.h"
 
-#include "gpu/clock.h"
+#include "render/schedule.h"
 
 #include <algorithm>
 #include <epoxy/gl.h>

@@ -1,10 +1,10 @@
 #include "glint/explain.h"
 
-#include "imaging/film.h"
+#include "imaging/pixel_sum.h"
 #include "parallel/task_pool.h"
 #include "render/camera_sampler.h"
-#include "render/whitted.h"
 #include "render/explain_parts.h"
+#include "render/whitted.h"
 
 #include <optional>
 #include <vector>

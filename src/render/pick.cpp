@@ -1,7 +1,7 @@
 #include "glint/pick.h"
 
 #include "render/camera_sampler.h"
-#include "render/whitted.h"
+#include "render/estimators/aov.h"
 
 #include <cmath>
 
@@ -17,10 +17,8 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     const vec3 direction =
         pinhole_direction(camera, px, py, static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5));
 
-    auto shallow = std::make_shared<FrozenScene>(scene.frozen());
-    shallow->description.whitted.max_depth = 0;
     RayTree tree;
-    WhittedTracer(*shallow).trace(camera.eye, direction, &tree);
+    WhittedTracer(scene.frozen(), first_hit_settings(scene.frozen())).trace(camera.eye, direction, &tree);
     const RayNode& node = tree.nodes.front();
     if (!node.hit) return std::nullopt;
     Pick found;

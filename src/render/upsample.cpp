@@ -6,7 +6,7 @@
 namespace glint {
 namespace {
 
-/// The known place at or before x, the next one, and how far x is on the way.
+/// The known coordinate at or before x, the next one, and how far x is between them.
 struct Between {
     int before;
     int after;
@@ -17,7 +17,7 @@ struct Between {
           share(static_cast<float>(x - before) / static_cast<float>(step)) {}
 };
 
-/// Exact at both ends, where the other may be anything.
+/// Exact at both ends, where the other value may be infinite.
 float mixed(float a, float b, float share) { return share == 0.0f ? a : a + (b - a) * share; }
 
 void fill_row_from_blocks(const Image& known, int step, int y, Image& out) {
@@ -47,14 +47,14 @@ void fill_row_smoothly(const Image& known, int step, const std::vector<float>& s
 } // namespace
 
 void upsample(const Image& known, int step, bool smooth, Image& out, TaskPool& pool) {
-    constexpr int rows_a_task = 32;
+    constexpr int rows_per_task = 32;
     std::vector<float> shares(static_cast<std::size_t>(step));
     for (int k = 0; k < step; ++k)
         shares[static_cast<std::size_t>(k)] = static_cast<float>(k) / static_cast<float>(step);
-    const int tasks = (out.height + rows_a_task - 1) / rows_a_task;
+    const int tasks = (out.height + rows_per_task - 1) / rows_per_task;
     pool.run(static_cast<std::size_t>(tasks), [&](std::size_t task, int) {
-        const int first = static_cast<int>(task) * rows_a_task;
-        for (int y = first; y < std::min(first + rows_a_task, out.height); ++y)
+        const int first = static_cast<int>(task) * rows_per_task;
+        for (int y = first; y < std::min(first + rows_per_task, out.height); ++y)
             smooth ? fill_row_smoothly(known, step, shares, y, out)
                    : fill_row_from_blocks(known, step, y, out);
     });

@@ -1,5 +1,5 @@
 #pragma once
-// A picture of which only every so-many-th pixel is known, filled in.
+// Fills in a picture of which only every n-th pixel of each row and column is known.
 
 #include "glint/image.h"
 #include "parallel/task_pool.h"
@@ -7,7 +7,7 @@
 namespace glint {
 
 /// Fills `out` from the pixels of `known` at multiples of `step`; both have one size. `smooth` interpolates
-/// linearly between them, else each stands for those to the right of it and below.
+/// linearly between them; otherwise each is copied to the pixels to the right of it and below.
 void upsample(const Image& known, int step, bool smooth, Image& out, TaskPool& pool);
 
 } // namespace glint

@@ -1,7 +1,8 @@
-// Numbers as pictures for the eye.
+// AOVs as pictures for the eye.
 
 #include "math/vec.h"
 #include "render/aspect.h"
+#include "scene/frozen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +10,10 @@
 namespace glint {
 namespace {
 
-/// So many steps to the first hit are white.
-constexpr float most_steps = 400;
+/// Steps to the first hit that are shown white.
+constexpr float max_steps = 400;
 
-/// The same function for each pixel, from three numbers to a colour.
+/// Maps the three numbers of each pixel to a colour.
 template <class Show>
 Image mapped(const Image& numbers, const Show& show) {
     Image image(numbers.width, numbers.height);
@@ -25,7 +26,7 @@ Image mapped(const Image& numbers, const Show& show) {
     return image;
 }
 
-/// From the eye to the middle of all that is finite; else to the origin.
+/// The distance from the eye to the middle of all finite objects; without any, to the origin.
 float middle_distance(const Scene& scene) {
     const Bounds bounds = scene.frozen().world.bounds();
     const dvec3 middle = bounds.empty() ? dvec3(0.0) : (dvec3(bounds.lo) + dvec3(bounds.hi)) * 0.5;
@@ -33,7 +34,7 @@ float middle_distance(const Scene& scene) {
     return distance > 0 ? static_cast<float>(distance) : 1.0f;
 }
 
-/// A light that shines on everything alike hides nothing, and is not counted.
+/// Ambient lights are not counted: nothing hides them.
 float light_count(const Scene& scene) {
     return static_cast<float>(std::max<std::size_t>(1, scene.frozen().lights.size()));
 }
@@ -41,7 +42,7 @@ float light_count(const Scene& scene) {
 Image cost_in_colours(const Image& numbers) {
     // The root shows differences among few steps and among many.
     const Image steps = mapped(numbers, [](const vec3& n) { return vec3(std::sqrt(n.x + n.y), 0.0f, 0.0f); });
-    return difference_heat(steps, Image(numbers.width, numbers.height), std::sqrt(most_steps));
+    return difference_heat(steps, Image(numbers.width, numbers.height), std::sqrt(max_steps));
 }
 
 } // namespace
@@ -55,7 +56,7 @@ Image visible(const Image& numbers, Aspect aspect, const Scene& scene) {
     case Aspect::clamp:
         return mapped(numbers, [](const vec3& n) { return -n; });
     case Aspect::shadows:
-        return mapped(numbers, [most = light_count(scene)](const vec3& n) { return vec3(1.0f) - n / most; });
+        return mapped(numbers, [all = light_count(scene)](const vec3& n) { return vec3(1.0f) - n / all; });
     case Aspect::normal:
         return mapped(numbers, [](const vec3& n) { return n == vec3(0.0f) ? n : n * 0.5f + vec3(0.5f); });
     case Aspect::depth:

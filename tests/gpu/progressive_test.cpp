@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
 
 namespace glint {
 namespace {
@@ -212,7 +211,7 @@ TEST(GpuProgressive, APictureStaysAsItWas) {
 TEST(GpuProgressive, WhatItCannotDrawIsRefused) {
     GLINT_NEEDS_GPU();
     const Scene scene = freeze(exhibit("mirrors", 16, 16, 1));
-    EXPECT_THROW(progressive().start(scene, from(3)), std::invalid_argument);
+    EXPECT_THROW(progressive().start(scene, from(3)), Error);
 
     SceneDescription onion = kit::empty_scene(Vec3(0, -30, 0), Vec3(0, 1, 0), 16, 40);
     for (int i = 0; i < 9; ++i) kit::add(onion, SphereShape{Vec3(0), 10.0 - i}, kit::glass(1.1, 0.9));

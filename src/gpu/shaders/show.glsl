@@ -13,7 +13,7 @@ vec3 film_vector(uint slot, bool positive) {
     return vec3(film[at], film[at + stride], film[at + 2u * stride]);
 }
 
-/// imaging/film.h: pixel_value().
+/// imaging/pixel_sum.h: pixel_value().
 vec3 pixel_value(uint slot, uint count) {
     uint positives = uint(film[slot + film_fields_of_term * settings.film_terms * settings.slot_count]);
     uint negatives = count - positives;

@@ -86,11 +86,19 @@ T pixel_value(const SignedSums<T>& sums) {
 template <class T>
 class PixelSum {
   public:
-    /// All that a sum of so many samples, a power of two, needs to go on.
+    /// The state of a sum whose number of samples is a power of two; enough to go on with.
     struct Part {
         T positive{};
         T negative{};
         std::uint32_t positives = 0;
+
+        /// Joins the sum of samples [first, first + n) to that of [first + n, first + n + m). The result is
+        /// bit for bit the sum of all n + m where both are trees of the whole (n is a power of two, m is n or
+        /// what is left of the pixel, and `first` a multiple of the power of two that n + m fit in).
+        friend Part operator+(const Part& before, const Part& after) {
+            return {before.positive + after.positive, before.negative + after.negative,
+                    before.positives + after.positives};
+        }
     };
 
     PixelSum() = default;

@@ -1,4 +1,4 @@
-#include "imaging/film.h"
+#include "imaging/pixel_sum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,35 @@
+#pragma once
+// Arbitrary output variables: what pictures show of first hits in place of light.
+
+#include "glint/render.h"
+#include "render/camera_sample.h"
+#include "render/whitted.h"
+
+#include <span>
+
+namespace glint {
+
+/// Whitted's settings for a look at first hits: nothing bounces.
+WhittedSettings first_hit_settings(const FrozenScene& scene);
+
+/// Measures shadows, normal, depth or cost of first hits. Holds scratch memory: one for each thread.
+class AovEstimator {
+  public:
+    AovEstimator(const FrozenScene& scene, Aspect aov, const CancelFlag* cancel, const KernelChoice& kernel);
+
+    /// Radiance is the AOV. There are no terms.
+    void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = false);
+    const RayCounts& counts() const { return aov_ == Aspect::cost ? cost_counts_ : tracer_.counts(); }
+
+  private:
+    vec3 measure(const CameraSample& sample);
+    vec3 measure_cost(const CameraSample& sample);
+
+    const FrozenScene& scene_;
+    Aspect aov_;
+    WhittedTracer tracer_;
+    RayTree tree_;
+    RayCounts cost_counts_;
+};
+
+} // namespace glint

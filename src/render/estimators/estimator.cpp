@@ -1,0 +1,20 @@
+#include "render/estimators/estimator.h"
+
+namespace glint {
+
+Estimator make_estimator(const FrozenScene& scene, Aspect show, const CancelFlag* cancel,
+                         const KernelChoice& kernel) {
+    if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
+    return WhittedTracer(scene, cancel, kernel);
+}
+
+void estimate(Estimator& estimator, std::span<const CameraSample> samples, std::span<Channels> out,
+              bool terms) {
+    std::visit([&](auto& e) { e.estimate(samples, out, terms); }, estimator);
+}
+
+RayCounts ray_counts(const Estimator& estimator) {
+    return std::visit([](const auto& e) -> RayCounts { return e.counts(); }, estimator);
+}
+
+} // namespace glint

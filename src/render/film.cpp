@@ -1,0 +1,326 @@
+#include "render/film.h"
+
+#include "glint/error.h"
+#include "glint/limits.h"
+#include "parallel/large_pages.h"
+#include "render/aspect.h"
+#include "render/camera_sampler.h"
+#include "render/upsample.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+bool is_power_of_two(int n) { return std::has_single_bit(static_cast<unsigned>(n)); }
+
+/// The largest power of two that divides n > 0: as many samples may be summed apart from sample n on.
+int alignment(int n) { return n & -n; }
+
+/// In large pages where the size is another.
+void fit_image(Image& image, const Rect& area) {
+    if (image.width == area.width && image.height == area.height) return;
+    const std::size_t values =
+        3 * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
+    image = {};
+    image.width = area.width;
+    image.height = area.height;
+    reserve_large(image.pixels, values);
+    image.pixels.resize(values);
+}
+
+void write(float* pixel, const vec3& value) {
+    pixel[0] = value.x;
+    pixel[1] = value.y;
+    pixel[2] = value.z;
+}
+
+/// What two layouts differ in; null if in nothing.
+const char* difference(const FilmLayout& a, const FilmLayout& b) {
+    const Rect &r = a.area, &s = b.area;
+    if (r.x != s.x || r.y != s.y || r.width != s.width || r.height != s.height) return "area";
+    if (a.tile_size != b.tile_size) return "tile size";
+    if (a.samples != b.samples) return "samples per pixel";
+    if (a.term != b.term || a.terms != b.terms) return "terms";
+    if (a.coverage != b.coverage) return "coverage";
+    return nullptr;
+}
+
+} // namespace
+
+FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& options) {
+    FilmLayout layout;
+    layout.area = picture_area(settings, options.crop);
+    layout.tile_size = std::clamp(options.tile_size, 1, picture_side_limit);
+    if (!is_light(options.show)) return layout;
+    layout.samples = settings.spp;
+    layout.term = term_of(options.show);
+    layout.terms = options.terms;
+    layout.coverage = options.coverage;
+    return layout;
+}
+
+void Film::start(const FilmLayout& layout) {
+    layout_ = layout;
+    grid_ = TileGrid(layout.area.width, layout.area.height, layout.tile_size);
+    samples_.resize(grid_.count());
+    for (TileSamples& tile : samples_) {
+        if (!tile.blocks.empty()) tile.spare.swap(tile.blocks.front().states);
+        tile.blocks.clear();
+    }
+}
+
+void Film::begin_pass(const Pass& pass) {
+    if (pass.step > 1)
+        fit_image(preview_, layout_.area);
+    else
+        fit();
+}
+
+void Film::fit() {
+    fit_image(image_, layout_.area);
+    for (Image& term : terms_) fit_image(term, layout_.terms ? layout_.area : Rect{});
+    const std::size_t pixels = layout_.coverage ? index({0, layout_.area.height}) : 0;
+    if (coverage_.size() != pixels) coverage_.assign(pixels, 0.0f);
+}
+
+// ── Samples ──
+
+Pass Film::missing(std::size_t tile, const Pass& pass) const {
+    int first = pass.first;
+    int end = pass.first + pass.count;
+    for (const SampleBlock& block : samples_[tile].blocks) {
+        if (block.end() <= first) continue;
+        if (block.first > first) {
+            end = std::min(end, block.first);
+            break;
+        }
+        first = block.end();
+    }
+    Pass visit = pass;
+    visit.first = first;
+    visit.count = std::max(0, end - first);
+    if (visit.count == 0 || continues(tile, visit)) return visit;
+    // Summed apart, it must be a tree of the whole sum.
+    if (first > 0) visit.count = std::min(visit.count, alignment(first));
+    if (first + visit.count < layout_.samples)
+        visit.count = static_cast<int>(std::bit_floor(static_cast<unsigned>(visit.count)));
+    return visit;
+}
+
+bool Film::continues(std::size_t tile, const Pass& visit) const {
+    const auto& blocks = samples_[tile].blocks;
+    const int end = visit.first + visit.count;
+    return !blocks.empty() && blocks.front().first == 0 && blocks.front().count == visit.first &&
+           (end == layout_.samples || is_power_of_two(end));
+}
+
+template <class T>
+PixelState<T> Film::state(std::size_t tile, std::size_t place) const {
+    PixelState<T> state;
+    std::memcpy(&state, &samples_[tile].blocks.front().states[place * sizeof state], sizeof state);
+    return state;
+}
+
+bool Film::keeps_states(std::size_t tile, const Pass& visit) const {
+    const bool starts = visit.first == 0 || continues(tile, visit);
+    return !starts || visit.first + visit.count < layout_.samples;
+}
+
+bool Film::is_complete(const TileSamples& tile) const {
+    return !tile.blocks.empty() && tile.blocks.front().count == layout_.samples;
+}
+
+bool Film::is_complete() const {
+    return std::all_of(samples_.begin(), samples_.end(),
+                       [this](const TileSamples& tile) { return is_complete(tile); });
+}
+
+std::size_t Film::state_bytes(std::size_t tile) const {
+    return pixels_of(tile) * (layout_.sums_terms() ? sizeof(PixelState<Terms>) : sizeof(PixelState<vec3>));
+}
+
+std::size_t Film::pixels_of(std::size_t tile) const {
+    const Rect r = grid_.tile(tile);
+    return static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height);
+}
+
+void Film::commit(std::size_t tile, const Pass& visit, FilmTile& values) {
+    const int end = visit.first + visit.count;
+    const bool continued = continues(tile, visit);
+    const auto samples = static_cast<float>(continued ? end : visit.count);
+    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+        const Pixel& pixel = values.pixels[i];
+        write(image_.at(pixel.x, pixel.y), values.shown[i]);
+        if (layout_.terms)
+            for (std::size_t t = 0; t < terms_.size(); ++t)
+                write(terms_[t].at(pixel.x, pixel.y), values.terms[i].value[t]);
+        if (layout_.coverage) coverage_[index(pixel)] = static_cast<float>(values.covered[i]) / samples;
+    }
+    TileSamples& samples_of_tile = samples_[tile];
+    const bool keeps = keeps_states(tile, visit);
+    if (continued) {
+        samples_of_tile.blocks.front().count = end;
+        if (keeps) samples_of_tile.blocks.front().states.swap(values.states);
+    } else {
+        SampleBlock block{visit.first, visit.count, {}};
+        block.states.swap(samples_of_tile.spare);
+        if (keeps) block.states.swap(values.states);
+        insert(samples_of_tile, std::move(block));
+    }
+    if (samples_of_tile.blocks.size() > 1) merge_blocks(tile);
+}
+
+void Film::insert(TileSamples& tile, SampleBlock block) const {
+    const auto after = std::find_if(tile.blocks.begin(), tile.blocks.end(),
+                                    [&](const SampleBlock& b) { return b.first > block.first; });
+    tile.blocks.insert(after, std::move(block));
+}
+
+// ── Blocks of samples that were summed apart ──
+
+void Film::merge_blocks(std::size_t tile) {
+    with_sum_type(layout_, [&]<class T>(const T&) { merge_and_show<T>(tile); });
+}
+
+/// Joins neighbours that make a larger tree, as carries run through a binary counter.
+template <class T>
+void Film::merge_and_show(std::size_t tile) {
+    auto& blocks = samples_[tile].blocks;
+    for (std::size_t i = 1; i < blocks.size();) {
+        SampleBlock& before = blocks[i - 1];
+        const SampleBlock& after = blocks[i];
+        const bool is_tree = before.end() == after.first && before.count == after.count &&
+                             before.first % (2 * before.count) == 0 && is_power_of_two(before.count);
+        if (!is_tree) {
+            ++i;
+            continue;
+        }
+        add_states<T>(before, after);
+        before.count += after.count;
+        blocks.erase(blocks.begin() + static_cast<std::ptrdiff_t>(i));
+        i = std::max<std::size_t>(i - 1, 1);
+    }
+    show_blocks<T>(tile);
+}
+
+template <class T>
+void Film::add_states(SampleBlock& before, const SampleBlock& after) {
+    for (std::size_t at = 0; at < before.states.size(); at += sizeof(PixelState<T>)) {
+        PixelState<T> a, b;
+        std::memcpy(&a, &before.states[at], sizeof a);
+        std::memcpy(&b, &after.states[at], sizeof b);
+        a.sum = a.sum + b.sum;
+        a.covered += b.covered;
+        std::memcpy(&before.states[at], &a, sizeof a);
+    }
+}
+
+/// Shows the mean of all samples of a tile. Blocks that do not fill a tree are added at the end, the last of
+/// them first, as PairwiseSum does it.
+template <class T>
+void Film::show_blocks(std::size_t tile) {
+    auto& blocks = samples_[tile].blocks;
+    int count = 0;
+    for (const SampleBlock& block : blocks) count += block.count;
+    const Rect r = grid_.tile(tile);
+    for (std::size_t place = 0; place < pixels_of(tile); ++place) {
+        const std::size_t at = place * sizeof(PixelState<T>);
+        PixelState<T> all;
+        std::memcpy(&all, &blocks.back().states[at], sizeof all);
+        for (std::size_t i = blocks.size() - 1; i-- > 0;) {
+            PixelState<T> before;
+            std::memcpy(&before, &blocks[i].states[at], sizeof before);
+            all.sum = before.sum + all.sum;
+            all.covered += before.covered;
+        }
+        const SignedSums<T> sums{all.sum.positive, all.sum.negative, static_cast<std::uint32_t>(count),
+                                 all.sum.positives};
+        const auto width = static_cast<std::size_t>(r.width);
+        show(Pixel{r.x + static_cast<int>(place % width), r.y + static_cast<int>(place / width)},
+             pixel_value(sums), static_cast<float>(all.covered) / static_cast<float>(count));
+    }
+    if (count == layout_.samples) {
+        blocks.resize(1);
+        blocks.front().count = count;
+    }
+}
+
+// ── Pixels ──
+
+template <class T>
+void Film::show(const Pixel& pixel, const T& value, float coverage) {
+    if constexpr (std::is_same_v<T, Terms>) {
+        write(image_.at(pixel.x, pixel.y), layout_.term ? value[*layout_.term] : value.sum());
+        for (std::size_t t = 0; layout_.terms && t < terms_.size(); ++t)
+            write(terms_[t].at(pixel.x, pixel.y), value.value[t]);
+    } else {
+        write(image_.at(pixel.x, pixel.y), value);
+    }
+    if (layout_.coverage) coverage_[index(pixel)] = coverage;
+}
+
+void Film::set_pixel(const Pixel& pixel, const SignedSums<Terms>& sums, std::uint32_t covered) {
+    show(pixel, pixel_value(sums), static_cast<float>(covered) / static_cast<float>(sums.count));
+}
+
+void Film::commit_preview(const Pass& pass, const FilmTile& values) {
+    Image& image = pass.step > 1 ? preview_ : image_;
+    for (std::size_t i = 0; i < values.pixels.size(); ++i)
+        write(image.at(values.pixels[i].x, values.pixels[i].y), values.shown[i]);
+}
+
+void Film::show_preview(int step, bool smooth, TaskPool& pool) {
+    if (step == 1) return;
+    fit();
+    upsample(preview_, step, smooth, image_, pool);
+}
+
+void Film::move_to(Picture& picture) {
+    picture.image = std::move(image_);
+    picture.terms = std::move(terms_);
+    picture.coverage = std::move(coverage_);
+}
+
+// ── Joining ──
+
+void Film::join(const Film& other) {
+    if (const char* name = difference(layout_, other.layout_))
+        throw Error(ErrorKind::usage, std::string("the films differ in their ") + name);
+    for (std::size_t tile = 0; tile < samples_.size(); ++tile)
+        for (const SampleBlock& a : samples_[tile].blocks)
+            for (const SampleBlock& b : other.samples_[tile].blocks)
+                if (a.first < b.end() && b.first < a.end())
+                    throw Error(ErrorKind::usage, "both films have the same samples",
+                                "both have sample " + std::to_string(std::max(a.first, b.first)) +
+                                    " of the pixels of tile " + std::to_string(tile));
+    fit();
+    for (std::size_t tile = 0; tile < samples_.size(); ++tile) {
+        const auto& blocks = other.samples_[tile].blocks;
+        if (blocks.empty()) continue;
+        for (const SampleBlock& block : blocks) insert(samples_[tile], block);
+        if (is_complete(other.samples_[tile]))
+            copy_pixels(tile, other);
+        else
+            merge_blocks(tile);
+    }
+}
+
+void Film::copy_pixels(std::size_t tile, const Film& from) {
+    const Rect r = grid_.tile(tile);
+    for (int y = r.y; y < r.y + r.height; ++y) {
+        const std::size_t floats = 3 * static_cast<std::size_t>(r.width);
+        std::copy_n(from.image_.at(r.x, y), floats, image_.at(r.x, y));
+        for (std::size_t t = 0; layout_.terms && t < terms_.size(); ++t)
+            std::copy_n(from.terms_[t].at(r.x, y), floats, terms_[t].at(r.x, y));
+        if (layout_.coverage)
+            std::copy_n(&from.coverage_[index({r.x, y})], r.width, &coverage_[index({r.x, y})]);
+    }
+}
+
+template PixelState<Terms> Film::state(std::size_t tile, std::size_t place) const;
+template PixelState<vec3> Film::state(std::size_t tile, std::size_t place) const;
+
+} // namespace glint

@@ -1,0 +1,167 @@
+#pragma once
+// The film: per tile which samples are done, per pixel the sums of those that are not all yet, and the
+// picture.
+
+#include "glint/render.h"
+#include "imaging/pixel_sum.h"
+#include "parallel/task_pool.h"
+#include "render/camera_sample.h"
+#include "render/schedule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// What a film measures, and what it keeps of it.
+struct FilmLayout {
+    Rect area;                ///< pixels of the whole picture
+    int tile_size = 16;       ///< pixels
+    int samples = 1;          ///< of a finished pixel
+    std::optional<Term> term; ///< what the image shows in place of the radiance
+    bool terms = false;       ///< keep an image of each term
+    bool coverage = false;    ///< keep the share of samples that hit something
+
+    /// Is each term summed? Else one channel is: the radiance, a single term or an AOV.
+    bool sums_terms() const { return terms || (samples > 1 && !term); }
+    /// Must an estimator tell the terms apart?
+    bool needs_terms() const { return sums_terms() || term; }
+};
+
+/// The layout of a picture. AOVs of first hits have one sample, no terms and no coverage. Throws Error(usage)
+/// for a crop that does not lie inside the picture.
+FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& options);
+
+/// The state of a pixel that is to get more samples. T is Terms or, for one channel, vec3.
+template <class T>
+struct PixelState {
+    typename PixelSum<T>::Part sum;
+    std::uint32_t covered = 0; ///< samples that hit something
+};
+
+/// One visit of a tile. It is kept apart from the film until it is whole, so that a cancelled visit leaves no
+/// trace.
+struct FilmTile {
+    std::vector<Pixel> pixels;          ///< of the area, those that were measured
+    std::vector<vec3> shown;            ///< by pixel
+    std::vector<Terms> terms;           ///< by pixel, where the film keeps them
+    std::vector<std::uint32_t> covered; ///< by pixel, where the film keeps the coverage
+    std::vector<std::byte> states;      ///< PixelState by place in the tile, where the film goes on with it
+};
+
+class FilmReader;
+
+/// Several threads may read and commit at a time, each tile by one of them.
+class Film {
+  public:
+    Film() = default;
+    explicit Film(const FilmLayout& layout) { start(layout); }
+
+    /// Forgets all samples. Keeps its memory; the image stays, to be looked at, until a pass shows another.
+    void start(const FilmLayout& layout);
+    /// Makes room for the values of a pass. Where it shows them at once, images of another size become black.
+    void begin_pass(const Pass& pass);
+
+    const FilmLayout& layout() const { return layout_; }
+    const TileGrid& tiles() const { return grid_; }
+
+    /// What a tile has still to get of a pass over all pixels: the samples of the next visit, none if their
+    /// count is 0. After its commit() there may be more.
+    Pass missing(std::size_t tile, const Pass& pass) const;
+    /// Does a visit, as missing() gave it, add to the sums of all samples before it? Else it sums apart.
+    bool continues(std::size_t tile, const Pass& visit) const;
+    /// The state of a pixel, by its place in the tile, that a visit continues.
+    template <class T>
+    PixelState<T> state(std::size_t tile, std::size_t place) const;
+    /// Are the states of a visit kept? Not where it completes its pixels.
+    bool keeps_states(std::size_t tile, const Pass& visit) const;
+    std::size_t state_bytes(std::size_t tile) const; ///< of all pixels of a tile
+
+    /// Takes over a whole visit, as missing() gave it, of every pixel of the tile.
+    void commit(std::size_t tile, const Pass& visit, FilmTile& values);
+    /// Takes over centres of a preview pass.
+    void commit_preview(const Pass& pass, const FilmTile& values);
+    /// Ends a preview pass: the image shows its pixels and, `smooth`, interpolates between them.
+    void show_preview(int step, bool smooth, TaskPool& pool);
+    /// Sets a finished pixel of the area from sums that were made elsewhere.
+    void set_pixel(const Pixel& pixel, const SignedSums<Terms>& sums, std::uint32_t covered);
+
+    const Image& image() const { return image_; }
+    /// Moves the images and the coverage into a picture.
+    void move_to(Picture& picture);
+    /// Has every pixel all its samples?
+    bool is_complete() const;
+
+    /// Adds the samples of a film of another shard. A pixel that becomes complete has the bits that it has in
+    /// a film that was rendered at once. Throws Error(usage), and changes nothing, if the layouts differ or
+    /// both have the same samples.
+    void join(const Film& other);
+
+    /// Samples, sums and finished pixels as bytes, versioned and with a check sum.
+    std::vector<std::byte> save() const;
+    /// Throws Error(input) for bytes that save() did not write, or that were damaged.
+    static Film load(std::span<const std::byte> bytes);
+
+  private:
+    /// Samples first … first + count − 1 of all pixels of a tile: an aligned block of a power of two, or all
+    /// that are left, so that sums of blocks are trees of the whole sum.
+    struct SampleBlock {
+        int first = 0;
+        int count = 0;
+        std::vector<std::byte> states; ///< PixelState by place in the tile; not used where all are done
+
+        int end() const { return first + count; }
+    };
+    struct TileSamples {
+        std::vector<SampleBlock> blocks; ///< disjoint and in ascending order
+        std::vector<std::byte> spare;    ///< memory of states that were forgotten
+    };
+
+    void fit();
+    bool is_complete(const TileSamples& tile) const;
+    std::size_t pixels_of(std::size_t tile) const;
+    void insert(TileSamples& tile, SampleBlock block) const;
+    void merge_blocks(std::size_t tile);
+    template <class T>
+    void merge_and_show(std::size_t tile);
+    template <class T>
+    static void add_states(SampleBlock& before, const SampleBlock& after);
+    template <class T>
+    void show_blocks(std::size_t tile);
+    template <class T>
+    void show(const Pixel& pixel, const T& value, float coverage);
+    void copy_pixels(std::size_t tile, const Film& from);
+    /// Calls f(row of floats) for each row of a tile in each image that the film keeps.
+    template <class AnyFilm, class F>
+    static void for_rows(AnyFilm& film, std::size_t tile, const F& f);
+    void save_tile(std::size_t tile, std::vector<std::byte>& out) const;
+    void load_tile(std::size_t tile, FilmReader& in);
+    bool is_sound(const TileSamples& tile) const;
+    std::size_t index(const Pixel& pixel) const {
+        return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(layout_.area.width) +
+               static_cast<std::size_t>(pixel.x);
+    }
+
+    FilmLayout layout_;
+    TileGrid grid_;
+    std::vector<TileSamples> samples_; ///< by tile
+    Image image_;
+    Image preview_; ///< centres, at the pixels that were looked at
+    std::array<Image, term_count> terms_;
+    std::vector<float> coverage_; ///< by pixel
+};
+
+/// Calls f(Terms{}) or f(vec3{}), by what a film sums.
+template <class F>
+void with_sum_type(const FilmLayout& layout, const F& f) {
+    if (layout.sums_terms())
+        f(Terms{});
+    else
+        f(vec3(0.0f));
+}
+
+} // namespace glint

@@ -1,0 +1,182 @@
+// A film as bytes: a header, tile by tile the blocks of samples with their sums, and a check sum. In the
+// order of bytes of the machine; a film of another order is refused like one of another version.
+
+#include "render/film.h"
+
+#include "glint/error.h"
+#include "glint/limits.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+constexpr std::uint64_t magic = 0x6d6c6966'746e6c67; ///< "glntfilm"
+constexpr std::uint32_t version_of_format = 1;
+
+/// FNV-1a over words of 8 bytes (Fowler, Noll and Vo).
+std::uint64_t check_sum(std::span<const std::byte> bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (std::size_t at = 0; at < bytes.size(); at += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, &bytes[at], std::min<std::size_t>(8, bytes.size() - at));
+        hash = (hash ^ word) * 0x100000001b3;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
+void append(std::vector<std::byte>& out, const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const std::byte*>(data);
+    out.insert(out.end(), bytes, bytes + size);
+}
+
+template <class T>
+void append(std::vector<std::byte>& out, const T& value) {
+    append(out, &value, sizeof value);
+}
+
+struct Header {
+    std::uint64_t magic = glint::magic;
+    std::uint32_t version = version_of_format;
+    std::int32_t x = 0, y = 0, width = 0, height = 0;
+    std::int32_t tile_size = 0, samples = 0;
+    std::int32_t term = -1;
+    std::uint32_t keeps = 0; ///< 1: terms, 2: coverage
+    std::uint32_t unused = 0;
+};
+static_assert(sizeof(Header) == 48);
+
+[[noreturn]] void refuse(const char* why) {
+    throw Error(ErrorKind::input, std::string("the film cannot be read: ") + why);
+}
+
+FilmLayout layout_of(const Header& h) {
+    const auto is_side = [](std::int32_t n) { return n >= 1 && n <= picture_side_limit; };
+    const bool is_sound = is_side(h.width) && is_side(h.height) && h.x >= 0 && h.y >= 0 &&
+                          std::int64_t{h.width} * h.height <= picture_pixel_limit && is_side(h.tile_size) &&
+                          h.samples >= 1 && h.samples <= sample_limit && h.term >= -1 &&
+                          h.term < term_count && h.keeps <= 3;
+    if (!is_sound) refuse("its header is damaged");
+    FilmLayout layout;
+    layout.area = {h.x, h.y, h.width, h.height};
+    layout.tile_size = h.tile_size;
+    layout.samples = h.samples;
+    if (h.term >= 0) layout.term = static_cast<Term>(h.term);
+    layout.terms = (h.keeps & 1U) != 0;
+    layout.coverage = (h.keeps & 2U) != 0;
+    return layout;
+}
+
+} // namespace
+
+class FilmReader {
+  public:
+    explicit FilmReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    std::size_t left() const { return bytes_.size(); }
+    void read(void* to, std::size_t size) {
+        if (size > bytes_.size()) refuse("it ends too early");
+        std::memcpy(to, bytes_.data(), size);
+        bytes_ = bytes_.subspan(size);
+    }
+    template <class T>
+    T value() {
+        T v;
+        read(&v, sizeof v);
+        return v;
+    }
+
+  private:
+    std::span<const std::byte> bytes_;
+};
+
+std::vector<std::byte> Film::save() const {
+    Header header;
+    header.x = layout_.area.x;
+    header.y = layout_.area.y;
+    header.width = layout_.area.width;
+    header.height = layout_.area.height;
+    header.tile_size = layout_.tile_size;
+    header.samples = layout_.samples;
+    header.term = layout_.term ? static_cast<std::int32_t>(*layout_.term) : -1;
+    header.keeps = (layout_.terms ? 1U : 0U) | (layout_.coverage ? 2U : 0U);
+    std::vector<std::byte> out;
+    append(out, header);
+    for (std::size_t tile = 0; tile < samples_.size(); ++tile) save_tile(tile, out);
+    append(out, check_sum(out));
+    return out;
+}
+
+Film Film::load(std::span<const std::byte> bytes) {
+    FilmReader in(bytes);
+    const auto header = in.value<Header>();
+    if (header.magic != magic) refuse("it is not a film of glint");
+    if (header.version != version_of_format) refuse("it is of another version of glint");
+    const auto sum_at = bytes.size() - sizeof(std::uint64_t);
+    if (FilmReader(bytes.subspan(sum_at)).value<std::uint64_t>() != check_sum(bytes.first(sum_at)))
+        refuse("it is damaged");
+    Film film(layout_of(header));
+    film.fit();
+    for (std::size_t tile = 0; tile < film.samples_.size(); ++tile) film.load_tile(tile, in);
+    if (in.left() != sizeof(std::uint64_t)) refuse("it is too long");
+    return film;
+}
+
+template <class AnyFilm, class F>
+void Film::for_rows(AnyFilm& film, std::size_t tile, const F& f) {
+    const Rect r = film.grid_.tile(tile);
+    const auto width = static_cast<std::size_t>(r.width);
+    for (int y = r.y; y < r.y + r.height; ++y) {
+        f(std::span(film.image_.at(r.x, y), 3 * width));
+        for (auto& term : film.terms_)
+            if (film.layout_.terms) f(std::span(term.at(r.x, y), 3 * width));
+        if (film.layout_.coverage) f(std::span(&film.coverage_[film.index({r.x, y})], width));
+    }
+}
+
+void Film::save_tile(std::size_t tile, std::vector<std::byte>& out) const {
+    const TileSamples& samples = samples_[tile];
+    append(out, static_cast<std::uint32_t>(samples.blocks.size()));
+    for (const SampleBlock& block : samples.blocks) {
+        append(out, block.first);
+        append(out, block.count);
+        if (!is_complete(samples)) append(out, block.states.data(), state_bytes(tile));
+    }
+    if (samples.blocks.empty()) return;
+    for_rows(*this, tile, [&](std::span<const float> row) { append(out, row.data(), row.size_bytes()); });
+}
+
+void Film::load_tile(std::size_t tile, FilmReader& in) {
+    TileSamples& samples = samples_[tile];
+    const auto blocks = in.value<std::uint32_t>();
+    if (blocks > 32) refuse("its tiles are damaged");
+    for (std::uint32_t i = 0; i < blocks; ++i) {
+        SampleBlock& block = samples.blocks.emplace_back();
+        block.first = in.value<int>();
+        block.count = in.value<int>();
+        if (i == 0 && is_complete(samples)) continue;
+        if (state_bytes(tile) > in.left()) refuse("it ends too early");
+        block.states.resize(state_bytes(tile));
+        in.read(block.states.data(), block.states.size());
+    }
+    if (!is_sound(samples)) refuse("its samples are damaged");
+    if (blocks > 0)
+        for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
+}
+
+/// Are its blocks such as merge_blocks() leaves?
+bool Film::is_sound(const TileSamples& tile) const {
+    int end = 0;
+    for (const SampleBlock& block : tile.blocks) {
+        if (block.first < end || block.count < 1 || block.count > layout_.samples - block.first) return false;
+        end = block.end();
+        const auto tree = static_cast<int>(std::bit_ceil(static_cast<unsigned>(block.count)));
+        if (block.first % tree != 0 || (block.count != tree && end != layout_.samples)) return false;
+    }
+    return true;
+}
+
+} // namespace glint

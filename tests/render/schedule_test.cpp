@@ -1,0 +1,71 @@
+// In which order pictures are measured.
+
+#include "render/schedule.h"
+
+#include "glint/error.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+
+namespace glint {
+namespace {
+
+TEST(Schedule, PreviewsHalveTheStepAndSamplesDouble) {
+    const std::vector<Pass> expected{{4, false, 0, 0}, {2, true, 0, 0},  {1, true, 0, 0}, {1, false, 0, 1},
+                                     {1, false, 1, 1}, {1, false, 2, 2}, {1, false, 4, 3}};
+    EXPECT_EQ(refining_passes(4, 7), expected);
+    EXPECT_EQ(refining_passes(1, 1), (std::vector<Pass>{{1, false, 0, 0}}));
+    for (const int step : {0, -2, 3, 128}) EXPECT_THROW(refining_passes(step, 1), Error);
+}
+
+TEST(Schedule, ShardsOfSamplesAreAlignedBlocksThatMakeTheWhole) {
+    for (int samples = 1; samples <= 70; ++samples)
+        for (int shards = 1; shards <= 9; ++shards) {
+            int next = 0;
+            for (int i = 0; i < shards; ++i)
+                for (const Pass& pass : sample_shard(samples, {i, shards})) {
+                    EXPECT_EQ(pass.first, next);
+                    const auto tree = static_cast<int>(std::bit_ceil(static_cast<unsigned>(pass.count)));
+                    EXPECT_EQ(pass.first % tree, 0);
+                    next = pass.first + pass.count;
+                    EXPECT_TRUE(pass.count == tree || next == samples);
+                }
+            EXPECT_EQ(next, samples);
+        }
+    EXPECT_TRUE(sample_shard(1 << 20, {(1 << 30), 1 << 30}).empty());
+}
+
+TEST(Schedule, TilesCoverTheAreaOnce) {
+    const TileGrid grid(21, 13, 8);
+    ASSERT_EQ(grid.count(), 6u);
+    int pixels = 0;
+    for (std::size_t i = 0; i < grid.count(); ++i) pixels += grid.tile(i).width * grid.tile(i).height;
+    EXPECT_EQ(pixels, 21 * 13);
+    EXPECT_EQ(grid.tile(5).x, 16);
+    EXPECT_EQ(grid.tile(5).y, 8);
+    EXPECT_EQ(grid.tile(5).width, 5);
+    EXPECT_EQ(grid.tile(5).height, 5);
+}
+
+TEST(Schedule, TheCursorCountsWorkBySamples) {
+    ScheduleCursor cursor(refining_passes(2, 2));
+    EXPECT_EQ(cursor.reached(0).step, 0);
+    EXPECT_EQ(cursor.reached(0).fraction, 0);
+    const double all = 0.25 + 0.75 + 1 + 1;
+    EXPECT_DOUBLE_EQ(cursor.reached(0.5).fraction, 0.125 / all);
+    cursor.next();
+    EXPECT_EQ(cursor.reached(0).step, 2);
+    EXPECT_DOUBLE_EQ(cursor.reached(1).fraction, 1 / all);
+    cursor.next();
+    cursor.next();
+    EXPECT_EQ(cursor.reached(0).samples, 1);
+    EXPECT_FALSE(cursor.reached(0).finished);
+    cursor.next();
+    EXPECT_TRUE(cursor.reached(0).finished);
+    EXPECT_EQ(cursor.reached(0).samples, 2);
+    EXPECT_EQ(cursor.reached(0).fraction, 1);
+}
+
+} // namespace
+} // namespace glint
