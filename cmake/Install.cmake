@@ -16,7 +16,7 @@ add_library(glint_glint INTERFACE)
 target_link_libraries(glint_glint INTERFACE glint_render glint_formats glint_gpu $<INSTALL_INTERFACE:glm::glm>)
 target_compile_definitions(glint_glint INTERFACE "$<INSTALL_INTERFACE:${glint_definitions}>")
 set_target_properties(glint_glint PROPERTIES EXPORT_NAME glint)
-install(TARGETS glint_glint glint_imaging glint_shading glint_scene glint_render glint_formats glint_gpu
+install(TARGETS glint_glint glint_errors glint_imaging glint_shading glint_scene glint_render glint_formats glint_gpu
     EXPORT glint-glint ARCHIVE COMPONENT glint)
 install(EXPORT glint-glint NAMESPACE glint:: DESTINATION ${package} COMPONENT glint)
 install(DIRECTORY include/glint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT glint PATTERN kernels.h EXCLUDE

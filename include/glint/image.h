@@ -43,11 +43,11 @@ struct Comparison {
 
 /// Compares a with b. `tolerance` is in the pictures' own units and inclusive (a difference equal to it
 /// passes); `peak` is white (1 for linear light, 255 for 8-bit values). Pictures of different sizes throw
-/// std::invalid_argument. NaN against NaN is no difference; NaN against a number is an infinite one.
+/// Error(input). NaN against NaN is no difference; NaN against a number is an infinite one.
 Comparison compare(const Image& a, const Image& b, double tolerance, double peak);
 
 /// A picture of |a − b|: black is equal, through blue and yellow to white at `full_scale` and beyond.
-/// Pictures of different sizes throw std::invalid_argument.
+/// Pictures of different sizes throw Error(input).
 Image difference_heat(const Image& a, const Image& b, double full_scale);
 
 } // namespace glint

@@ -31,14 +31,6 @@ PictureDifference diff_pictures(const LoadedPicture& a, const LoadedPicture& b, 
         throw Error(ErrorKind::usage, "cannot compare " + kind_name(a.bits) + " with " + kind_name(b.bits),
                     "one holds codes on the sRGB curve, the other linear light: compare two PNG files, or "
                     "two of EXR and PFM");
-    if (a.image.width != b.image.width || a.image.height != b.image.height) {
-        const auto size = [](const Image& i) {
-            return std::to_string(i.width) + " x " + std::to_string(i.height);
-        };
-        throw Error(ErrorKind::input,
-                    "the pictures have different sizes: " + size(a.image) + " and " + size(b.image),
-                    "compare pictures of one size");
-    }
 
     PictureDifference difference;
     difference.eight_bit = a.bits != 32;

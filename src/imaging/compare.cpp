@@ -1,12 +1,12 @@
 // Comparing pictures: error measures and heat maps.
 
+#include "glint/error.h"
 #include "glint/image.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace glint {
@@ -25,7 +25,8 @@ void require_same_size(const Image& a, const Image& b) {
     const auto size = [](const Image& image) {
         return std::to_string(image.width) + " x " + std::to_string(image.height);
     };
-    throw std::invalid_argument("pictures of different sizes: " + size(a) + " and " + size(b));
+    throw Error(ErrorKind::input, "the pictures have different sizes: " + size(a) + " and " + size(b),
+                "compare pictures of one size");
 }
 
 using Color = std::array<float, 3>;

@@ -68,6 +68,19 @@ TEST(Layers, TheDesignPageShowsTheSameTable) {
     }
 }
 
+TEST(Layers, TheDesignPageNamesThePublicHeadersOfEachRoom) {
+    std::map<std::string, std::vector<std::string>> headers;
+    for (const Source& source : sources_under({"include"})) {
+        const std::string name = source.path.substr(std::string("include/").size());
+        headers[room_of_public_header(name)].push_back("`" + name.substr(name.rfind('/') + 1) + "`");
+    }
+    const std::string page = read_project_file("docs/design.md");
+    for (const auto& [room, names] : headers) {
+        const std::string row = "| `" + room + "` | " + joined(names, ", ") + " |\n";
+        EXPECT_NE(page.find("\n" + row), std::string::npos) << "docs/design.md has no row\n" << row;
+    }
+}
+
 // The checks themselves, on sources that break a rule each.
 
 TEST(Layers, AnIncludeFromAHigherFloorIsFoundWithItsLine) {

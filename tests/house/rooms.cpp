@@ -9,17 +9,24 @@ namespace glint::house {
 
 const std::vector<Room>& rooms() {
     static const std::vector<Room> table = {
+        {"errors", 0, {}},
         {"math", 0, {}},
         {"parallel", 0, {}},
         {"geometry", 1, {"math"}},
         {"bvh", 1, {"math", "parallel"}},
-        {"imaging", 1, {"math"}},
+        {"imaging", 1, {"errors", "math"}},
         {"trace", 2, {"math", "parallel", "geometry", "bvh"}},
         {"shading", 2, {"math", "geometry", "imaging"}},
-        {"scene", 3, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading"}},
-        {"render", 4, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
-        {"formats", 4, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
-        {"gpu", 5, {"math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene", "render"}},
+        {"scene", 3, {"errors", "math", "parallel", "geometry", "bvh", "imaging", "trace", "shading"}},
+        {"render",
+         4,
+         {"errors", "math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
+        {"formats",
+         4,
+         {"errors", "math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene"}},
+        {"gpu",
+         5,
+         {"errors", "math", "parallel", "geometry", "bvh", "imaging", "trace", "shading", "scene", "render"}},
     };
     return table;
 }
@@ -142,12 +149,28 @@ std::string against_own(const Source& source, const std::string& owner, const st
 
 std::string room_of_public_header(const std::string& name) {
     static const std::map<std::string, std::string> owners = {
-        {"glint/error.h", "scene"},       {"glint/scene.h", "scene"},      {"glint/image.h", "imaging"},
-        {"glint/formats.h", "formats"},   {"glint/render.h", "render"},    {"glint/trace.h", "trace"},
-        {"glint/kernels.h", "trace"},     {"glint/document.h", "formats"}, {"glint/term.h", "scene"},
-        {"glint/explanation.h", "scene"}, {"glint/explain.h", "render"},   {"glint/progressive.h", "render"},
-        {"glint/pick.h", "render"},       {"glint/gpu.h", "gpu"},          {"glint/names.h", "scene"},
+        {"glint/error.h", "errors"},
+        {"glint/scene.h", "scene"},
+        {"glint/image.h", "imaging"},
+        {"glint/formats.h", "formats"},
+        {"glint/render.h", "render"},
+        {"glint/trace.h", "trace"},
+        {"glint/kernels.h", "trace"},
+        {"glint/document.h", "formats"},
+        {"glint/term.h", "scene"},
+        {"glint/explanation.h", "scene"},
+        {"glint/explain.h", "render"},
+        {"glint/progressive.h", "render"},
+        {"glint/pick.h", "render"},
+        {"glint/gpu.h", "gpu"},
+        {"glint/names.h", "scene"},
         {"glint/limits.h", "scene"},
+        {"glint/filter.h", "imaging"},
+        {"glint/fov_axis.h", "imaging"},
+        {"glint/scene_files.h", "formats"},
+        {"glint/mesh_files.h", "formats"},
+        {"glint/picture_files.h", "formats"},
+        {"glint/explanation_files.h", "formats"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;

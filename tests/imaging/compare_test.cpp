@@ -1,3 +1,4 @@
+#include "glint/error.h"
 #include "glint/image.h"
 #include "special.h"
 
@@ -5,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace {
@@ -78,10 +78,11 @@ TEST(Compare, RefusesDifferentSizesAndNamesBoth) {
     try {
         compare(Image(3, 2), Image(2, 3), 0, 1);
         FAIL() << "sizes were accepted";
-    } catch (const std::invalid_argument& error) {
-        EXPECT_EQ(std::string(error.what()), "pictures of different sizes: 3 x 2 and 2 x 3");
+    } catch (const glint::Error& error) {
+        EXPECT_EQ(error.kind(), glint::ErrorKind::input);
+        EXPECT_EQ(error.diagnostics().front().message, "the pictures have different sizes: 3 x 2 and 2 x 3");
     }
-    EXPECT_THROW(glint::difference_heat(Image(3, 2), Image(3, 3), 1), std::invalid_argument);
+    EXPECT_THROW(glint::difference_heat(Image(3, 2), Image(3, 3), 1), glint::Error);
 }
 
 TEST(DifferenceHeat, RunsFromBlackThroughBlueAndYellowToWhite) {

@@ -1,0 +1,32 @@
+#pragma once
+// Mesh files. Readers throw Error(input) with place, cause and cure; writers write the whole file or nothing
+// and throw Error(output).
+
+#include "glint/scene_files.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+struct LoadedMesh {
+    std::shared_ptr<const Mesh> mesh;
+    std::vector<Diagnostic> warnings;
+};
+
+/// Reads a PLY file: ASCII, binary little or big endian. Of the options only `cancel` and `progress` count.
+LoadedMesh load_mesh(const std::string& path, const LoadOptions& options = {});
+
+/// The same from memory; `name` stands for the file in messages.
+LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name,
+                     const LoadOptions& options = {});
+
+enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
+
+/// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading gives the same bits.
+void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format = PlyFormat::binary_little_endian);
+
+} // namespace glint
