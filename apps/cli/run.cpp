@@ -1,16 +1,14 @@
 #include "run.h"
 
 #include "commands.h"
+#include "failures.h"
 #include "help.h"
 
 #include "glint/render.h"
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <filesystem>
-#include <new>
-#include <stdexcept>
 
 namespace glint::cli {
 namespace {
@@ -44,43 +42,13 @@ int call(const Arguments& arguments, Console& console) {
     throw Error(ErrorKind::internal, "no program for the command " + name);
 }
 
-int code_of(ErrorKind kind) {
-    switch (kind) {
-    case ErrorKind::usage:
-        return exit_code::usage;
-    case ErrorKind::input:
-        return exit_code::input;
-    case ErrorKind::output:
-        return exit_code::output;
-    case ErrorKind::resource:
-        return exit_code::resource;
-    case ErrorKind::device:
-        return exit_code::device;
-    case ErrorKind::cancelled: // nothing that can be cancelled this way is asked to be
-    case ErrorKind::internal:
-        break;
-    }
-    return exit_code::internal;
-}
-
 /// Runs the command and turns every failure into a message and an exit code.
 template <typename Work>
 int guarded(Console& console, const Work& work) {
     try {
         return work();
-    } catch (const Error& error) {
-        for (const Diagnostic& diagnostic : error.diagnostics()) console.error(diagnostic);
-        return code_of(error.kind());
-    } catch (const std::bad_alloc&) {
-        console.error("out of memory");
-        return exit_code::resource;
-    } catch (const std::length_error&) {
-        console.error("out of memory");
-        return exit_code::resource;
-    } catch (const std::exception& defect) {
-        console.error(fmt::format("internal error: {}", defect.what()),
-                      "this is a defect of glint: please report it");
-        return exit_code::internal;
+    } catch (...) {
+        return report_failure(console);
     }
 }
 
