@@ -80,7 +80,7 @@ int diff_command(const Arguments& arguments, Console& console) {
     const double tolerance = arguments.number("tolerance").value_or(strictest);
     const auto heat = arguments.text("output");
     if (heat) {
-        picture_format(*heat);
+        output_format(*heat);
         require_writable(*heat);
     }
     const LoadedPicture a = read_picture(arguments.operands()[0]);

@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <unistd.h>
 
@@ -23,20 +23,17 @@ constexpr bool has_exr = GLINT_EXR;
 
 } // namespace
 
-PictureFormat picture_format(const std::string& path) {
-    if (path == "-") return PictureFormat::png;
-    std::string extension = fs::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (extension == ".png") return PictureFormat::png;
-    if (extension == ".exr" && !has_exr)
+PictureFormat output_format(const std::string& path) {
+    const std::optional<PictureFormat> format = picture_format(path);
+    if (!format)
+        throw Error(ErrorKind::usage,
+                    fmt::format("\"{}\" names no kind of picture that can be written", path),
+                    "expected a name that ends in .png, .exr or .pfm, or - for PNG on stdout");
+    if (format == PictureFormat::exr && !has_exr)
         throw Error(ErrorKind::output,
                     fmt::format("cannot write \"{}\": this glint was built without OpenEXR", path),
                     "use .png or .pfm");
-    if (extension == ".exr") return PictureFormat::exr;
-    if (extension == ".pfm") return PictureFormat::pfm;
-    throw Error(ErrorKind::usage, fmt::format("\"{}\" names no kind of picture that can be written", path),
-                "expected a name that ends in .png, .exr or .pfm, or - for PNG on stdout");
+    return *format;
 }
 
 void require_writable(const std::string& path) {

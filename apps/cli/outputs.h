@@ -1,14 +1,15 @@
 #pragma once
 // Where results go, checked before any work is done for them.
 
+#include "glint/picture_files.h"
+
 #include <string>
 
 namespace glint::cli {
 
-enum class PictureFormat { png, exr, pfm };
-
-/// By the extension; "-" is PNG. Throws Error(usage) for any other, Error(output) for one that was not built.
-PictureFormat picture_format(const std::string& path);
+/// The format of picture_format(). Throws Error(usage) where there is none, Error(output) for one that was
+/// not built.
+PictureFormat output_format(const std::string& path);
 
 /// Throws Error(output) unless a file can be made in the folder of `path`; "-" always can.
 void require_writable(const std::string& path);

@@ -114,7 +114,7 @@ class Renderer {
         }
         record.hash = picture_hash(picture.image);
         // PNG is for the eye; the other formats hold the numbers themselves.
-        if (picture_format(record.output) == PictureFormat::png)
+        if (output_format(record.output) == PictureFormat::png)
             picture.image = visible(picture.image, request_.render.show, scene);
         const Stopwatch writing;
         write_picture(record.output, picture.image, picture_options(request_, scene, picture, record));

@@ -18,7 +18,7 @@ namespace {
 
 /// Options that the kind of picture has no room for are refused rather than dropped.
 void require_format(const Arguments& arguments, const std::string& output) {
-    const PictureFormat format = picture_format(output);
+    const PictureFormat format = output_format(output);
     const auto refuse = [&](const char* option, const char* formats) {
         if (arguments.has(option))
             throw Error(ErrorKind::usage,

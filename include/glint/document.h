@@ -92,6 +92,10 @@ class SceneDocument {
     std::vector<Edit> edits_;          ///< since then
 };
 
+/// A document for the scene in which load_scene() shows a bare mesh: named like the mesh with ".toml", the
+/// mesh named by its file in the same folder.
+SceneDocument preview_document(SceneDescription scene, const std::string& mesh);
+
 /// A value as scene files write it, the shortest that reads back as the same: "0.1", "[1, 2, 3]", "\"text\"".
 std::string scene_value(double value);
 std::string scene_value(const Vec3& value);

@@ -3,6 +3,8 @@
 // Names and meanings are those of scene files: docs/scene-format.md.
 
 #include "glint/error.h"
+#include "glint/filter.h"
+#include "glint/fov_axis.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -34,8 +36,6 @@ struct Mesh {
 
 enum class Axis { x, y, z };
 
-enum class FovAxis { y, x, smaller, larger };
-
 /// A pinhole camera, right-handed.
 struct CameraDescription {
     Vec3 eye{0};
@@ -45,8 +45,6 @@ struct CameraDescription {
     FovAxis fov_axis = FovAxis::y;
     Location where;
 };
-
-enum class PixelFilter { box, tent, gaussian, mitchell };
 
 struct RenderSettings {
     int width = 640;

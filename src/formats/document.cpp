@@ -67,11 +67,7 @@ SceneDocument SceneDocument::open(const std::string& path, const LoadOptions& op
         if (path == "-")
             throw Error(ErrorKind::input, "a mesh from stdin has no scene file to edit", "name its file");
     }
-    SceneDescription scene = load_scene(path, options).description;
-    const fs::path mesh(path);
-    for (Object& object : scene.objects)
-        if (auto* shape = std::get_if<MeshShape>(&object.shape)) shape->file = mesh.filename().string();
-    SceneDocument document(scene_text(scene), fs::path(mesh).replace_extension(".toml").string());
+    SceneDocument document = preview_document(load_scene(path, options).description, path);
     document.saved_.reset();
     return document;
 }
@@ -232,6 +228,13 @@ void SceneDocument::save_as(const std::string& path) {
     next.saved_ = next.text_;
     next.edits_.clear();
     *this = std::move(next);
+}
+
+SceneDocument preview_document(SceneDescription scene, const std::string& mesh) {
+    const fs::path path(mesh);
+    for (Object& object : scene.objects)
+        if (auto* shape = std::get_if<MeshShape>(&object.shape)) shape->file = path.filename().string();
+    return {scene_text(scene), fs::path(path).replace_extension(".toml").string()};
 }
 
 } // namespace glint

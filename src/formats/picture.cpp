@@ -14,19 +14,19 @@ namespace glint {
 
 namespace {
 
-enum class PictureFormat { png, exr, pfm };
-
 [[noreturn]] void refuse_arguments(const std::string& message, const std::string& hint) {
     throw Error(ErrorKind::usage, message, hint);
 }
 
-PictureFormat format_of(const std::string& path) {
-    if (path == "-") return PictureFormat::png;
+std::string lower_extension_of(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (extension == ".png") return PictureFormat::png;
-    if (extension == ".exr") return PictureFormat::exr;
-    if (extension == ".pfm") return PictureFormat::pfm;
+    return extension;
+}
+
+PictureFormat require_format(const std::string& path) {
+    if (const auto format = picture_format(path)) return *format;
+    const std::string extension = lower_extension_of(path);
     const std::string found = extension.empty() ? "has no extension" : "ends in '" + extension + "'";
     refuse_arguments("the picture's name '" + path + "' " + found, "pictures end in .png, .exr or .pfm");
 }
@@ -78,6 +78,15 @@ void check_options(const Image& image, const PictureOptions& options) {
 
 } // namespace
 
+std::optional<PictureFormat> picture_format(const std::string& path) {
+    if (path == "-") return PictureFormat::png;
+    const std::string extension = lower_extension_of(path);
+    if (extension == ".png") return PictureFormat::png;
+    if (extension == ".exr") return PictureFormat::exr;
+    if (extension == ".pfm") return PictureFormat::pfm;
+    return std::nullopt;
+}
+
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
                     std::optional<std::uint64_t> byte) {
     Location where;
@@ -95,7 +104,7 @@ void check_picture_size(const std::string& name, std::int64_t width, std::int64_
 }
 
 void check_picture_target(const std::string& path, bool with_alpha, bool with_layers) {
-    const PictureFormat format = format_of(path);
+    const PictureFormat format = require_format(path);
     if (with_layers && format != PictureFormat::exr)
         refuse_arguments("'" + path + "' cannot hold layers", "layers are written to .exr");
     if (with_alpha && format == PictureFormat::pfm)
@@ -106,7 +115,7 @@ void check_picture_target(const std::string& path, bool with_alpha, bool with_la
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options) {
     check_options(image, options);
     check_picture_target(path, !options.alpha.empty(), !options.layers.empty());
-    switch (format_of(path)) {
+    switch (require_format(path)) {
     case PictureFormat::pfm:
         return write_pieces(path, PfmFile(image).pieces());
     case PictureFormat::exr:

@@ -6,34 +6,15 @@
 
 namespace glint {
 
-namespace {
-
-/// The side of the picture, in pixels, that the field of view refers to.
-double measured_side(FieldOfViewAxis axis, double width, double height) {
-    switch (axis) {
-    case FieldOfViewAxis::x:
-        return width;
-    case FieldOfViewAxis::smaller:
-        return width < height ? width : height;
-    case FieldOfViewAxis::larger:
-        return width > height ? width : height;
-    case FieldOfViewAxis::y:
-        break;
-    }
-    return height;
-}
-
-} // namespace
-
 PinholeCamera pinhole_camera(const dvec3& eye, const dvec3& direction, const dvec3& up, double fov_degrees,
-                             FieldOfViewAxis axis, int width, int height) {
+                             FovAxis axis, int width, int height) {
     const dvec3 forward = glm::normalize(direction);
     const dvec3 right = glm::normalize(glm::cross(forward, up));
     const dvec3 upward = glm::cross(right, forward);
 
     // Pixels are square, so the other tangent follows from the aspect ratio.
     const double tangent = tan_degrees(fov_degrees / 2);
-    const double side = measured_side(axis, width, height);
+    const double side = fov_side(axis, width, height);
 
     PinholeCamera camera;
     camera.eye = vec3(eye);

@@ -36,47 +36,48 @@ double mitchell(double x) {
 
 } // namespace
 
-double filter_radius(FilterKind kind) {
-    switch (kind) {
-    case FilterKind::box:
+double filter_radius(PixelFilter filter) {
+    switch (filter) {
+    case PixelFilter::box:
         return 0.5;
-    case FilterKind::tent:
+    case PixelFilter::tent:
         return 1;
-    case FilterKind::gaussian:
+    case PixelFilter::gaussian:
         return 1.5;
-    case FilterKind::mitchell:
+    case PixelFilter::mitchell:
         break;
     }
     return 2;
 }
 
-double filter_value(FilterKind kind, double x) {
+double filter_value(PixelFilter filter, double x) {
     x = std::abs(x);
-    if (x > filter_radius(kind)) return 0;
-    switch (kind) {
-    case FilterKind::box:
+    if (x > filter_radius(filter)) return 0;
+    switch (filter) {
+    case PixelFilter::box:
         return 1;
-    case FilterKind::tent:
+    case PixelFilter::tent:
         return 1 - x;
-    case FilterKind::gaussian:
+    case PixelFilter::gaussian:
         return gaussian(x);
-    case FilterKind::mitchell:
+    case PixelFilter::mitchell:
         break;
     }
     return mitchell(x);
 }
 
-PixelFilterSampler::PixelFilterSampler(FilterKind kind) : radius_(static_cast<float>(filter_radius(kind))) {
+PixelFilterSampler::PixelFilterSampler(PixelFilter filter)
+    : radius_(static_cast<float>(filter_radius(filter))) {
     // Integrate |f| from the edge inward, so that sums start small and the edge keeps its precision.
     // Simpson's rule is exact for the polynomial filters; no step contains a sign change.
-    const double radius = filter_radius(kind);
+    const double radius = filter_radius(filter);
     const auto distance = [&](double step) { return radius * (1 - step / static_cast<double>(steps)); };
     std::array<double, steps + 1> tail{};
     for (std::size_t i = 0; i < steps; ++i) {
         const auto step = static_cast<double>(i);
-        const double middle = filter_value(kind, distance(step + 0.5));
+        const double middle = filter_value(filter, distance(step + 0.5));
         const double mass =
-            filter_value(kind, distance(step)) + 4 * middle + filter_value(kind, distance(step + 1));
+            filter_value(filter, distance(step)) + 4 * middle + filter_value(filter, distance(step + 1));
         tail[i + 1] = tail[i] + std::abs(mass);
         if (middle < 0) negative_steps_ = i + 1;
     }

@@ -3,6 +3,8 @@
 // Ray Tracing 2006. A sample belongs to one pixel alone: its offset is drawn in proportion to |f|, its weight
 // is the sign of f. Nothing is splatted to other pixels, so tiles never wait for each other.
 
+#include "glint/filter.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,19 +12,11 @@
 
 namespace glint {
 
-/// All filters are separable: f(x) · f(y), with x and y in pixels from the pixel's centre.
-enum class FilterKind {
-    box,      ///< 1 for |x| ≤ 0.5
-    tent,     ///< 1 − |x|, radius 1
-    gaussian, ///< e^(−2x²) − e^(−2r²), radius r = 1.5 (standard deviation 0.5 pixel)
-    mitchell, ///< Mitchell and Netravali 1988 with B = C = 1/3, radius 2; below 0 between 8/7 and 2
-};
-
 /// Beyond this distance in x or y, in pixels, the filter is 0.
-double filter_radius(FilterKind kind);
+double filter_radius(PixelFilter filter);
 
 /// The filter along one axis at distance x from the centre; its integral is 1 for all but the gaussian.
-double filter_value(FilterKind kind, double x);
+double filter_value(PixelFilter filter, double x);
 
 /// Where in (or around) a pixel to look, and what the sample counts.
 struct FilterSample {
@@ -35,7 +29,7 @@ struct FilterSample {
 /// side.
 class PixelFilterSampler {
   public:
-    explicit PixelFilterSampler(FilterKind kind);
+    explicit PixelFilterSampler(PixelFilter filter);
 
     /// Maps u, v in [0, 1) to an offset, monotonically; 1 − u gives exactly the mirrored offset of u.
     FilterSample sample(float u, float v) const;

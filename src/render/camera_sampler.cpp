@@ -3,41 +3,9 @@
 #include "math/random.shared.h"
 
 namespace glint {
-namespace {
-
-FilterKind filter_kind(PixelFilter filter) {
-    switch (filter) {
-    case PixelFilter::box:
-        return FilterKind::box;
-    case PixelFilter::tent:
-        return FilterKind::tent;
-    case PixelFilter::gaussian:
-        return FilterKind::gaussian;
-    case PixelFilter::mitchell:
-        return FilterKind::mitchell;
-    }
-    return FilterKind::mitchell;
-}
-
-FieldOfViewAxis fov_axis(FovAxis axis) {
-    switch (axis) {
-    case FovAxis::y:
-        return FieldOfViewAxis::y;
-    case FovAxis::x:
-        return FieldOfViewAxis::x;
-    case FovAxis::smaller:
-        return FieldOfViewAxis::smaller;
-    case FovAxis::larger:
-        return FieldOfViewAxis::larger;
-    }
-    return FieldOfViewAxis::y;
-}
-
-} // namespace
-
 PinholeCamera camera_of(const SceneDescription& scene) {
     const CameraDescription& c = *scene.camera;
-    return pinhole_camera(c.eye, c.direction, c.up, c.fov, fov_axis(c.fov_axis), scene.render.width,
+    return pinhole_camera(c.eye, c.direction, c.up, c.fov, c.fov_axis, scene.render.width,
                           scene.render.height);
 }
 
@@ -53,7 +21,7 @@ Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& cro
 }
 
 CameraSampler::CameraSampler(const SceneDescription& scene)
-    : settings_(scene.render), camera_(camera_of(scene)), filter_(filter_kind(settings_.filter)) {}
+    : settings_(scene.render), camera_(camera_of(scene)), filter_(settings_.filter) {}
 
 FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
     if (settings_.spp == 1) return {};

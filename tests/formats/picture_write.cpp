@@ -217,6 +217,15 @@ TEST_F(WritePicture, TargetsCanBeCheckedBeforeALongRender) {
     expect_error(ErrorKind::output, {"Is a directory"}, [&] { check_picture_target(file("folder.png")); });
 }
 
+TEST(PictureFormat, FollowsFromTheExtensionInAnyCase) {
+    EXPECT_EQ(picture_format("a.PnG"), PictureFormat::png);
+    EXPECT_EQ(picture_format("b/c.exr"), PictureFormat::exr);
+    EXPECT_EQ(picture_format("d.e.pfm"), PictureFormat::pfm);
+    EXPECT_EQ(picture_format("-"), PictureFormat::png);
+    EXPECT_EQ(picture_format("png"), std::nullopt);
+    EXPECT_EQ(picture_format("a.jpeg"), std::nullopt);
+}
+
 } // namespace
 
 } // namespace glint::test

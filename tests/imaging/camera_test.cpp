@@ -10,7 +10,7 @@ using namespace glint;
 
 constexpr double pi = 3.14159265358979323846;
 
-PinholeCamera looking_along_y(double fov, FieldOfViewAxis axis, int width, int height) {
+PinholeCamera looking_along_y(double fov, FovAxis axis, int width, int height) {
     return pinhole_camera({0, 0, 0}, {0, 7, 0}, {0, 0, 2}, fov, axis, width, height);
 }
 
@@ -19,7 +19,7 @@ double angle_from_y(const vec3& d) { return std::atan2(std::hypot(double(d.x), d
 
 TEST(Camera, SeesASphereWithTheOutlineOfTheFormula) {
     // r = 1 at 5, vertical field of view 40°, 1000 pixels: 500 · tan(asin(1/5)) / tan(20°).
-    const PinholeCamera camera = looking_along_y(40, FieldOfViewAxis::y, 1400, 1000);
+    const PinholeCamera camera = looking_along_y(40, FovAxis::y, 1400, 1000);
     const double tangent_angle = std::asin(0.2);
     for (const bool sideways : {true, false}) {
         double inside = 0;
@@ -37,7 +37,7 @@ TEST(Camera, SeesASphereWithTheOutlineOfTheFormula) {
 }
 
 TEST(Camera, PutsXToTheRightAndTheFirstRowOnTop) {
-    const PinholeCamera camera = looking_along_y(45, FieldOfViewAxis::y, 640, 480);
+    const PinholeCamera camera = looking_along_y(45, FovAxis::y, 640, 480);
     const vec3 corner = pinhole_direction(camera, 0, 0, 0, 0);
     EXPECT_LT(corner.x, 0);
     EXPECT_GT(corner.y, 0);
@@ -50,25 +50,25 @@ TEST(Camera, PutsXToTheRightAndTheFirstRowOnTop) {
 
 TEST(Camera, MeasuresTheFieldOfViewAlongTheNamedAxis) {
     // The ray through the middle of an edge makes half the angle with the view.
-    const auto half_x = [](FieldOfViewAxis axis, int w, int h) {
+    const auto half_x = [](FovAxis axis, int w, int h) {
         const PinholeCamera c = looking_along_y(60, axis, w, h);
         return angle_from_y(pinhole_direction(c, 0, h / 2, -0.5f, -0.5f)) * 180 / pi;
     };
-    const auto half_y = [](FieldOfViewAxis axis, int w, int h) {
+    const auto half_y = [](FovAxis axis, int w, int h) {
         const PinholeCamera c = looking_along_y(60, axis, w, h);
         return angle_from_y(pinhole_direction(c, w / 2, 0, -0.5f, -0.5f)) * 180 / pi;
     };
-    EXPECT_NEAR(half_y(FieldOfViewAxis::y, 600, 200), 30, 1e-5);
-    EXPECT_NEAR(half_x(FieldOfViewAxis::y, 600, 200), 60, 1e-5);
-    EXPECT_NEAR(half_x(FieldOfViewAxis::x, 600, 200), 30, 1e-5);
-    EXPECT_NEAR(half_y(FieldOfViewAxis::smaller, 600, 200), 30, 1e-5);
-    EXPECT_NEAR(half_x(FieldOfViewAxis::larger, 600, 200), 30, 1e-5);
-    EXPECT_NEAR(half_x(FieldOfViewAxis::smaller, 200, 600), 30, 1e-5);
-    EXPECT_NEAR(half_y(FieldOfViewAxis::larger, 200, 600), 30, 1e-5);
+    EXPECT_NEAR(half_y(FovAxis::y, 600, 200), 30, 1e-5);
+    EXPECT_NEAR(half_x(FovAxis::y, 600, 200), 60, 1e-5);
+    EXPECT_NEAR(half_x(FovAxis::x, 600, 200), 30, 1e-5);
+    EXPECT_NEAR(half_y(FovAxis::smaller, 600, 200), 30, 1e-5);
+    EXPECT_NEAR(half_x(FovAxis::larger, 600, 200), 30, 1e-5);
+    EXPECT_NEAR(half_x(FovAxis::smaller, 200, 600), 30, 1e-5);
+    EXPECT_NEAR(half_y(FovAxis::larger, 200, 600), 30, 1e-5);
 }
 
 TEST(Camera, MirroredPlacesHaveExactlyMirroredDirections) {
-    const PinholeCamera camera = looking_along_y(53, FieldOfViewAxis::y, 65535, 1080);
+    const PinholeCamera camera = looking_along_y(53, FovAxis::y, 65535, 1080);
     const float dx = 0.123456789f;
     const float dy = -1.7654321f;
     for (const int px : {0, 1, 777, 32766, 32767, 40001})
@@ -85,13 +85,13 @@ TEST(Camera, AMirroredSceneHasExactlyMirroredRays) {
     const dvec3 eye(-50, 40, 10);
     const dvec3 view(0.5, -0.4, -0.1);
     const dvec3 up(0.1, 0.2, 1);
-    const PinholeCamera camera = pinhole_camera(eye, view, up, 40, FieldOfViewAxis::y, 64, 48);
+    const PinholeCamera camera = pinhole_camera(eye, view, up, 40, FovAxis::y, 64, 48);
     const auto flip = [](const auto& v) { return std::decay_t<decltype(v)>(-v.x, v.y, v.z); };
     const auto swap = [](const auto& v) { return std::decay_t<decltype(v)>(v.y, v.x, v.z); };
     const PinholeCamera flipped =
-        pinhole_camera(flip(eye), flip(view), flip(up), 40, FieldOfViewAxis::y, 64, 48);
+        pinhole_camera(flip(eye), flip(view), flip(up), 40, FovAxis::y, 64, 48);
     const PinholeCamera swapped =
-        pinhole_camera(swap(eye), swap(view), swap(up), 40, FieldOfViewAxis::y, 64, 48);
+        pinhole_camera(swap(eye), swap(view), swap(up), 40, FovAxis::y, 64, 48);
 
     for (int py = 0; py < 48; ++py)
         for (int px = 0; px < 64; ++px) {
@@ -102,9 +102,9 @@ TEST(Camera, AMirroredSceneHasExactlyMirroredRays) {
 }
 
 TEST(Camera, LengthsOfViewAndUpDoNotMatter) {
-    const PinholeCamera a = pinhole_camera({1, 2, 3}, {1, 2, -3}, {0, 0, 1}, 40, FieldOfViewAxis::y, 64, 48);
+    const PinholeCamera a = pinhole_camera({1, 2, 3}, {1, 2, -3}, {0, 0, 1}, 40, FovAxis::y, 64, 48);
     const PinholeCamera b =
-        pinhole_camera({1, 2, 3}, {256, 512, -768}, {0, 0, 0.25}, 40, FieldOfViewAxis::y, 64, 48);
+        pinhole_camera({1, 2, 3}, {256, 512, -768}, {0, 0, 0.25}, 40, FovAxis::y, 64, 48);
     EXPECT_EQ(a.forward, b.forward);
     EXPECT_EQ(a.right, b.right);
     EXPECT_EQ(a.up, b.up);
@@ -113,7 +113,7 @@ TEST(Camera, LengthsOfViewAndUpDoNotMatter) {
 
 TEST(Camera, DirectionsHaveUnitLength) {
     const PinholeCamera camera =
-        pinhole_camera({0, 0, 0}, {1, 2, 3}, {0, 1, 0}, 150, FieldOfViewAxis::x, 99, 77);
+        pinhole_camera({0, 0, 0}, {1, 2, 3}, {0, 1, 0}, 150, FovAxis::x, 99, 77);
     for (int py = 0; py < 77; py += 4)
         for (int px = 0; px < 99; px += 7) {
             const dvec3 d(pinhole_direction(camera, px, py, 0, 0));

@@ -10,11 +10,11 @@ namespace {
 
 using namespace glint;
 
-constexpr std::array kinds{FilterKind::box, FilterKind::tent, FilterKind::gaussian, FilterKind::mitchell};
+constexpr std::array kinds{PixelFilter::box, PixelFilter::tent, PixelFilter::gaussian, PixelFilter::mitchell};
 
 /// ∫ g(x) over the filter's support, by midpoints.
 template <class F>
-double integrate(FilterKind kind, F g) {
+double integrate(PixelFilter kind, F g) {
     constexpr int steps = 100000;
     const double radius = filter_radius(kind);
     double sum = 0;
@@ -24,7 +24,7 @@ double integrate(FilterKind kind, F g) {
 
 /// Mean of g(dx) · sign over u evenly spaced: what rendering converges to along one axis.
 template <class F>
-double sampled_mean(FilterKind kind, F g) {
+double sampled_mean(PixelFilter kind, F g) {
     constexpr int steps = 1 << 17;
     const PixelFilterSampler sampler(kind);
     double sum = 0;
@@ -35,15 +35,15 @@ double sampled_mean(FilterKind kind, F g) {
     return sum / steps;
 }
 
-std::string name_of(const testing::TestParamInfo<FilterKind>& kind) {
+std::string name_of(const testing::TestParamInfo<PixelFilter>& kind) {
     constexpr std::array names{"box", "tent", "gaussian", "mitchell"};
     return names[static_cast<std::size_t>(kind.param)];
 }
 
-class Filter : public testing::TestWithParam<FilterKind> {};
+class Filter : public testing::TestWithParam<PixelFilter> {};
 
 TEST_P(Filter, SamplesHaveTheMomentsOfTheFilter) {
-    const FilterKind kind = GetParam();
+    const PixelFilter kind = GetParam();
     const auto absolute = [&](double x) { return std::abs(filter_value(kind, x)); };
     const double mass = integrate(kind, absolute);
     for (const int power : {0, 2, 4}) {
@@ -54,7 +54,7 @@ TEST_P(Filter, SamplesHaveTheMomentsOfTheFilter) {
 }
 
 TEST_P(Filter, SamplesAreDistributedAsTheAbsoluteFilter) {
-    const FilterKind kind = GetParam();
+    const PixelFilter kind = GetParam();
     const double radius = filter_radius(kind);
     const double mass = integrate(kind, [&](double x) { return std::abs(filter_value(kind, x)); });
 
@@ -107,7 +107,7 @@ TEST_P(Filter, OffsetsRiseWithTheirNumbersFromRimToRim) {
 }
 
 TEST_P(Filter, WeightIsTheSignOfTheFilter) {
-    const FilterKind kind = GetParam();
+    const PixelFilter kind = GetParam();
     const PixelFilterSampler sampler(kind);
     for (int j = 0; j < 256; ++j)
         for (int i = 0; i < 256; ++i) {
@@ -122,17 +122,17 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Filter, testing::ValuesIn(kinds), name_of);
 
 TEST(FilterValue, MatchesThePublishedFormulas) {
     // Mitchell and Netravali: (16 / 18) at 0, 1 / 18 at 1, and a double zero at 2.
-    EXPECT_DOUBLE_EQ(filter_value(FilterKind::mitchell, 0), 16.0 / 18);
-    EXPECT_DOUBLE_EQ(filter_value(FilterKind::mitchell, 1), 1.0 / 18);
-    EXPECT_NEAR(filter_value(FilterKind::mitchell, std::nextafter(1.0, 0.0)), 1.0 / 18, 1e-15);
-    EXPECT_EQ(filter_value(FilterKind::mitchell, 2), 0);
-    EXPECT_NEAR(filter_value(FilterKind::mitchell, -1.5), -0.03472222222222222, 1e-15);
-    EXPECT_NEAR(filter_value(FilterKind::gaussian, 0.75), std::exp(-1.125) - std::exp(-4.5), 1e-15);
-    EXPECT_EQ(filter_value(FilterKind::gaussian, 1.5), 0);
-    EXPECT_EQ(filter_value(FilterKind::tent, 0.25), 0.75);
-    EXPECT_EQ(filter_value(FilterKind::box, 0.5), 1);
-    EXPECT_EQ(filter_value(FilterKind::box, 0.51), 0);
-    for (const FilterKind kind : {FilterKind::box, FilterKind::tent, FilterKind::mitchell})
+    EXPECT_DOUBLE_EQ(filter_value(PixelFilter::mitchell, 0), 16.0 / 18);
+    EXPECT_DOUBLE_EQ(filter_value(PixelFilter::mitchell, 1), 1.0 / 18);
+    EXPECT_NEAR(filter_value(PixelFilter::mitchell, std::nextafter(1.0, 0.0)), 1.0 / 18, 1e-15);
+    EXPECT_EQ(filter_value(PixelFilter::mitchell, 2), 0);
+    EXPECT_NEAR(filter_value(PixelFilter::mitchell, -1.5), -0.03472222222222222, 1e-15);
+    EXPECT_NEAR(filter_value(PixelFilter::gaussian, 0.75), std::exp(-1.125) - std::exp(-4.5), 1e-15);
+    EXPECT_EQ(filter_value(PixelFilter::gaussian, 1.5), 0);
+    EXPECT_EQ(filter_value(PixelFilter::tent, 0.25), 0.75);
+    EXPECT_EQ(filter_value(PixelFilter::box, 0.5), 1);
+    EXPECT_EQ(filter_value(PixelFilter::box, 0.51), 0);
+    for (const PixelFilter kind : {PixelFilter::box, PixelFilter::tent, PixelFilter::mitchell})
         EXPECT_NEAR(integrate(kind, [&](double x) { return filter_value(kind, x); }), 1, 1e-9);
 }
 

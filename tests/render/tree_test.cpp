@@ -21,7 +21,7 @@ class RayTreeOf : public testing::TestWithParam<Exhibit> {
         WhittedTracer tracer(scene.frozen());
         const CameraDescription& c = scene.camera();
         const PinholeCamera camera =
-            pinhole_camera(c.eye, c.direction, c.up, c.fov, FieldOfViewAxis::y, 97, 83);
+            pinhole_camera(c.eye, c.direction, c.up, c.fov, FovAxis::y, 97, 83);
         for (int i = 0; i < 300; ++i)
             check(camera.eye, pinhole_direction(camera, (i * 37) % 97, (i * 53) % 83, 0.1f, -0.2f), tracer);
     }
