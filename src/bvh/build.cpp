@@ -4,6 +4,8 @@
 #include "bvh/tree.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -125,6 +127,14 @@ void append(Tree& tree, const Pending& slot, const Subtree& subtree) {
     tree.depth = std::max(tree.depth, subtree.depth);
 }
 
+/// Finite, lo <= hi.
+[[maybe_unused]] bool is_valid(const BoxRef& box) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(box.lo[axis]) || !std::isfinite(box.hi[axis]) || box.lo[axis] > box.hi[axis])
+            return false;
+    return true;
+}
+
 } // namespace
 
 Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, parallel::TaskPool& pool) {
@@ -134,6 +144,7 @@ Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, parall
     refs.reserve(boxes.size());
     PrimRange root;
     for (const BoxRef& box : boxes) {
+        assert(is_valid(box));
         refs.push_back(PrimRef::of(to_float4(box.lo), to_float4(box.hi), box.id));
         root.add(refs.back());
     }
@@ -154,6 +165,7 @@ Tree build_tree(const std::vector<BoxRef>& boxes, std::uint32_t max_leaf, parall
         subtrees[i] = {};
     }
 
+    assert(tree.depth <= max_tree_depth);
     tree.order.reserve(refs.size());
     for (const PrimRef& ref : refs) tree.order.push_back(ref.id());
     return tree;

@@ -3,6 +3,7 @@
 #include "bvh/split.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -108,6 +109,7 @@ Cut cheapest_cut(const Bins& bins, const Binning& binning, float scale, bool pai
 
 std::pair<SimdBounds, SimdBounds> boxes_of(const Bins& bins, const Binning& binning, const Cut& cut) {
     std::pair<SimdBounds, SimdBounds> sides;
+    assert(cut.axis >= 0 && cut.bin > 0 && cut.bin < binning.bins);
     const auto& boxes = bins.boxes[static_cast<std::size_t>(cut.axis)];
     for (int i = 0; i < binning.bins; ++i)
         (i < cut.bin ? sides.first : sides.second).grow(boxes[static_cast<std::size_t>(i)]);
@@ -115,6 +117,7 @@ std::pair<SimdBounds, SimdBounds> boxes_of(const Bins& bins, const Binning& binn
 }
 
 void share_capacity(PrimRange& left, PrimRange& right, std::size_t limit, PrimRef* refs) {
+    assert(left.end == right.begin && right.end <= limit);
     const std::size_t spare = limit - right.end;
     const auto share = static_cast<std::size_t>(
         static_cast<double>(spare) *
@@ -220,11 +223,13 @@ std::pair<PrimRange, PrimRange> split_by(const PrimRange& range, const Bins& bin
     left.begin = range.begin;
     left.end = right.begin = static_cast<std::size_t>(middle - refs);
     right.end = range.end;
+    assert(left.size() > 0 && right.size() > 0);
     share_capacity(left, right, range.limit, refs);
     return {left, right};
 }
 
 std::pair<PrimRange, PrimRange> split_in_half(const PrimRange& range, PrimRef* refs) {
+    assert(range.size() >= 2);
     const float4 d = range.centers.hi - range.centers.lo;
     const int axis = d[0] >= d[1] ? (d[0] >= d[2] ? 0 : 2) : (d[1] >= d[2] ? 1 : 2);
     const std::size_t half = range.begin + range.size() / 2;

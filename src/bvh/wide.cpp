@@ -3,6 +3,7 @@
 #include "bvh/wide.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 
@@ -31,7 +32,10 @@ void distribute(std::span<const BinaryNode> tree, const BinaryNode& node, int ro
     // The arithmetic of set_split_cost() finds the same minimum.
     const float best = split_cost(a, b, roots);
     int k = std::max(1, roots - max_roots);
-    while (cost_of(a, k) + cost_of(b, roots - k) != best) ++k;
+    while (cost_of(a, k) + cost_of(b, roots - k) != best) {
+        ++k;
+        assert(k <= std::min(roots - 1, max_roots));
+    }
     collect_roots(tree, node.left, k, out);
     collect_roots(tree, node.left + 1, roots - k, out);
 }
@@ -58,6 +62,7 @@ WideNode empty_node() {
 }
 
 void set_child(WideNode& node, std::size_t child, const SimdBounds& box, std::uint32_t code) {
+    assert(child < wide_children);
     for (int axis = 0; axis < 3; ++axis) {
         node.lo[axis][child] = box.lo[axis];
         node.hi[axis][child] = box.hi[axis];
@@ -82,8 +87,10 @@ void set_split_cost(BinaryNode& node, const BinaryNode& left, const BinaryNode& 
 }
 
 WideRoots children_of(std::span<const BinaryNode> tree, std::uint32_t at) {
+    assert(tree[at].is_split);
     WideRoots roots;
     distribute(tree, tree[at], wide_children, roots);
+    assert(roots.count >= 2 && roots.count <= wide_children);
     return roots;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstring>
 #include <stdexcept>
 
@@ -87,6 +88,7 @@ void throw_too_many_leaves() { throw std::length_error("the leaves of a mesh exc
 
 LeafDraft draft_leaf(std::span<const vec3> positions, std::span<const uvec3> triangles,
                      std::span<const std::uint32_t> numbers, VertexIdentity identity) {
+    assert(!numbers.empty() && numbers.size() <= max_leaf_size);
     LeafDraft leaf;
     VertexFinder finder(leaf);
     // Prefetch all positions, which may be scattered.
@@ -127,6 +129,9 @@ LeafDraft part_of(const LeafDraft& whole, std::span<const std::uint8_t> triangle
 }
 
 std::uint32_t append_leaf(const LeafDraft& leaf, parallel::LargeVector<std::uint32_t>& words) {
+    assert(leaf.triangles >= 1 && leaf.triangles <= max_leaf_size);
+    assert(leaf.vertices >= 1 && leaf.fits());
+    assert(words.size() % 4 == 0);
     const std::size_t offset = words.size() / 4;
     if (offset >= max_leaf_blocks) throw_too_many_leaves();
     words.resize(words.size() + (4 + 3 * leaf.vertices + leaf.triangles + 3) / 4 * 4, 0);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <stdexcept>
 
 namespace glint {
@@ -133,6 +134,7 @@ class Refitter {
             WideNode& node = tree_.nodes[at];
             for (std::size_t child = 0; child < wide_children; ++child) {
                 if ((node.child[child] & leaf_bit) != 0) continue;
+                assert(node.child[child] > at);
                 store_box(node, child, bounds_of(tree_.nodes[node.child[child]]));
                 heights[at] = std::max(heights[at], heights[node.child[child]] + 1);
             }

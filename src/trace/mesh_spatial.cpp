@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace glint {
@@ -105,6 +106,7 @@ class SpatialPartition {
         left_.begin = range_.begin;
         left_.end = right_.begin = i;
         right_.end = end_;
+        assert(end_ <= range_.limit);
         if (left_.size() == 0 || right_.size() == 0) return false;
         share_capacity(left_, right_, range_.limit, refs);
         sides = {left_, right_};

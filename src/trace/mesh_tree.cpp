@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <numeric>
 #include <vector>
 
@@ -158,6 +159,7 @@ class TreeWriter {
 
     void add(std::size_t part, const Subtree& subtree) {
         const auto nodes = static_cast<std::uint32_t>(tree_.nodes.size());
+        assert(tree_.leaf_words.size() % 4 == 0 && subtree.words.size() % 4 == 0);
         const auto blocks = static_cast<std::uint32_t>(tree_.leaf_words.size() / 4);
         if (blocks + subtree.words.size() / 4 > max_leaf_blocks) throw_too_many_leaves();
         const auto moved = [&](std::uint32_t code) {
@@ -178,7 +180,10 @@ class TreeWriter {
 
     /// To be called when all parts were added.
     void finish() {
+        assert(std::none_of(parts_.begin(), parts_.end(),
+                            [](const Part& part) { return part.root == invalid_index; }));
         link();
+        assert(tree_.depth <= max_tree_depth);
         tree_.leaf_words.resize(tree_.leaf_words.size() + tail_words, 0u);
         parallel::return_unused(tree_.nodes);
         parallel::return_unused(tree_.leaf_words);
@@ -232,7 +237,11 @@ class PartBuilder {
     PartBuilder(const MeshBuild& build, const MeshTop& top, const std::vector<std::uint32_t>& parts,
                 parallel::TaskPool& pool, TreeWriter& writer)
         : build_(build), top_(top), parts_(parts), pool_(pool), writer_(writer),
-          builders_(static_cast<std::size_t>(pool.threads())) {}
+          builders_(static_cast<std::size_t>(pool.threads())) {
+        assert(std::is_sorted(parts.begin(), parts.end(), [this](std::uint32_t a, std::uint32_t b) {
+            return first_reference(a) < first_reference(b);
+        }));
+    }
 
     void run() {
         std::vector<std::size_t> sample;
@@ -272,12 +281,16 @@ class PartBuilder {
     /// Returns the memory of the references before a part to the system: the tree grows meanwhile.
     void return_references(std::size_t part) {
         constexpr std::size_t page = parallel::large_page / sizeof(PrimRef);
-        std::uint32_t at = parts_[part];
-        while (!top_.nodes[at].is_leaf) at = top_.nodes[at].left;
-        const std::size_t done = top_.ranges[top_.nodes[at].first].begin / page * page;
+        const std::size_t done = first_reference(parts_[part]) / page * page;
         if (done <= returned_) return;
         parallel::return_pages(build_.refs + returned_, (done - returned_) * sizeof(PrimRef));
         returned_ = done;
+    }
+
+    /// Of those below a node of the top.
+    std::size_t first_reference(std::uint32_t node) const {
+        while (!top_.nodes[node].is_leaf) node = top_.nodes[node].left;
+        return top_.ranges[top_.nodes[node].first].begin;
     }
 
     /// Valid if only the sample was built.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -180,6 +181,16 @@ TEST(Traverse, EndsWhenTheLeafSaysSo) {
              [&](std::uint32_t, std::uint32_t) { return ++leaves == 3; });
     EXPECT_EQ(leaves, 3);
 }
+
+#ifndef NDEBUG
+TEST(TreeDeathTest, BoxesThatAreInvertedOrNotFiniteFailAnAssertion) {
+    const auto build_one = [](const vec3& lo, const vec3& hi) { build({{lo, 0, hi}}); };
+    build_one(vec3(0.0f), vec3(0.0f));
+    EXPECT_DEATH(build_one(vec3(1.0f), vec3(0.0f)), "is_valid");
+    EXPECT_DEATH(build_one(vec3(0.0f), vec3(std::numeric_limits<float>::infinity())), "is_valid");
+    EXPECT_DEATH(build_one(vec3(std::nanf("")), vec3(0.0f)), "is_valid");
+}
+#endif
 
 TEST(BoxRay, HasNeitherInfinityNorNaN) {
     const vec3 one(1.0f);
