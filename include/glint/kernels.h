@@ -1,5 +1,5 @@
 #pragma once
-// Selects a traversal kernel. All kernels give identical results; only speed differs.
+// Choices that affect the speed of builds and rays, never results.
 
 #include <array>
 #include <cstdint>
@@ -26,10 +26,22 @@ enum class SimdTarget : std::uint8_t {
     avx512
 };
 
-/// A kernel and its instruction set.
+/// A traversal kernel and its instruction set.
 struct KernelChoice {
     Kernel kernel = Kernel::automatic;
     SimdTarget target = SimdTarget::best;
+};
+
+/// Hint on the rays of a batch.
+enum class RayHint {
+    coherent,  ///< neighbouring rays are similar: camera rays by tiles, shadow rays to one light
+    incoherent ///< neighbouring rays are unrelated: bounces, ambient occlusion
+};
+
+/// Trade-off of a build.
+enum class BuildQuality {
+    fast, ///< fast build, for trees that change often or serve few rays
+    high  ///< best tracing speed, for many rays
 };
 
 /// Whether this machine supports a target. Choosing an unsupported one throws std::invalid_argument.

@@ -52,15 +52,11 @@ struct Hit {
     explicit operator bool() const { return triangle != none; }
 };
 
-/// What the caller knows of a batch. It decides the speed, never the answer.
-enum class RayHint {
-    coherent,  ///< neighbours in the batch go nearly the same way: camera rays by tiles, shadows of one light
-    incoherent ///< they do not: bounces, ambient occlusion
-};
-
-/// Callers who want answers alone need not choose.
+/// Choices of speed, never of results (glint/kernels.h).
+using glint::BuildQuality;
 using glint::Kernel;
 using glint::KernelChoice;
+using glint::RayHint;
 using glint::SimdTarget;
 
 /// Vertices in the caller's memory: x, y, z as three floats, `stride` bytes from one vertex to the next.
@@ -81,12 +77,6 @@ struct Triangles {
 
     Triangles(const std::uint32_t* first_triangle, std::size_t triangle_count, std::size_t bytes_apart)
         : first(first_triangle), count(triangle_count), stride(bytes_apart) {}
-};
-
-/// What a build strives for. It decides the speed of rays, never their answers.
-enum class BuildQuality {
-    fast, ///< soon: to be built often, or for few rays
-    high  ///< for many rays
 };
 
 struct BuildOptions {

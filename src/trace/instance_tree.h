@@ -34,13 +34,7 @@ using bvh::TreeNode;
 using bvh::TreeRef;
 
 /// The least (t, instance, triangle) of a ray, or instance = invalid_index.
-struct InstanceRecord {
-    float t = std::numeric_limits<float>::infinity();
-    float u = 0;
-    float v = 0;
-    std::uint32_t triangle = invalid_index;
-    std::uint32_t instance = invalid_index;
-};
+using InstanceRecord = tracing::InstanceHit;
 
 /// An instance of a mesh: p_world = linear · p_local + translation.
 struct MeshInstance {

@@ -5,6 +5,7 @@
 #include "bvh/tree.h"
 #include "bvh/wide.h"
 #include "glint/kernels.h"
+#include "glint/trace.h"
 #include "math/bounds.h"
 #include "math/index.h"
 #include "math/ray.h"
@@ -25,24 +26,7 @@ using bvh::wide_children;
 using bvh::WideNode;
 
 /// The least (t, triangle) of a ray, or triangle = invalid_index.
-struct TriangleRecord {
-    float t = std::numeric_limits<float>::infinity();
-    float u = 0; ///< weight of vertex 1
-    float v = 0; ///< weight of vertex 2
-    std::uint32_t triangle = invalid_index;
-};
-
-/// Hint on the rays of a batch. Affects speed, never results.
-enum class RayHint {
-    coherent,  ///< neighbouring rays have similar origins and directions
-    incoherent ///< neighbouring rays are unrelated
-};
-
-/// Trade-off of a build. Affects the speed of tracing, never results.
-enum class BuildQuality {
-    fast, ///< fast build, for trees that change often or serve few rays
-    high  ///< best tracing speed, for many rays
-};
+using TriangleRecord = tracing::Hit;
 
 /// Position of a leaf in MeshTree::leaf_words: leaf_bit | triangles − 1 (3 bits) | vertices − 1 (3 bits) |
 /// offset in units of 16 bytes (25 bits).

@@ -78,11 +78,9 @@ Mesh::Mesh(std::span<const float> vertices, std::span<const std::uint32_t> trian
 
 Mesh::Mesh(const Vertices& vertices, const Triangles& triangles, const BuildOptions& options) {
     const Source source(vertices, triangles);
-    const auto quality =
-        options.quality == BuildQuality::fast ? glint::BuildQuality::fast : glint::BuildQuality::high;
     parallel::TaskPool pool(options.threads);
-    data_ =
-        std::make_shared<Data>(Data{build_mesh_tree(source.positions(), source.triangles(), pool, quality)});
+    data_ = std::make_shared<Data>(
+        Data{build_mesh_tree(source.positions(), source.triangles(), pool, options.quality)});
 }
 
 void Mesh::refit(std::span<const float> vertices, std::span<const std::uint32_t> triangles, int threads) {
@@ -105,19 +103,17 @@ void Mesh::refit(const Vertices& vertices, const Triangles& triangles, int threa
 void Mesh::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
                    const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
-    const std::span records(reinterpret_cast<TriangleRecord*>(hits.data()), hits.size());
-    glint::closest(data_->tree, inner(rays), records, inner(hint), choice);
+    glint::closest(data_->tree, inner(rays), hits, hint, choice);
 }
 
 Hit Mesh::closest(const Ray& ray, const KernelChoice& choice) const {
-    const TriangleRecord record = glint::closest(data_->tree, inner(ray), choice);
-    return {record.t, record.u, record.v, record.triangle};
+    return glint::closest(data_->tree, inner(ray), choice);
 }
 
 void Mesh::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                     const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    glint::occluded(data_->tree, inner(rays), blocked, inner(hint), choice);
+    glint::occluded(data_->tree, inner(rays), blocked, hint, choice);
 }
 
 bool Mesh::occluded(const Ray& ray, const KernelChoice& choice) const {
@@ -128,9 +124,7 @@ Box Mesh::bounds() const { return outer(data_->tree.bounds); }
 
 MeshStats Mesh::stats() const {
     const MeshTree& tree = data_->tree;
-    const bool fast = tree.quality == glint::BuildQuality::fast;
-    return {tree.triangles, tree.left_out, tree.nodes.size(),
-            tree.bytes(),   tree.depth,    fast ? BuildQuality::fast : BuildQuality::high};
+    return {tree.triangles, tree.left_out, tree.nodes.size(), tree.bytes(), tree.depth, tree.quality};
 }
 
 } // namespace glint::tracing

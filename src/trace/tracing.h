@@ -21,10 +21,6 @@ static_assert(sizeof(Ray) == sizeof(glint::Ray) && std::is_standard_layout_v<gli
 static_assert(offsetof(Ray, tmin) == offsetof(glint::Ray, tmin));
 static_assert(offsetof(Ray, direction) == offsetof(glint::Ray, direction));
 static_assert(offsetof(Ray, tmax) == offsetof(glint::Ray, tmax));
-static_assert(sizeof(Hit) == sizeof(TriangleRecord) && std::is_standard_layout_v<TriangleRecord>);
-static_assert(offsetof(Hit, u) == offsetof(TriangleRecord, u));
-static_assert(offsetof(Hit, v) == offsetof(TriangleRecord, v));
-static_assert(offsetof(Hit, triangle) == offsetof(TriangleRecord, triangle));
 
 inline std::span<const glint::Ray> inner(std::span<const Ray> rays) {
     return {reinterpret_cast<const glint::Ray*>(rays.data()), rays.size()};
@@ -33,10 +29,6 @@ inline std::span<const glint::Ray> inner(std::span<const Ray> rays) {
 inline glint::Ray inner(const Ray& ray) {
     return {vec3(ray.origin[0], ray.origin[1], ray.origin[2]), ray.tmin,
             vec3(ray.direction[0], ray.direction[1], ray.direction[2]), ray.tmax};
-}
-
-inline glint::RayHint inner(RayHint hint) {
-    return hint == RayHint::coherent ? glint::RayHint::coherent : glint::RayHint::incoherent;
 }
 
 inline Box outer(const Bounds& b) { return {{b.lo.x, b.lo.y, b.lo.z}, {b.hi.x, b.hi.y, b.hi.z}}; }

@@ -17,12 +17,6 @@ struct Scene::Data {
 
 namespace {
 
-static_assert(sizeof(InstanceHit) == sizeof(InstanceRecord) && std::is_standard_layout_v<InstanceRecord>);
-static_assert(offsetof(InstanceHit, u) == offsetof(InstanceRecord, u));
-static_assert(offsetof(InstanceHit, v) == offsetof(InstanceRecord, v));
-static_assert(offsetof(InstanceHit, triangle) == offsetof(InstanceRecord, triangle));
-static_assert(offsetof(InstanceHit, instance) == offsetof(InstanceRecord, instance));
-
 MeshInstance inner(const MeshTree& mesh, const Transform& transform) {
     MeshInstance instance;
     instance.mesh = &mesh;
@@ -61,19 +55,17 @@ Scene::Scene(std::span<const Instance> instances, const BuildOptions& options) {
 void Scene::closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint,
                     const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
-    const std::span records(reinterpret_cast<InstanceRecord*>(hits.data()), hits.size());
-    data_->tree.closest(tracing::inner(rays), records, tracing::inner(hint), choice);
+    data_->tree.closest(tracing::inner(rays), hits, hint, choice);
 }
 
 InstanceHit Scene::closest(const Ray& ray, const KernelChoice& choice) const {
-    const InstanceRecord record = data_->tree.closest(tracing::inner(ray), choice);
-    return {record.t, record.u, record.v, record.triangle, record.instance};
+    return data_->tree.closest(tracing::inner(ray), choice);
 }
 
 void Scene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                      const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    data_->tree.occluded(tracing::inner(rays), blocked, tracing::inner(hint), choice);
+    data_->tree.occluded(tracing::inner(rays), blocked, hint, choice);
 }
 
 bool Scene::occluded(const Ray& ray, const KernelChoice& choice) const {
