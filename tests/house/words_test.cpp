@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cctype>
+#include <algorithm>
 
 namespace glint::house {
 namespace {
@@ -83,6 +83,66 @@ std::string breaches(const Ban& ban, const Source& source) {
     return out;
 }
 
+/// An identifier that had a home-made name, and the word of the field that replaced it.
+struct Retired {
+    std::string name; ///< whole, or all that begin with it: "most_*"
+    std::string use;
+    std::vector<std::string> except{}; ///< files in which it may stand
+};
+
+/// A row is added when the last use has gone, so that no name returns. Sorted.
+const std::vector<Retired>& retired_names() {
+    static const std::vector<Retired> table = {
+        {"FieldOfViewAxis", "FovAxis"},
+        {"FilterKind", "PixelFilter"},
+        {"FrozenLight", "LightRecord"},
+        {"FrozenMaterial", "MaterialRecord"},
+        {"Quad", "float4"},
+        {"QuadBox", "SimdBounds"},
+        {"QuadInts", "int4"},
+        {"Ref", "PrimRef"},
+        {"SamplePlaces", "CameraSampler"},
+        {"Sameness", "VertexIdentity"},
+        {"most_bins", "max_bins"},
+        {"most_leaf_blocks", "max_leaf_blocks"},
+        {"no_child", "invalid_index"},
+        {"no_instance", "invalid_index"},
+        {"no_triangle", "invalid_index"},
+        {"return_room", "return_unused"},
+        {"thrift", "leaf_memory_cost"},
+        {"wide_leaf", "max_leaf_size"},
+    };
+    return table;
+}
+
+/// "path:line: name: use ..." for every use of a retired name. `code` is a file without comments and
+/// literals.
+std::string uses_of(const Retired& retired, const std::string& path, const std::string& code) {
+    const bool is_prefix = retired.name.back() == '*';
+    const std::string name = retired.name.substr(0, retired.name.size() - (is_prefix ? 1 : 0));
+    std::string out;
+    if (std::find(retired.except.begin(), retired.except.end(), path) != retired.except.end()) return out;
+    for (std::size_t at = code.find(name); at != std::string::npos; at = code.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        const bool begins = at == 0 || !is_word(code[at - 1]);
+        const bool ends = is_prefix || end == code.size() || !is_word(code[end]);
+        if (begins && ends)
+            out += path + ":" + std::to_string(line_at(code, at)) + ": " + retired.name + ": use " +
+                   retired.use + "\n";
+    }
+    return out;
+}
+
+TEST(Words, RetiredNamesDoNotReturn) {
+    std::string all;
+    for (const Source& source : sources_under(
+             {"include", "src", "apps", "tools", "tests", "bench", "examples"}, {".h", ".cpp", ".glsl"})) {
+        const std::string code = code_only(source.text);
+        for (const Retired& retired : retired_names()) all += uses_of(retired, source.path, code);
+    }
+    EXPECT_EQ(all, "");
+}
+
 TEST(Words, CodeUsesNothingThatItsRoomForgoes) {
     std::string all;
     for (const Ban& ban : bans())
@@ -139,6 +199,14 @@ TEST(Words, ABrokenBanIsFoundWithItsLine) {
                              "// exp(1)\nauto s = \"exp(1)\"; o.exp(1); my_exp(1); exp2(1); Exp::exp(1);"}),
               "");
     EXPECT_EQ(breaches(ban, {"src/math/a.cpp", "exp(1)"}), "");
+}
+
+TEST(Words, ARetiredNameIsFoundWithItsLineAndReplacement) {
+    const std::string code = code_only("int quad; // Quad\nQuad q = least(\"Quad\");\nfloat most_far;\n");
+    EXPECT_EQ(uses_of({"Quad", "float4"}, "src/a.cpp", code), "src/a.cpp:2: Quad: use float4\n");
+    EXPECT_EQ(uses_of({"most_*", "max_"}, "src/a.cpp", code), "src/a.cpp:3: most_*: use max_\n");
+    EXPECT_EQ(uses_of({"least_*", "min_"}, "src/a.cpp", code), "");
+    EXPECT_EQ(uses_of({"Quad", "float4", {"src/a.cpp"}}, "src/a.cpp", code), "");
 }
 
 } // namespace
