@@ -91,16 +91,14 @@ std::string before_data(const ExplanationPage& page) {
     const std::string title = escape_markup(page.scene);
     return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-           "style-src "
-           "'unsafe-inline'; script-src 'unsafe-inline'\">\n"
+           "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + ", explained</title>\n<style>\n" + page_style() +
            "</style></head><body>\n<div id=\"left\"><h1>" + title +
            "</h1>\n<div id=\"picture\"><canvas id=\"canvas\"></canvas><div id=\"mark\"></div></div>\n"
-           "<div id=\"layers\"></div>\n<div class=\"note\">Move over the picture: the rays of that place "
-           "stand beside it. "
-           "Click to keep a place; <kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from place to "
-           "place. "
+           "<div id=\"layers\"></div>\n<div class=\"note\">"
+           "Move over the picture: the rays of that place stand beside it. Click to keep a place; "
+           "<kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from place to place. "
            "Switch the terms off and on to see what each adds. " +
            std::to_string(page.columns) + "×" + std::to_string(page.rows) + " places. " + backends(page) +
            "</div></div>\n"

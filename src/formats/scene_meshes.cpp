@@ -40,7 +40,6 @@ class MeshLoader {
           fence_(resolve_links(folder_of(policy.scene_file))) {}
 
     /// Adds the files' names to `files`, each once, before they are read.
-
     void run(ReadScene& scene, std::vector<std::string>& files) {
         std::vector<Wanted> wanted;
         std::size_t number = 0;
