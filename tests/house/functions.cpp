@@ -1,4 +1,4 @@
-// Where functions begin and end, found by counting braces: enough for code formatted as ours is.
+// Where functions and types begin and end, found by counting braces: enough for code formatted as ours is.
 
 #include "sources.h"
 
@@ -93,25 +93,54 @@ Brace classify(const std::string& full_head) {
     return head.find('(') == std::string::npos ? Brace::data : Brace::function;
 }
 
+/// What everything in an unnamed namespace begins with.
+const std::string unnamed = "(unnamed)";
+
+struct Scope {
+    std::string name; ///< empty where it has none
+    bool is_namespace = false;
+};
+
+/// The scope that a head such as "struct alignas(32) Node : Base" or "namespace a::b" opens.
+Scope scope_of(std::string head) {
+    Scope scope;
+    scope.is_namespace = starts_with_word(head, "namespace") || starts_with_word(head, "inline namespace") ||
+                         starts_with_word(head, "extern");
+    if (starts_with_word(head, "extern")) return scope;
+    for (const char* word : {"inline", "namespace", "enum", "struct", "class", "union"})
+        if (starts_with_word(head, word)) head = squeeze(head.substr(std::string(word).size()));
+    if (starts_with_word(head, "alignas")) head = squeeze(head.substr(head.find(')') + 1));
+    int depth = 0; // of template arguments
+    std::size_t end = 0;
+    for (; end < head.size() && (depth > 0 || head[end] != ' '); ++end)
+        depth += head[end] == '<' ? 1 : head[end] == '>' ? -1 : 0;
+    scope.name = head.substr(0, end);
+    return scope;
+}
+
 /// Walks over code, file and class scope; bodies and data are passed over by counting braces.
 class Scanner {
   public:
     explicit Scanner(const std::string& text) : code_(without_directives(code_only(text))) {}
 
-    std::vector<Function> run() {
+    void run() {
         for (at_ = 0; at_ < code_.size(); ++at_) {
             const char c = code_[at_];
             if (c == '(') ++parens_;
             if (c == ')') --parens_;
             if (c == '{')
                 open();
-            else if (c == '}' || (c == ';' && parens_ == 0))
+            else if (c == '}')
+                close();
+            else if (c == ';' && parens_ == 0)
                 begin_head();
             else if (c == ':' && is_access_label())
                 begin_head();
         }
-        return std::move(functions_);
     }
+
+    std::vector<Function> functions;
+    std::vector<Type> types;
 
   private:
     void begin_head() {
@@ -140,13 +169,30 @@ class Scanner {
         const bool arrow = is_arrow(squeeze(head()));
         const Brace brace =
             (is_argument || is_member_initialiser()) && !arrow ? Brace::data : classify(head());
-        if (brace == Brace::scope) return begin_head();
+        if (brace == Brace::scope) return enter();
         const std::size_t first = code_.find_first_not_of(" \t\r\n", head_);
         const std::size_t opening = at_;
         at_ = closing();
         if (brace == Brace::data) return;
         add(first, code_.substr(first, opening - first));
         if (!is_argument) begin_head();
+    }
+
+    /// A namespace or type begins.
+    void enter() {
+        const Scope scope = scope_of(without_template(squeeze(head())));
+        std::string name = scopes_.empty() ? "" : scopes_.back();
+        if (!name.empty() && !scope.name.empty()) name += "::";
+        name = scope.name.empty() && scope.is_namespace ? unnamed : name + scope.name;
+        if (!scope.is_namespace && !scope.name.empty() && name.find(unnamed) == std::string::npos)
+            types.push_back({name, line_at(code_, code_.find_first_not_of(" \t\r\n", head_))});
+        scopes_.push_back(name);
+        begin_head();
+    }
+
+    void close() {
+        if (!scopes_.empty()) scopes_.pop_back();
+        begin_head();
     }
 
     std::size_t closing() const {
@@ -159,18 +205,28 @@ class Scanner {
     }
 
     void add(std::size_t first, const std::string& name) {
-        functions_.push_back({squeeze(name).substr(0, 80), line_at(code_, first), line_at(code_, at_)});
+        functions.push_back({squeeze(name).substr(0, 80), line_at(code_, first), line_at(code_, at_)});
     }
 
     std::string code_;
     std::size_t at_ = 0;
     std::size_t head_ = 0; ///< where the declaration being read began
     int parens_ = 0;
-    std::vector<Function> functions_;
+    std::vector<std::string> scopes_; ///< full names of the namespaces and types around, outermost first
 };
 
 } // namespace
 
-std::vector<Function> functions_of(const std::string& text) { return Scanner(text).run(); }
+std::vector<Function> functions_of(const std::string& text) {
+    Scanner scanner(text);
+    scanner.run();
+    return std::move(scanner.functions);
+}
+
+std::vector<Type> types_of(const std::string& text) {
+    Scanner scanner(text);
+    scanner.run();
+    return std::move(scanner.types);
+}
 
 } // namespace glint::house

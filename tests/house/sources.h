@@ -54,4 +54,13 @@ struct Function {
 /// The functions of one file in the order in which they end.
 std::vector<Function> functions_of(const std::string& text);
 
+/// A class, struct, union or enum that is defined, not only declared, outside functions.
+struct Type {
+    std::string name; ///< with its namespaces and classes: "glint::bvh::Tree"
+    int line = 0;     ///< of the head, from 1
+};
+
+/// The types of one file, but those in unnamed namespaces: these are the file's own.
+std::vector<Type> types_of(const std::string& text);
+
 } // namespace glint::house
