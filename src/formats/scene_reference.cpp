@@ -3,6 +3,8 @@
 #include "formats/key_table.h"
 #include "glint/formats.h"
 
+#include <algorithm>
+
 namespace glint {
 namespace {
 
@@ -35,24 +37,27 @@ intensity = 40
   Rotations turn counter-clockwise, looking against the axis.
 - Coordinates lie within ±10^12, also after transforms. Nothing is infinite or NaN.
 - An integer is good where a number is asked; `4.0` is not an integer.
-- Keys that a table does not have are errors, also keys of another type of that table (a `radius` on a box). All
-  errors of a file are reported at once, each with line and column; only an error of TOML itself stops the search.
+- Keys that a table does not have are errors, also keys of another type of that table (a `radius` on a box).
+  All errors of a file are reported at once, each with line and column; only an error of TOML itself stops the
+  search.
 - **Objects are numbered in the order in which they stand in the file, across all tables; so are lights.** The
   order decides ties between surfaces at one place, and the order of sums.
 - The file is UTF-8. A byte order mark and CRLF line ends are accepted.
 
-**Colours** are `[r, g, b]` of linear numbers, `"#rrggbb"`, `"#rgb"`, or a name in any case: those of CSS (`"crimson"`),
-and besides them the numbered ones of X11 (`"DarkOrange2"`, `"gray50"`). Names and `#` are sRGB and decoded, unless
-`color_values = "linear"` at the top says that they are plain numbers / 255.
+**Colours** are `[r, g, b]` of linear numbers, `"#rrggbb"`, `"#rgb"`, or a name in any case: those of CSS
+(`"crimson"`), and besides them the numbered ones of X11 (`"DarkOrange2"`, `"gray50"`). Names and `#` are sRGB
+and decoded, unless `color_values = "linear"` at the top says that they are plain numbers / 255.
 
 **Files** named in a scene are relative to the scene file, and must lie in its folder (symbolic links and `..`
 resolved) unless `--allow-outside` is given.
 
 **Overrides**: `-D path=value` sets one value before the file is checked. The path names a key by its table
-(`-D whitted.max_depth=3`), by the name of its table (`-D material.glass.index=1.33`, `-D mesh.cat.file=other.ply`) or
-by the number of its table among those of its type, from 0 (`-D light.0.intensity=500`). A key in an entry of a
-transform is named by the entry's number (`-D mesh.cat.transform.1.angle=30`). The value is TOML; what is not TOML is taken as text, so quotes may be left out.
-Files named here are relative to the working directory, and may lie anywhere. A bare mesh takes overrides of `render`, `whitted`, `camera`, `material.clay` and `material.floor`.
+(`-D whitted.max_depth=3`), by the name of its table (`-D material.glass.index=1.33`,
+`-D mesh.cat.file=other.ply`) or by the number of its table among those of its type, from 0
+(`-D light.0.intensity=500`). A key in an entry of a transform is named by the entry's number
+(`-D mesh.cat.transform.1.angle=30`). The value is TOML; what is not TOML is taken as text, so quotes may be
+left out. Files named here are relative to the working directory, and may lie anywhere. A bare mesh takes
+overrides of `render`, `whitted`, `camera`, `material.clay` and `material.floor`.
 
 Keys in **bold** are required.
 )";
@@ -164,9 +169,24 @@ std::string title(const TableSpec& table) {
     return code(table.header());
 }
 
+/// A paragraph in lines of at most 110 bytes.
+std::string wrapped(std::string_view paragraph) {
+    constexpr std::size_t width = 110;
+    std::string text;
+    std::size_t line = 0; // where the last line begins
+    while (!paragraph.empty()) {
+        const std::string_view word = paragraph.substr(0, paragraph.find(' '));
+        paragraph.remove_prefix(std::min(word.size() + 1, paragraph.size()));
+        const bool fits = text.size() - line + 1 + word.size() <= width;
+        if (!text.empty()) text += fits ? ' ' : '\n';
+        if (!fits) line = text.size();
+        text += word;
+    }
+    return text;
+}
+
 std::string section(const TableSpec& table) {
-    std::string text =
-        "\n## " + title(table) + "\n\n" + std::string(table.help) + "\n" + std::string(table_head);
+    std::string text = "\n## " + title(table) + "\n\n" + wrapped(table.help) + "\n" + std::string(table_head);
     for (const KeySpec& key : table.keys)
         if (!common_to_objects(key, table)) text += row(key, table);
     return text;
