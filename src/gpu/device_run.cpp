@@ -5,15 +5,6 @@
 #include <algorithm>
 
 namespace glint {
-namespace {
-
-std::uint64_t total(const TileWork::Rays& rays) {
-    std::uint64_t sum = 0;
-    for (const std::uint64_t of_kind : rays) sum += of_kind;
-    return sum;
-}
-
-} // namespace
 
 std::size_t device_terms(const FilmLayout& layout) { return layout.terms || layout.term ? term_count : 1; }
 
@@ -28,7 +19,7 @@ void DeviceRun::start(const FilmLayout& layout, Aspect show, std::vector<Pass> p
     show_ = show;
     first_hits_ = !is_light(show);
     samples_.assign(picture_tiles().size(), 0);
-    rays_before_ = total(work_->rays());
+    rays_before_ = work_->rays().total();
     cursor_ = ScheduleCursor(std::move(passes));
     begin_pass();
 }
@@ -154,7 +145,7 @@ Refinement DeviceRun::reached() const {
     if (!cursor_.is_finished() && !tiles_.empty())
         of_pass = static_cast<double>(slots_done()) / static_cast<double>(slots_of_pass());
     Refinement reached = cursor_.reached(of_pass);
-    if (work_) reached.rays = total(work_->rays()) - rays_before_;
+    if (work_) reached.rays = work_->rays().total() - rays_before_;
     return reached;
 }
 

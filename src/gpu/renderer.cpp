@@ -33,11 +33,8 @@ class Rendering {
 
   private:
     void report() {
-        const TileWork::Rays& rays = run_.work().rays();
-        stats_.primary_rays = rays[0];
-        stats_.reflected_rays = rays[1];
-        stats_.refracted_rays = rays[2];
-        stats_.shadow_rays = rays[3];
+        stats_ = {};
+        add_rays(run_.work().rays(), stats_);
         stats_.device_seconds = run_.work().device_seconds();
         progress_.rays = stats_.rays();
         progress_.tiles_done = run_.slots_done() / Pace::group_size;

@@ -110,7 +110,10 @@ void TileWork::count() {
                     "the driver of " + studio_.context().device().name +
                         " ended the walk of a ray before its end",
                     "the scene asks for too many steps at once: render on the CPU");
-    for (std::size_t i = 0; i < rays_.size(); ++i) rays_[i] += c.rays[i];
+    rays_.primary += c.rays[0];
+    rays_.reflected += c.rays[1];
+    rays_.refracted += c.rays[2];
+    rays_.shadow += c.rays[3];
     unfinished_ = c.unfinished;
     if (unfinished_ < slots_ / 4) studio_.pace().few_left();
 }

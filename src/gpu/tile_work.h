@@ -5,8 +5,8 @@
 #include "gpu/studio.h"
 
 #include "glint/render.h"
+#include "render/camera_sample.h"
 
-#include <array>
 #include <vector>
 
 namespace glint {
@@ -24,9 +24,6 @@ std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, 
 
 class TileWork {
   public:
-    /// Rays by kind: primary, reflected, refracted, shadow.
-    using Rays = std::array<std::uint64_t, 4>;
-
     TileWork(GpuStudio& studio, std::size_t terms) : studio_(studio), terms_(terms) {}
 
     /// Begins a tile of so many slots. `settings` say which pixels and samples.
@@ -38,7 +35,7 @@ class TileWork {
     bool is_under_way() const { return unfinished_ > 0; }
     std::uint32_t slots() const { return slots_; }
     std::uint32_t unfinished() const { return unfinished_; }
-    const Rays& rays() const { return rays_; }         ///< since the work was made
+    const RayCounts& rays() const { return rays_; }    ///< since the work was made
     double device_seconds() const { return seconds_; } ///< that the device worked since then
     /// The slots' fields, for show.glsl.
     const GpuBuffer& buffer() const { return *work_; }
@@ -55,7 +52,7 @@ class TileWork {
     std::uint32_t slots_ = 0;
     std::uint32_t first_ = 0; ///< of the next dispatch
     std::uint32_t unfinished_ = 0;
-    Rays rays_{};
+    RayCounts rays_;
     double seconds_ = 0;
 };
 

@@ -51,6 +51,12 @@ struct FilmTile {
     std::vector<Terms> terms;           ///< by pixel, where the film keeps them
     std::vector<std::uint32_t> covered; ///< by pixel, where the film keeps the coverage
     std::vector<std::byte> states;      ///< PixelState by place in the tile, where the film goes on with it
+
+    void resize_to_pixels(const FilmLayout& layout) {
+        shown.resize(pixels.size());
+        if (layout.terms) terms.resize(pixels.size());
+        if (layout.coverage) covered.resize(pixels.size());
+    }
 };
 
 class FilmReader;

@@ -4,6 +4,7 @@
 #include "glint/progressive.h"
 #include "glint/render.h"
 #include "glint/scene.h"
+#include "render/camera_sample.h"
 
 #include <chrono>
 #include <cstddef>
@@ -15,6 +16,13 @@ namespace glint {
 /// Seconds of a steady clock.
 inline double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+inline void add_rays(const RayCounts& rays, RenderStats& stats) {
+    stats.primary_rays += rays.primary;
+    stats.reflected_rays += rays.reflected;
+    stats.refracted_rays += rays.refracted;
+    stats.shadow_rays += rays.shadow;
 }
 
 inline bool is_cancelled(const CancelFlag* cancel) {

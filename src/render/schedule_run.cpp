@@ -56,11 +56,7 @@ void ScheduleRun::run(double deadline) {
 
 void ScheduleRun::add_stats(RenderStats& stats) const {
     for (const Worker& worker : workers_) {
-        const RayCounts c = ray_counts(worker.estimator);
-        stats.primary_rays += c.primary;
-        stats.reflected_rays += c.reflected;
-        stats.refracted_rays += c.refracted;
-        stats.shadow_rays += c.shadow;
+        add_rays(ray_counts(worker.estimator), stats);
         if (worker.tiles > 0) ++stats.threads;
     }
 }
@@ -166,9 +162,6 @@ ScheduleRun::Visit ScheduleRun::visit_of(const Pass& pass, std::size_t tile) con
 bool ScheduleRun::measure(const Visit& visit, Worker& worker) const {
     FilmTile& values = worker.values;
     values.pixels.clear();
-    values.shown.clear();
-    values.terms.clear();
-    values.covered.clear();
     if (visit.keeps_states) values.states.resize(film_.state_bytes(visit.tile));
     const Rect& r = visit.rect;
     for (int y = r.y; y < r.y + r.height; y += visit.block_height)
@@ -188,14 +181,19 @@ bool ScheduleRun::measure(const Visit& visit, Worker& worker) const {
 /// Adds the pixels of a block, as far as they lie in the tile and the pass is to measure them.
 void ScheduleRun::collect_block(const Visit& visit, int x, int y, FilmTile& values) const {
     const Rect& r = visit.rect;
-    const int count = visit.block_width * visit.block_height;
-    for (int i = 0; i < count; ++i) {
-        const Pixel& offset = block_[static_cast<std::size_t>(i)];
+    const std::size_t from = values.pixels.size();
+    const auto count = static_cast<std::size_t>(visit.block_width * visit.block_height);
+    values.pixels.resize(from + count);
+    Pixel* next = values.pixels.data() + from;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Pixel& offset = block_[i];
         const Pixel pixel{x + offset.x, y + offset.y};
         if (pixel.x >= r.x + r.width || pixel.y >= r.y + r.height) continue;
         if (visit.pass.refines && pixel.x % 2 == 0 && pixel.y % 2 == 0) continue;
-        values.pixels.push_back({pixel.x * visit.pass.step, pixel.y * visit.pass.step});
+        *next++ = {pixel.x * visit.pass.step, pixel.y * visit.pass.step};
     }
+    values.pixels.resize(static_cast<std::size_t>(next - values.pixels.data()));
+    values.resize_to_pixels(film_.layout());
 }
 
 void ScheduleRun::measure_centres(std::size_t from, Worker& worker) const {
@@ -206,7 +204,8 @@ void ScheduleRun::measure_centres(std::size_t from, Worker& worker) const {
     }
     estimate(worker.estimator, {worker.samples.data(), count}, {worker.channels.data(), count},
              film_.layout().term.has_value());
-    for (std::size_t i = 0; i < count; ++i) worker.values.shown.push_back(measured<vec3>(worker.channels[i]));
+    for (std::size_t i = 0; i < count; ++i)
+        worker.values.shown[from + i] = measured<vec3>(worker.channels[i]);
 }
 
 /// Samples first … first + count − 1 of the pixels from number `from` on.
@@ -231,7 +230,7 @@ void ScheduleRun::measure_samples(const Visit& visit, std::size_t from, Worker& 
     const std::size_t pixels = worker.values.pixels.size() - from;
     if (film_.layout().samples == 1) {
         for (std::size_t i = 0; i < pixels; ++i)
-            put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1 : 0, worker.values);
+            put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1 : 0, from + i, worker.values);
         return;
     }
     for (std::size_t i = 0, s = 0; i < pixels; ++i) {
@@ -270,7 +269,7 @@ const T& ScheduleRun::measured(const Channels& channels) const {
 template <class T>
 void ScheduleRun::put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
                            FilmTile& values) const {
-    put(samples.sum.value(), samples.covered, values);
+    put(samples.sum.value(), samples.covered, pixel, values);
     if (!visit.keeps_states) return;
     const PixelState<T> state{samples.sum.part(), samples.covered};
     const std::size_t place = place_in(visit.rect, values.pixels[pixel]);
@@ -278,15 +277,15 @@ void ScheduleRun::put_sums(const PixelSamples<T>& samples, const Visit& visit, s
 }
 
 template <class T>
-void ScheduleRun::put(const T& value, std::uint32_t covered, FilmTile& values) const {
+void ScheduleRun::put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const {
     const FilmLayout& layout = film_.layout();
     if constexpr (std::is_same_v<T, Terms>) {
-        values.shown.push_back(layout.term ? value[*layout.term] : value.sum());
-        if (layout.terms) values.terms.push_back(value);
+        values.shown[pixel] = layout.term ? value[*layout.term] : value.sum();
+        if (layout.terms) values.terms[pixel] = value;
     } else {
-        values.shown.push_back(value);
+        values.shown[pixel] = value;
     }
-    if (layout.coverage) values.covered.push_back(covered);
+    if (layout.coverage) values.covered[pixel] = covered;
 }
 
 } // namespace glint

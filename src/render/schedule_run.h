@@ -84,7 +84,7 @@ class ScheduleRun {
     template <class T>
     const T& measured(const Channels& channels) const;
     template <class T>
-    void put(const T& value, std::uint32_t covered, FilmTile& values) const;
+    void put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const;
     template <class T>
     struct PixelSamples;
     template <class T>
