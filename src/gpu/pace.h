@@ -1,6 +1,6 @@
 #pragma once
-// How much a dispatch does, by how long the last ones took: long enough to be worth sending, short enough for
-// desktops to stay alive and watchdogs asleep.
+// How much a dispatch does, by how long the last ones took: long enough to hide the cost of a dispatch, short
+// enough to keep the desktop responsive and to avoid driver timeouts.
 
 #include "glint/gpu.h"
 
@@ -28,7 +28,7 @@ class Pace {
     /// says nothing; what it cut short is found by the next dispatch (state_running in slots.glsl).
     std::uint32_t steps() const { return steps_; }
 
-    /// A dispatch of so many seconds; `whole`: over all slots that it might have had.
+    /// Learns from a dispatch that took `seconds`; `whole`: it had slots().
     void learn(double seconds, bool whole) {
         if (seconds < least_seconds && whole) set_slots(std::min(slots_ * 2, most_slots));
         if (seconds <= most_seconds) return;

@@ -1,6 +1,6 @@
 #pragma once
-// A tile under way on the device: its slots are sent in dispatches of some hundredths of a second, again and
-// again until their samples are done. Desktops stay alive, watchdogs asleep, and cancelling is quick.
+// A tile under way on the device: its slots are dispatched again and again until their samples are done.
+// Short dispatches keep the desktop responsive, avoid driver timeouts, and make cancelling quick.
 
 #include "gpu/studio.h"
 
@@ -17,8 +17,8 @@ std::uint32_t slots_of(const Rect& tile);
 /// Words of a film for each slot: sums and counts.
 std::size_t film_fields(std::size_t terms);
 
-/// Tiles of a picture of so many pixels, sides multiples of 8: as large as the waiting rays of all their
-/// slots fit into a buffer. The last of a row or column may reach beyond the picture.
+/// Tiles of a picture of width × height pixels: as large as the waiting rays of all their slots fit into a
+/// buffer. Their sides are multiples of 8; the last of a row or column may reach beyond the picture.
 std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, std::size_t terms, int width,
                            int height);
 
