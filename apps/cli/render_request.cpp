@@ -5,6 +5,7 @@
 #include "text.h"
 
 #include "glint/limits.h"
+#include "glint/names.h"
 
 #include <fmt/format.h>
 
@@ -177,7 +178,8 @@ void apply_flags(const Arguments& arguments, SceneDescription& scene) {
         scene.render.seed = static_cast<std::uint64_t>(*seed);
     if (const auto depth = arguments.integer("max-depth", 0, 1000))
         scene.whitted.max_depth = static_cast<int>(*depth);
-    if (const auto integrator = arguments.text("integrator")) scene.render.integrator = *integrator;
+    if (const auto integrator = arguments.text("integrator"))
+        scene.render.integrator = *value_named<Integrator>(*integrator);
 }
 
 void require_possible(const RenderRequest& request, const RenderSettings& settings) {

@@ -25,6 +25,8 @@ template <>
 inline constexpr NamesUpTo<PixelFilter::mitchell> enum_names<PixelFilter>{"box", "tent", "gaussian",
                                                                           "mitchell"};
 template <>
+inline constexpr NamesUpTo<Integrator::whitted> enum_names<Integrator>{"whitted"};
+template <>
 inline constexpr NamesUpTo<Shadows::opaque> enum_names<Shadows>{"transmissive", "opaque"};
 template <>
 inline constexpr NamesUpTo<Energy::balanced> enum_names<Energy>{"report", "balanced"};

@@ -46,12 +46,14 @@ struct CameraDescription {
     Location where;
 };
 
+enum class Integrator { whitted };
+
 struct RenderSettings {
     int width = 640;
     int height = 480;
     int spp = 4; ///< samples per pixel; 1 is the pixel's centre
     std::uint64_t seed = 0;
-    std::string integrator = "whitted";
+    Integrator integrator = Integrator::whitted;
     PixelFilter filter = PixelFilter::mitchell;
     Vec3 background{0}; ///< linear RGB
 };

@@ -1,8 +1,9 @@
 #include "formats/animation_tracks.h"
 
+#include "formats/file_keys.h"
 #include "formats/key_path.h"
 #include "formats/scene_table.h"
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,43 +33,6 @@ bool has_values_between(KeyType type) {
 }
 
 bool is_number(const TreeValue& value) { return value.kind == Kind::integer || value.kind == Kind::number; }
-
-/// Reads a value as the reader of its table would.
-template <class T>
-void try_read(TableReader& table, std::string_view key, T value) {
-    table.read(key, value);
-}
-
-void check_type(TableReader& table, const KeySpec& spec, const ReadContext& context) {
-    int width = 0, height = 0;
-    std::string word;
-    switch (spec.type) {
-    case KeyType::boolean:
-        return try_read(table, spec.key, false);
-    case KeyType::integer:
-        return try_read(table, spec.key, std::uint64_t{0});
-    case KeyType::number:
-        return try_read(table, spec.key, 0.0);
-    case KeyType::number_or_auto:
-        return try_read(table, spec.key, std::optional<double>());
-    case KeyType::choice:
-        return table.read_choice(spec.key, word);
-    case KeyType::size:
-        return table.read_size(spec.key, width, height);
-    case KeyType::vertices:
-        return try_read(table, spec.key, std::array<Vec3, 3>());
-    case KeyType::matrix:
-        return try_read(table, spec.key, Mat4(1));
-    case KeyType::transform:
-        if (const TreeValue* list = table.list(spec.key)) read_transform(*list, context);
-        return;
-    case KeyType::text:
-    case KeyType::file:
-        return try_read(table, spec.key, std::string());
-    default:
-        return try_read(table, spec.key, Vec3(0));
-    }
-}
 
 TreeValue list_of(const Vec3& v, const Place& where) {
     TreeValue list;
@@ -121,8 +85,11 @@ class TrackReader {
         if (!entry || entry->value.kind != Kind::table) return;
         const TableSpec& spec = *find_table("animation");
         TableReader table(entry->value, spec, spec.header(), {}, context_);
-        table.read_range("frames", all.first, all.last);
-        table.read("fps", all.fps);
+        AnimationTable read{{all.first, all.last}, all.fps};
+        table.read(read);
+        all.first = read.frames[0];
+        all.last = read.frames[1];
+        all.fps = read.fps;
     }
 
     void read(const TreeValue& item, Tracks& all) {
@@ -131,12 +98,13 @@ class TrackReader {
         TableReader table(item, spec, spec.header(), {}, context);
         Track track;
         track.where = table.place("key");
-        table.read("key", track.path);
-        table.read_ascending("frames", track.timeline.frames);
-        const TreeValue* values = table.list("values");
-        table.read_choice("interpolation", track.timeline.interpolation);
-        table.read("loop", track.timeline.loop);
-        if (values) track.values = values->items;
+        AnimateTable read;
+        table.read(read);
+        track.path = read.key;
+        track.timeline.frames = std::move(read.frames);
+        track.timeline.interpolation = read.interpolation;
+        track.timeline.loop = read.loop;
+        if (const TreeValue* values = table.list("values")) track.values = values->items;
         if (!table.good()) return;
         if (track.values.size() != track.timeline.frames.size())
             return table.error(table.place("values"),
@@ -167,7 +135,7 @@ class TrackReader {
             table.where = track.where;
             table.entries.push_back({target.key, track.where, value});
             TableReader reader(table, *target.spec, target.spec->header(), type, context_);
-            if (spec) check_type(reader, *spec, context_);
+            if (spec) reader.value(*spec);
             good = good && reader.good() && spec;
             if (!spec) break;
             if (reader.good()) write_out(value, spec->type);

@@ -4,6 +4,7 @@
 
 #include "formats/document_edit.h"
 #include "formats/read_text.h"
+#include "glint/names.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -180,11 +181,7 @@ void SceneDocument::set_camera(const CameraDescription& camera) {
     const CameraDescription before = now.value_or(CameraDescription{});
     if (before.up != camera.up) set_key("up", scene_value(camera.up));
     if (before.fov != camera.fov) set_key("fov", scene_value(camera.fov));
-    if (before.fov_axis != camera.fov_axis)
-        set_key("fov_axis", '"' +
-                                split_words(find_key(*find_table("camera"), "fov_axis", {})
-                                                ->choices)[static_cast<std::size_t>(camera.fov_axis)] +
-                                '"');
+    if (before.fov_axis != camera.fov_axis) set_key("fov_axis", scene_value(name_of(camera.fov_axis)));
     set_all(values);
 }
 

@@ -1,6 +1,6 @@
 #include "formats/key_path.h"
 
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include <charconv>
 #include <optional>

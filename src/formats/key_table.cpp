@@ -1,56 +1,23 @@
 #include "formats/key_table.h"
 
-#include "formats/scene_words.h"
-
-#include <algorithm>
+#include "formats/file_keys.h"
 
 namespace glint {
-namespace {
 
-bool has_word(std::string_view words, std::string_view word) {
-    const auto all = split_words(words);
-    return std::find(all.begin(), all.end(), word) != all.end();
-}
-
-} // namespace
-
-std::string Range::words() const {
-    const bool below = low > -std::numeric_limits<double>::infinity();
-    const bool above = high < std::numeric_limits<double>::infinity();
-    if (below && above && !low_open && !high_open) return "between " + show(low) + " and " + show(high);
-    std::string text;
-    if (below) text = (low_open ? "above " : "at least ") + show(low);
-    if (below && above) text += " and ";
-    if (above) text += (high_open ? "below " : "at most ") + show(high);
-    return text;
-}
-
-std::string TableSpec::header(std::string_view name_of_it) const {
-    switch (form) {
-    case TableForm::root:
-        return "the file's top";
-    case TableForm::one:
-        return "[" + std::string(name) + "]";
-    case TableForm::named:
-        return "[" + std::string(name) + "." + std::string(name_of_it) + "]";
-    case TableForm::list:
-        return "[[" + std::string(name) + "]]";
-    case TableForm::entry:
-        break;
-    }
-    return "an entry of " + in_quotes(name);
+const std::vector<TableSpec>& table_specs() {
+    static const std::vector<TableSpec> tables = [] {
+        std::vector<TableSpec> all{top_table()};
+        all.insert(all.end(), description_tables().begin(), description_tables().end());
+        for (TableSpec& table : std::vector{transform_table(), animation_table(), animate_table()})
+            all.push_back(std::move(table));
+        return all;
+    }();
+    return tables;
 }
 
 const TableSpec* find_table(std::string_view name) {
     for (const TableSpec& table : table_specs())
         if (table.name == name) return &table;
-    return nullptr;
-}
-
-const KeySpec* find_key(const TableSpec& table, std::string_view key, std::string_view type) {
-    for (const KeySpec& spec : table.keys)
-        if (spec.key == key && (type.empty() || spec.types.empty() || has_word(spec.types, type)))
-            return &spec;
     return nullptr;
 }
 
@@ -63,14 +30,6 @@ std::vector<std::string> key_names(const TableSpec& table, std::string_view type
     return names;
 }
 
-std::vector<std::string> split_words(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
-        if (end > begin) words.emplace_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return words;
-}
+std::vector<std::string> choice_names(const KeySpec& key) { return {key.choices.begin(), key.choices.end()}; }
 
 } // namespace glint

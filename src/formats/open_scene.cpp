@@ -4,7 +4,7 @@
 #include "formats/read_text.h"
 #include "formats/scene_check.h"
 #include "formats/scene_overrides.h"
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include <algorithm>
 

@@ -1,7 +1,9 @@
 #include "formats/scene_check.h"
 
-#include "formats/scene_words.h"
+#include "glint/limits.h"
 #include "math/vec.h"
+#include "scene/keys/check.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,16 +101,6 @@ Mat4 scaling(const Vec3& scale) {
     return m;
 }
 
-// Degenerate: less high over its longest edge than the rounding of its coordinates.
-bool degenerate(const TriangleShape& triangle) {
-    const auto& v = triangle.vertices;
-    const Vec3 a = v[1] - v[0], b = v[2] - v[0], c = v[2] - v[1];
-    const double longest = std::max({glm::length(a), glm::length(b), glm::length(c)});
-    const double coordinate = std::max({largest(v[0]), largest(v[1]), largest(v[2])});
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * coordinate;
-    return !(glm::length(glm::cross(a, b)) > rounding * longest);
-}
-
 class SceneCheck {
   public:
     SceneCheck(const ReadScene& scene, Problems& problems)
@@ -169,9 +161,8 @@ class SceneCheck {
     void check_geometry(const Object& object, const ObjectPlaces& places) {
         if (!places.good) return;
         if (const auto* triangle = std::get_if<TriangleShape>(&object.shape))
-            if (degenerate(*triangle))
-                return problems_.error(places.shape,
-                                       "the triangle is degenerate: its vertices lie on one line");
+            if (auto fault = triangle_fault(*triangle))
+                return problems_.error(places.shape, std::move(fault->message), std::move(fault->hint));
         if (std::holds_alternative<MeshShape>(object.shape)) return;
         const Extent box = std::visit([](const auto& shape) { return extent(shape); }, object.shape);
         if (!within_limits(box, Mat4{1}))
@@ -211,14 +202,9 @@ class SceneCheck {
 
     void check_energy() {
         if (description_.whitted.energy != Energy::balanced) return;
-        for (std::size_t i = 0; i < description_.materials.size(); ++i) {
-            const Material& m = description_.materials[i];
-            if (m.reflectivity + m.transparency > 1)
-                problems_.error(scene_.materials[i],
-                                "material " + in_quotes(m.name) + " has reflectivity + transparency = " +
-                                    show(m.reflectivity + m.transparency),
-                                "energy = \"balanced\" needs at most 1");
-        }
+        for (std::size_t i = 0; i < description_.materials.size(); ++i)
+            if (auto fault = balance_fault(description_.materials[i]))
+                problems_.error(scene_.materials[i], std::move(fault->message), std::move(fault->hint));
     }
 
     const ReadScene& scene_;

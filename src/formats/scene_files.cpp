@@ -3,8 +3,8 @@
 #include "formats/open_scene.h"
 #include "formats/read_text.h"
 #include "formats/scene_overrides.h"
-#include "formats/scene_words.h"
 #include "glint/formats.h"
+#include "scene/text.h"
 
 #include <cmath>
 

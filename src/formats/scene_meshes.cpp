@@ -1,6 +1,6 @@
 #include "formats/scene_meshes.h"
 
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,9 +1,12 @@
 #include "formats/scene_read.h"
 
-#include "formats/scene_words.h"
+#include "formats/file_keys.h"
+#include "glint/names.h"
+#include "scene/keys/check.h"
+#include "scene/text.h"
 
 #include <algorithm>
-#include <numbers>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -11,174 +14,30 @@ namespace {
 using Kind = TreeValue::Kind;
 
 void read_camera(TableReader table, CameraDescription& camera) {
-    Vec3 look_at = camera.eye + camera.direction;
-    table.read("eye", camera.eye);
-    table.read("look_at", look_at);
-    table.read("direction", camera.direction);
-    table.read("up", camera.up);
-    table.read("fov", camera.fov);
-    table.read_choice("fov_axis", camera.fov_axis);
+    table.read(camera);
     if (!table.good()) return;
-
-    if (table.has("look_at")) {
-        camera.direction = look_at - camera.eye;
-        if (camera.direction == Vec3(0))
-            return table.error(table.place("look_at"), "\"look_at\" is where the \"eye\" is",
-                               "the camera looks from one to the other");
-    }
-    // Relative to both lengths: what is left of a cross product of parallel vectors is rounding.
-    const Vec3 side = glm::cross(camera.direction, camera.up);
-    const double lengths = glm::length(camera.direction) * glm::length(camera.up);
-    if (!(glm::length(side) > 1e-12 * lengths))
-        table.error(table.has("up") ? table.place("up")
-                                    : table.place(table.has("look_at") ? "look_at" : "direction"),
-                    "\"up\" is parallel to the view", "choose an up that the camera does not look along");
-}
-
-void read_render(TableReader table, RenderSettings& render) {
-    table.read_size("size", render.width, render.height);
-    table.read("spp", render.spp);
-    table.read("seed", render.seed);
-    table.read_choice("integrator", render.integrator);
-    table.read_choice("filter", render.filter);
-    table.read("background", render.background);
-}
-
-void read_whitted(TableReader table, WhittedSettings& whitted) {
-    table.read("max_depth", whitted.max_depth);
-    table.read_choice("shadows", whitted.shadows);
-    table.read("clamp", whitted.clamp);
-    table.read_choice("energy", whitted.energy);
-    table.read_choice("highlight_model", whitted.highlight_model);
-    table.read("index", whitted.index);
+    if (table.has("look_at") && camera.direction == Vec3(0))
+        return table.error(table.place("look_at"), "\"look_at\" is where the \"eye\" is",
+                           "the camera looks from one to the other");
+    const char* view = table.has("look_at") ? "look_at" : "direction";
+    if (auto fault = view_fault(camera))
+        table.error(table.place(table.has("up") ? "up" : view), std::move(fault->message),
+                    std::move(fault->hint));
 }
 
 void read_material(TableReader table, Material& material, Problems& problems) {
-    table.read("color", material.color);
-    table.read("ambient", material.ambient);
-    table.read("diffuse", material.diffuse);
-    table.read("highlight", material.highlight);
-    table.read("shininess", material.shininess);
-    table.read("reflectivity", material.reflectivity);
-    table.read("transparency", material.transparency);
-    table.read("index", material.index);
-    table.read("absorption", material.absorption);
-    table.read("fresnel", material.fresnel);
-    table.read("emission", material.emission);
+    table.read(material);
     if (material.reflectivity > 1 && table.has("reflectivity"))
         problems.warning(table.place("reflectivity"),
                          "\"reflectivity\" " + show(material.reflectivity) + " is above 1",
                          "the mirror image is brighter than what it shows");
 }
 
-PlaneShape read_plane(TableReader& table) {
-    PlaneShape plane;
-    table.read("normal", plane.normal);
-    table.read("offset", plane.offset);
-    table.read("solid", plane.solid);
-    return plane;
-}
-
-SphereShape read_sphere(TableReader& table) {
-    SphereShape sphere;
-    table.read("center", sphere.center);
-    table.read("radius", sphere.radius);
-    return sphere;
-}
-
-CylinderShape read_cylinder(TableReader& table) {
-    CylinderShape cylinder;
-    table.read("base", cylinder.base);
-    table.read("axis", cylinder.axis);
-    table.read("height", cylinder.height);
-    table.read("radius", cylinder.radius);
-    return cylinder;
-}
-
-TriangleShape read_triangle(TableReader& table) {
-    TriangleShape triangle;
-    table.read("vertices", triangle.vertices);
-    return triangle;
-}
-
-PolyhedronShape read_polyhedron(TableReader& table) {
-    PolyhedronShape polyhedron;
-    table.read_choice("kind", polyhedron.kind);
-    table.read("center", polyhedron.center);
-    table.read("size", polyhedron.size);
-    table.read("radius", polyhedron.radius);
-    table.read("sides", polyhedron.sides);
-    table.read("height", polyhedron.height);
-    table.read("axis", polyhedron.axis);
-    return polyhedron;
-}
-
-MeshShape read_mesh(TableReader& table) {
-    MeshShape mesh;
-    table.read("file", mesh.file);
-    table.read("scale", mesh.scale);
-    table.read_choice("normals", mesh.normals);
-    table.read_choice("facing", mesh.facing);
-    table.read_choice("vertex_colors", mesh.vertex_colors);
-    table.read("point_radius", mesh.point_radius);
-    return mesh;
-}
-
-InstanceShape read_instance(TableReader& table) {
-    InstanceShape instance;
-    table.read("mesh", instance.mesh);
-    return instance;
-}
-
-Shape read_shape(TableReader& table, std::string_view name) {
-    if (name == "plane") return read_plane(table);
-    if (name == "sphere") return read_sphere(table);
-    if (name == "cylinder") return read_cylinder(table);
-    if (name == "triangle") return read_triangle(table);
-    if (name == "polyhedron") return read_polyhedron(table);
-    if (name == "mesh") return read_mesh(table);
-    return read_instance(table);
-}
-
-// `intensity`, or `radiant_intensity` in W/sr: Whitted's terms are π times the radiance convention.
-void read_intensity(TableReader& table, double& intensity) {
-    double radiant = intensity * std::numbers::pi;
-    table.read("intensity", intensity);
-    table.read("radiant_intensity", radiant);
-    if (table.has("radiant_intensity")) intensity = radiant / std::numbers::pi;
-}
-
-AmbientLight read_ambient(TableReader& table) {
-    AmbientLight light;
-    table.read("color", light.color);
-    return light;
-}
-
-PointLight read_point(TableReader& table) {
-    PointLight light;
-    table.read("position", light.position);
-    table.read("color", light.color);
-    read_intensity(table, light.intensity);
-    return light;
-}
-
-DirectionalLight read_directional(TableReader& table) {
-    DirectionalLight light;
-    table.read("direction", light.direction);
-    table.read("color", light.color);
-    table.read("irradiance", light.irradiance);
-    return light;
-}
-
-SpotLight read_spot(TableReader& table) {
-    SpotLight light;
-    table.read("position", light.position);
-    table.read("direction", light.direction);
-    table.read("angle", light.angle);
-    table.read("blend", light.blend);
-    table.read("color", light.color);
-    read_intensity(table, light.intensity);
-    return light;
+template <std::size_t... index>
+Shape default_shape(std::string_view name, std::index_sequence<index...>) {
+    Shape shape;
+    ((name == shape_names[index] ? void(shape.emplace<index>()) : void()), ...);
+    return shape;
 }
 
 // Walks the tree and fills a description.
@@ -216,12 +75,13 @@ class SceneReader {
         for (const TreeEntry& entry : root_.entries)
             if (find_key(*find_table(""), entry.key, {})) top.entries.push_back(entry);
         TableReader table(top, *find_table(""), find_table("")->header(), {}, context_);
-        int version = 1;
-        table.read("version", version);
-        if (version != 1)
-            table.error(table.place("version"), "this scene file is of version " + std::to_string(version),
+        FileTop read;
+        table.read(read);
+        if (read.version != 1)
+            table.error(table.place("version"),
+                        "this scene file is of version " + std::to_string(read.version),
                         "this glint reads version 1");
-        table.read_choice("color_values", context_.colors);
+        context_.colors = read.color_values;
     }
 
     void check_tables() {
@@ -287,10 +147,9 @@ class SceneReader {
             d.camera->where = problems_.locate(camera->where);
             read_camera(reader(*camera, *find_table("camera")), *d.camera);
         }
-        if (const TreeValue* render = table("render"))
-            read_render(reader(*render, *find_table("render")), d.render);
+        if (const TreeValue* render = table("render")) reader(*render, *find_table("render")).read(d.render);
         if (const TreeValue* whitted = table("whitted"))
-            read_whitted(reader(*whitted, *find_table("whitted")), d.whitted);
+            reader(*whitted, *find_table("whitted")).read(d.whitted);
     }
 
     void read_materials() {
@@ -336,13 +195,9 @@ class SceneReader {
     void read_object(const Element& element) {
         TableReader table = reader(*element.table, *element.spec);
         Object object;
-        object.shape = read_shape(table, element.spec->name);
-        table.read("name", object.name);
-        table.read("material", object.material);
-        table.read("visible", object.visible);
-        table.read("priority", object.priority);
-        if (const TreeValue* list = table.list("transform"))
-            object.transform = read_transform(*list, context_);
+        object.shape =
+            default_shape(element.spec->name, std::make_index_sequence<std::variant_size_v<Shape>>());
+        table.read(object);
         object.where = problems_.locate(table.header());
 
         const auto place_of_shape = [&] {
@@ -357,21 +212,14 @@ class SceneReader {
     }
 
     void read_light(const Element& element) {
-        const std::string type = selected_type(*element.table, *element.spec);
         TableReader table = reader(*element.table, *element.spec);
         Light light;
         light.where = problems_.locate(table.header());
-        // The type itself is read to report a wrong one.
-        std::string checked;
-        table.read_choice("type", checked);
-        if (type == "ambient")
-            light.kind = read_ambient(table);
-        else if (type == "point")
-            light.kind = read_point(table);
-        else if (type == "directional")
-            light.kind = read_directional(table);
-        else if (type == "spot")
-            light.kind = read_spot(table);
+        // Without a type it is not known which keys it may have.
+        if (selected_type(*element.table, *element.spec).empty())
+            table.value(*find_key(*element.spec, element.spec->selector, {}));
+        else
+            table.read(light);
         scene_.description.lights.push_back(light);
     }
 

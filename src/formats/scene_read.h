@@ -38,7 +38,4 @@ ReadScene read_scene(const TreeValue& root, Problems& problems);
 /// Changes settings, camera and materials of a description that exists already, as the tree says.
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
 
-/// The matrix of a list of transform entries, the first applied first.
-Mat4 read_transform(const TreeValue& list, const ReadContext& context);
-
 } // namespace glint

@@ -1,7 +1,11 @@
 // The reference page of scene files, written from the table that drives their parser.
 
 #include "formats/key_table.h"
+#include "formats/scene_write.h"
 #include "glint/formats.h"
+#include "glint/limits.h"
+
+#include <limits>
 
 #include <algorithm>
 
@@ -9,7 +13,7 @@ namespace glint {
 namespace {
 
 constexpr std::string_view introduction =
-    R"(<!-- Generated from the table of keys (src/formats/key_table_rows.cpp). Do not edit. -->
+    R"(<!-- Generated from the table of keys (src/scene/keys, src/formats/file_keys.cpp). Do not edit. -->
 # Scene files
 
 A scene is a [TOML](https://toml.io/en/v1.0.0) file, named `*.toml`. The smallest one that shows something:
@@ -66,7 +70,7 @@ std::string code(std::string_view text) { return "`" + std::string(text) + "`"; 
 
 std::string choices_text(const KeySpec& key) {
     std::string text;
-    for (const std::string& word : split_words(key.choices))
+    for (const std::string& word : choice_names(key))
         text += (text.empty() ? "" : ", ") + code('"' + word + '"');
     return text;
 }
@@ -120,10 +124,9 @@ std::string type_text(const KeySpec& key) {
 }
 
 std::string range_text(const KeySpec& key) {
-    if (key.type == KeyType::rgb || key.type == KeyType::color) return "at least 0";
     if (key.range.high == coordinate_limit && key.range.low == 0) return "above 0";
-    if (key.range.high == coordinate_limit || key.range.high == 2147483647.0) return {};
-    return key.range.words();
+    if (key.range.high == coordinate_limit || key.range.high == std::numeric_limits<int>::max()) return {};
+    return key.range.text();
 }
 
 std::string value_cell(const KeySpec& key) {
@@ -134,7 +137,7 @@ std::string value_cell(const KeySpec& key) {
 }
 
 std::string default_cell(const KeySpec& key) {
-    if (!key.fallback.empty()) return code(key.fallback);
+    if (const std::string text = default_text(key); !text.empty()) return code(text);
     if (!key.alternative.empty() && key.required) return "*required: this or* " + code(key.alternative);
     return key.required ? "*required*" : "";
 }
@@ -142,8 +145,8 @@ std::string default_cell(const KeySpec& key) {
 std::string help_cell(const KeySpec& key, const TableSpec& table) {
     std::string text;
     if (!key.types.empty()) text = "(" + std::string(table.selector) + " ";
-    const auto types = split_words(key.types);
-    for (std::size_t i = 0; i < types.size(); ++i) text += (i > 0 ? ", " : "") + types[i];
+    for (std::size_t i = 0; i < key.types.size(); ++i)
+        text += (i > 0 ? ", " : "") + std::string(key.types[i]);
     if (!key.types.empty()) text += key.help.empty() ? ")" : ") ";
     return text + std::string(key.help);
 }

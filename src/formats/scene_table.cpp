@@ -1,10 +1,9 @@
 #include "formats/scene_table.h"
 
-#include "formats/scene_words.h"
+#include "scene/keys/check.h"
+#include "scene/text.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 
 namespace glint {
 namespace {
@@ -17,24 +16,7 @@ Vec3 vec3_of(const TreeValue& list) {
     return {list.items[0].number, list.items[1].number, list.items[2].number};
 }
 
-std::string label_of(const KeySpec& spec) { return in_quotes(spec.key); }
-
-// Below this the squared length is no longer a normal double, and the direction would be lost.
-bool has_direction(const Vec3& v) { return std::isnormal(glm::dot(v, v)); }
-
-bool affine(const Mat4& m) { return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1; }
-
-double product_of_lengths(const glm::dmat3& m) {
-    return glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-}
-
-// Regular: the determinant is not lost in its own rounding, measured against the columns or the rows.
-bool regular(const Mat4& matrix) {
-    const glm::dmat3 m(matrix);
-    const double volume = std::abs(glm::determinant(m));
-    const double largest = std::min(product_of_lengths(m), product_of_lengths(glm::transpose(m)));
-    return std::isnormal(volume) && volume > 1e-15 * largest;
-}
+std::string label_of(const KeySpec& key) { return in_quotes(key.key); }
 
 } // namespace
 
@@ -89,269 +71,265 @@ Place TableReader::place(std::string_view key) const {
     return entry ? entry->value.where : table_.where;
 }
 
-TableReader::Found TableReader::find(std::string_view key) const {
-    Found found{find_key(spec_, key, type_), nullptr};
-    assert(find_key(spec_, key, {}) && "the key table lacks a key that is read");
-    // A key that this type does not have was reported as such; its value does not matter.
-    if (const TreeEntry* entry = found.spec ? table_.find(key) : nullptr) found.value = &entry->value;
-    return found;
+void TableReader::read_members(const KeyOwner& owner) {
+    for (const KeySpec& key : spec_.keys) {
+        // A key that this type does not have was reported as such; its value does not matter.
+        if (!key.set || find_key(spec_, key.key, type_) != &key) continue;
+        if (const auto read = value(key)) key.set(owner, *read);
+    }
 }
 
-void TableReader::wrong_type(const Found& found, const TreeValue& value, std::string_view expected) {
-    error(value.where, "expected " + std::string(expected) + " for " + label_of(*found.spec) + ", found " +
+std::optional<KeyValue> TableReader::value(const KeySpec& key) {
+    const TreeEntry* entry = table_.find(key.key);
+    if (!entry) return std::nullopt;
+    auto read = parse(key, entry->value);
+    if (!read) return std::nullopt;
+    if (auto fault = value_fault(key, *read)) {
+        error(entry->value.where, std::move(fault->message), std::move(fault->hint));
+        return std::nullopt;
+    }
+    return read;
+}
+
+std::optional<KeyValue> TableReader::parse(const KeySpec& key, const TreeValue& value) {
+    switch (key.type) {
+    case KeyType::boolean:
+        return boolean(key, value);
+    case KeyType::integer:
+        return check_integer(key, value) ? std::optional<KeyValue>(value.integer) : std::nullopt;
+    case KeyType::number:
+        return check_number(key, value) ? std::optional<KeyValue>(value.number) : std::nullopt;
+    case KeyType::number_or_auto:
+        return number_or_auto(key, value);
+    case KeyType::choice:
+        return choice(key, value);
+    case KeyType::text:
+    case KeyType::file:
+    case KeyType::key_path:
+        return text(key, value);
+    case KeyType::size:
+        return size(key, value);
+    case KeyType::frame_range:
+        return frame_range(key, value);
+    case KeyType::point:
+    case KeyType::direction:
+    case KeyType::rgb:
+    case KeyType::lengths:
+        return vector(key, value);
+    case KeyType::color:
+        return color(key, value);
+    case KeyType::scale:
+        return scale(key, value);
+    case KeyType::vertices:
+        return vertices(key, value);
+    case KeyType::matrix:
+        return matrix(key, value);
+    case KeyType::transform:
+        return transform(key, value);
+    case KeyType::frames:
+        return ascending(key, value);
+    case KeyType::values:
+        break;
+    }
+    return std::nullopt;
+}
+
+void TableReader::wrong_type(const KeySpec& key, const TreeValue& value, std::string_view expected) {
+    error(value.where, "expected " + std::string(expected) + " for " + label_of(key) + ", found " +
                            std::string(value.kind_words()));
 }
 
-bool TableReader::check_number(const Found& found, const TreeValue& value) {
+bool TableReader::check_number(const KeySpec& key, const TreeValue& value) {
     if (!is_number(value)) {
-        wrong_type(found, value, "a number");
+        wrong_type(key, value, "a number");
         return false;
     }
-    if (!std::isfinite(value.number)) {
-        error(value.where, label_of(*found.spec) + " must be finite, found " + show(value.number));
-        return false;
-    }
-    Range range = found.spec->range;
-    if (found.spec->type == KeyType::point || found.spec->type == KeyType::vertices)
-        range = {.low = -coordinate_limit, .high = coordinate_limit};
-    if (found.spec->type == KeyType::rgb || found.spec->type == KeyType::color) range = {.low = 0};
-    if (range.contains(value.number)) return true;
-    error(value.where, label_of(*found.spec) + " must be " + range.words() + ", found " + show(value.number));
+    auto fault = number_fault(key, value.number);
+    if (fault) error(value.where, std::move(fault->message), std::move(fault->hint));
+    return !fault;
+}
+
+bool TableReader::check_integer(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::integer) return check_number(key, value);
+    wrong_type(key, value, "an integer");
     return false;
 }
 
-bool TableReader::check_integer(const Found& found, const TreeValue& value) {
-    if (value.kind == Kind::integer) return check_number(found, value);
-    wrong_type(found, value, "an integer");
-    return false;
-}
-
-bool TableReader::check_numbers(const Found& found, const TreeValue& value, std::size_t count) {
+bool TableReader::check_numbers(const KeySpec& key, const TreeValue& value, std::size_t count) {
     const std::string expected = "a list of " + std::to_string(count) + " numbers";
     if (value.kind != Kind::list) {
-        wrong_type(found, value, expected);
+        wrong_type(key, value, expected);
         return false;
     }
     if (value.items.size() != count) {
-        error(value.where, "expected " + expected + " for " + label_of(*found.spec) + ", found " +
+        error(value.where, "expected " + expected + " for " + label_of(key) + ", found " +
                                std::to_string(value.items.size()));
         return false;
     }
     bool good = true;
-    for (const TreeValue& item : value.items) good = check_number(found, item) && good;
+    for (const TreeValue& item : value.items) good = check_number(key, item) && good;
     return good;
 }
 
-void TableReader::read(std::string_view key, bool& target) {
-    const Found found = find(key);
-    if (!found.value) return;
-    if (found.value->kind == Kind::boolean)
-        target = found.value->boolean;
-    else
-        wrong_type(found, *found.value, "a boolean (true or false)");
+std::optional<KeyValue> TableReader::boolean(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::boolean) return value.boolean;
+    wrong_type(key, value, "a boolean (true or false)");
+    return std::nullopt;
 }
 
-void TableReader::read(std::string_view key, int& target) {
-    const Found found = find(key);
-    if (found.value && check_integer(found, *found.value)) target = static_cast<int>(found.value->integer);
+std::optional<KeyValue> TableReader::number_or_auto(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::text && value.text == "auto") return std::optional<double>();
+    if (is_number(value))
+        return check_number(key, value) ? std::optional<KeyValue>(std::optional(value.number)) : std::nullopt;
+    wrong_type(key, value, "a number or \"auto\"");
+    return std::nullopt;
 }
 
-void TableReader::read(std::string_view key, std::uint64_t& target) {
-    const Found found = find(key);
-    if (found.value && check_integer(found, *found.value))
-        target = static_cast<std::uint64_t>(found.value->integer);
-}
-
-void TableReader::read(std::string_view key, double& target) {
-    const Found found = find(key);
-    if (found.value && check_number(found, *found.value)) target = found.value->number;
-}
-
-void TableReader::read(std::string_view key, std::optional<double>& target) {
-    const Found found = find(key);
-    if (!found.value) return;
-    if (found.value->kind == Kind::text && found.value->text == "auto")
-        target.reset();
-    else if (!is_number(*found.value))
-        wrong_type(found, *found.value, "a number or \"auto\"");
-    else if (check_number(found, *found.value))
-        target = found.value->number;
-}
-
-void TableReader::read(std::string_view key, std::string& target) {
-    const Found found = find(key);
-    if (!found.value) return;
-    const TreeValue& value = *found.value;
-    if (value.kind != Kind::text) return wrong_type(found, value, "a string");
-    if (value.text.empty()) return error(value.where, label_of(*found.spec) + " must not be empty");
-    if (value.text.find('\0') != std::string::npos)
-        return error(value.where, label_of(*found.spec) + " must not hold a zero character");
-    target = value.text;
-}
-
-void TableReader::read(std::string_view key, Vec3& target) {
-    const Found found = find(key);
-    if (!found.value) return;
-    const auto value = found.spec->type == KeyType::color ? color(found) : vector(found, *found.value);
-    if (value) target = *value;
-}
-
-std::optional<Vec3> TableReader::vector(const Found& found, const TreeValue& value) {
-    const KeyType type = found.spec->type;
-    Vec3 v{0};
-    if (type == KeyType::scale && is_number(value)) {
-        if (!check_number(found, value)) return std::nullopt;
-        v = Vec3(value.number);
-    } else if (type == KeyType::scale && value.kind != Kind::list) {
-        wrong_type(found, value, "a number or a list of 3 numbers");
-        return std::nullopt;
-    } else {
-        if (!check_numbers(found, value, 3)) return std::nullopt;
-        v = vec3_of(value);
-    }
-    if (type == KeyType::scale && (v.x == 0 || v.y == 0 || v.z == 0)) {
-        error(value.where, label_of(*found.spec) + " must not be 0", "negative numbers mirror");
-        return std::nullopt;
-    }
-    if (type == KeyType::direction && !has_direction(v)) {
-        const bool zero = v.x == 0 && v.y == 0 && v.z == 0;
-        error(value.where,
-              label_of(*found.spec) + (zero ? " must not be zero" : " has a length beyond all measure"),
-              "expected a direction [x, y, z]");
-        return std::nullopt;
-    }
-    return v;
-}
-
-std::optional<Vec3> TableReader::color(const Found& found) {
-    const TreeValue& value = *found.value;
-    if (value.kind == Kind::list)
-        return check_numbers(found, value, 3) ? std::optional(vec3_of(value)) : std::nullopt;
+std::optional<KeyValue> TableReader::choice(const KeySpec& key, const TreeValue& value) {
     if (value.kind != Kind::text) {
-        wrong_type(found, value, "a colour ([r, g, b], \"#rrggbb\" or a name)");
+        wrong_type(key, value, "a string");
+        return std::nullopt;
+    }
+    const auto found = std::find(key.choices.begin(), key.choices.end(), value.text);
+    if (found != key.choices.end()) return Choice{static_cast<std::size_t>(found - key.choices.begin())};
+    const auto names = choice_names(key);
+    std::string hint = context_.problems.suggestion(value.text, names);
+    hint += (hint.empty() ? "expected " : " Expected ") + std::string(names.size() > 1 ? "one of " : "") +
+            listed(names);
+    error(value.where, "unknown " + std::string(key.key) + " " + in_quotes(value.text), std::move(hint));
+    return std::nullopt;
+}
+
+std::optional<KeyValue> TableReader::text(const KeySpec& key, const TreeValue& value) {
+    if (value.kind != Kind::text)
+        wrong_type(key, value, "a string");
+    else if (value.text.empty())
+        error(value.where, label_of(key) + " must not be empty");
+    else if (value.text.find('\0') != std::string::npos)
+        error(value.where, label_of(key) + " must not hold a zero character");
+    else
+        return value.text;
+    return std::nullopt;
+}
+
+std::optional<KeyValue> TableReader::size(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::list && value.items.size() == 2) return integer_pair(key, value);
+    if (value.kind != Kind::list)
+        wrong_type(key, value, "a list [width, height]");
+    else
+        error(value.where, "expected [width, height] for " + label_of(key) + ", found " +
+                               std::to_string(value.items.size()) +
+                               (value.items.size() == 1 ? " number" : " numbers"));
+    return std::nullopt;
+}
+
+std::optional<KeyValue> TableReader::frame_range(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::list && value.items.size() == 2) return integer_pair(key, value);
+    wrong_type(key, value, "[first, last]");
+    return std::nullopt;
+}
+
+std::optional<KeyValue> TableReader::integer_pair(const KeySpec& key, const TreeValue& value) {
+    const bool good_first = check_integer(key, value.items[0]);
+    const bool good_second = check_integer(key, value.items[1]);
+    if (!good_first || !good_second) return std::nullopt;
+    return std::array{static_cast<int>(value.items[0].integer), static_cast<int>(value.items[1].integer)};
+}
+
+std::optional<KeyValue> TableReader::vector(const KeySpec& key, const TreeValue& value) {
+    return check_numbers(key, value, 3) ? std::optional<KeyValue>(vec3_of(value)) : std::nullopt;
+}
+
+std::optional<KeyValue> TableReader::color(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::list) return vector(key, value);
+    if (value.kind != Kind::text) {
+        wrong_type(key, value, "a colour ([r, g, b], \"#rrggbb\" or a name)");
         return std::nullopt;
     }
     if (const auto rgb = color_codes(value.text)) return linear_color(*rgb, context_.colors);
     std::string hint = context_.problems.suggestion(value.text, color_names());
     if (hint.empty() || value.text.starts_with('#'))
         hint = "expected [r, g, b], \"#rgb\", \"#rrggbb\" or a name of CSS or X11";
-    error(value.where, "unknown colour " + in_quotes(value.text) + " for " + label_of(*found.spec),
-          std::move(hint));
+    error(value.where, "unknown colour " + in_quotes(value.text) + " for " + label_of(key), std::move(hint));
     return std::nullopt;
 }
 
-void TableReader::read(std::string_view key, std::array<Vec3, 3>& target) {
-    const Found found = find(key);
-    if (!found.value) return;
-    const TreeValue& value = *found.value;
-    if (value.kind != Kind::list) return wrong_type(found, value, "a list of 3 points");
-    if (value.items.size() != 3)
-        return error(value.where, "expected a list of 3 points for " + label_of(*found.spec) + ", found " +
-                                      std::to_string(value.items.size()));
-    for (std::size_t i = 0; i < 3; ++i)
-        if (check_numbers(found, value.items[i], 3)) target[i] = vec3_of(value.items[i]);
+std::optional<KeyValue> TableReader::scale(const KeySpec& key, const TreeValue& value) {
+    if (is_number(value))
+        return check_number(key, value) ? std::optional<KeyValue>(Vec3(value.number)) : std::nullopt;
+    if (value.kind == Kind::list) return vector(key, value);
+    wrong_type(key, value, "a number or a list of 3 numbers");
+    return std::nullopt;
 }
 
-void TableReader::read(std::string_view key, Mat4& target) {
-    const Found found = find(key);
-    if (!found.value || !check_numbers(found, *found.value, 16)) return;
+std::optional<KeyValue> TableReader::vertices(const KeySpec& key, const TreeValue& value) {
+    std::array<Vec3, 3> points{};
+    if (value.kind != Kind::list) {
+        wrong_type(key, value, "a list of 3 points");
+        return std::nullopt;
+    }
+    if (value.items.size() != points.size()) {
+        error(value.where, "expected a list of 3 points for " + label_of(key) + ", found " +
+                               std::to_string(value.items.size()));
+        return std::nullopt;
+    }
+    bool good = true;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool is_point = check_numbers(key, value.items[i], 3);
+        if (is_point) points[i] = vec3_of(value.items[i]);
+        good = good && is_point;
+    }
+    return good ? std::optional<KeyValue>(points) : std::nullopt;
+}
+
+std::optional<KeyValue> TableReader::matrix(const KeySpec& key, const TreeValue& value) {
+    if (!check_numbers(key, value, 16)) return std::nullopt;
     Mat4 matrix{1};
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            matrix[column][row] = found.value->items[static_cast<std::size_t>(4 * row + column)].number;
-    if (!affine(matrix))
-        error(found.value->where, label_of(*found.spec) + " is not affine: its last row must be 0, 0, 0, 1");
-    else if (!regular(matrix))
-        error(found.value->where, label_of(*found.spec) + " is singular: it flattens what it transforms");
-    else
-        target = matrix;
+            matrix[column][row] = value.items[static_cast<std::size_t>(4 * row + column)].number;
+    return matrix;
 }
 
-void TableReader::read_size(std::string_view key, int& width, int& height) {
-    const Found found = find(key);
-    if (!found.value) return;
-    const TreeValue& value = *found.value;
-    if (value.kind != Kind::list || value.items.size() != 2)
-        return value.kind != Kind::list
-                   ? wrong_type(found, value, "a list [width, height]")
-                   : error(value.where, "expected [width, height] for " + label_of(*found.spec) + ", found " +
-                                            std::to_string(value.items.size()) +
-                                            (value.items.size() == 1 ? " number" : " numbers"));
-    const bool good_width = check_integer(found, value.items[0]);
-    const bool good_height = check_integer(found, value.items[1]);
-    if (!good_width || !good_height) return;
-    if (value.items[0].number * value.items[1].number > static_cast<double>(picture_pixel_limit))
-        return error(value.where, label_of(*found.spec) + " is above 2^30 pixels");
-    width = static_cast<int>(value.items[0].integer);
-    height = static_cast<int>(value.items[1].integer);
-}
-
-void TableReader::read_range(std::string_view key, int& first, int& last) {
-    const Found found = find(key);
-    if (!found.value) return;
-    const TreeValue& value = *found.value;
-    if (value.kind != Kind::list || value.items.size() != 2) return wrong_type(found, value, "[first, last]");
-    const bool good_first = check_integer(found, value.items[0]);
-    const bool good_last = check_integer(found, value.items[1]);
-    if (!good_first || !good_last) return;
-    if (value.items[1].integer < value.items[0].integer)
-        return error(value.where, "the last of " + label_of(*found.spec) + " comes before the first");
-    first = static_cast<int>(value.items[0].integer);
-    last = static_cast<int>(value.items[1].integer);
-}
-
-void TableReader::read_ascending(std::string_view key, std::vector<double>& target) {
-    const Found found = find(key);
-    if (!found.value) return;
-    const TreeValue& value = *found.value;
-    if (value.kind != Kind::list) return wrong_type(found, value, "a list of numbers");
-    if (value.items.empty()) return error(value.where, label_of(*found.spec) + " must not be empty");
-    for (const TreeValue& item : value.items) {
-        if (!check_number(found, item)) return;
-        if (!target.empty() && item.number <= target.back())
-            return error(item.where,
-                         label_of(*found.spec) + " must ascend, found " + show(item.number) + " after " +
-                             show(target.back()),
-                         "sort the keyframes by their frames");
-        target.push_back(item.number);
-    }
-}
-
-void TableReader::read_choice(std::string_view key, std::string& target) {
-    if (const auto index = choice(key)) target = split_words(find(key).spec->choices)[*index];
-}
-
-std::optional<std::size_t> TableReader::choice(std::string_view key) {
-    const Found found = find(key);
-    if (!found.value) return std::nullopt;
-    if (found.value->kind != Kind::text) {
-        wrong_type(found, *found.value, "a string");
-        return std::nullopt;
-    }
-    const auto choices = split_words(found.spec->choices);
-    const auto it = std::find(choices.begin(), choices.end(), found.value->text);
-    if (it != choices.end()) return static_cast<std::size_t>(it - choices.begin());
-    std::string hint = context_.problems.suggestion(found.value->text, choices);
-    hint += (hint.empty() ? "expected " : " Expected ") + std::string(choices.size() > 1 ? "one of " : "") +
-            listed(choices);
-    error(found.value->where, "unknown " + std::string(key) + " " + in_quotes(found.value->text),
-          std::move(hint));
+std::optional<KeyValue> TableReader::transform(const KeySpec& key, const TreeValue& value) {
+    if (value.kind == Kind::list) return read_transform(value, context_);
+    wrong_type(key, value, "a list");
     return std::nullopt;
 }
 
+std::optional<KeyValue> TableReader::ascending(const KeySpec& key, const TreeValue& value) {
+    if (value.kind != Kind::list) {
+        wrong_type(key, value, "a list of numbers");
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    if (value.items.empty()) error(value.where, label_of(key) + " must not be empty");
+    for (const TreeValue& item : value.items) {
+        if (!check_number(key, item)) return std::nullopt;
+        if (!numbers.empty() && item.number <= numbers.back()) {
+            error(item.where,
+                  label_of(key) + " must ascend, found " + show(item.number) + " after " +
+                      show(numbers.back()),
+                  "sort the keyframes by their frames");
+            return std::nullopt;
+        }
+        numbers.push_back(item.number);
+    }
+    return numbers;
+}
+
 const TreeValue* TableReader::list(std::string_view key) {
-    const Found found = find(key);
-    if (!found.value) return nullptr;
-    if (found.value->kind == Kind::list) return found.value;
-    wrong_type(found, *found.value, "a list");
+    const TreeEntry* entry = table_.find(key);
+    if (!entry) return nullptr;
+    if (entry->value.kind == Kind::list) return &entry->value;
+    wrong_type(*find_key(spec_, key, type_), entry->value, "a list");
     return nullptr;
 }
 
 std::string selected_type(const TreeValue& table, const TableSpec& spec) {
     const TreeEntry* entry = spec.selector.empty() ? nullptr : table.find(spec.selector);
     if (!entry || entry->value.kind != Kind::text) return {};
-    const KeySpec* key = find_key(spec, spec.selector, {});
-    const auto types = split_words(key->choices);
+    const auto& types = find_key(spec, spec.selector, {})->choices;
     return std::find(types.begin(), types.end(), entry->value.text) != types.end() ? entry->value.text : "";
 }
 

@@ -1,13 +1,10 @@
 #pragma once
-// Reads one table of a scene file as its row of the key table says.
+// Reads one table of a scene file as its key table says.
 
 #include "formats/colors.h"
 #include "formats/key_table.h"
 #include "formats/scene_tree.h"
-#include "glint/scene.h"
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,8 +20,7 @@ struct ReadContext {
 };
 
 /// One table while it is read. The constructor reports unknown and missing keys and keys that exclude each
-/// other; each read() reports a wrong type or range and else sets its target. A target stays as it is where
-/// the key is absent or wrong. Every key of the specification is to be read once.
+/// other; reading reports wrong types and ranges.
 class TableReader {
   public:
     /// `label` names the table in messages: "[[sphere]]". `type` is its selector's value, empty if unknown.
@@ -32,35 +28,20 @@ class TableReader {
                 const ReadContext& context);
 
     bool has(std::string_view key) const { return table_.find(key) != nullptr; }
-    /// Where the key's value stands, or the table's header where it is absent.
+    /// Position of the key's value, or of the table's header where the key is absent.
     Place place(std::string_view key) const;
     Place header() const { return table_.where; }
     /// True while nothing was wrong with this table.
     bool good() const { return good_; }
 
-    void read(std::string_view key, bool& target);
-    void read(std::string_view key, int& target);
-    void read(std::string_view key, std::uint64_t& target);
-    void read(std::string_view key, double& target);
-    void read(std::string_view key, std::string& target);
-    /// A point, direction, colour, lengths or scale.
-    void read(std::string_view key, Vec3& target);
-    void read(std::string_view key, std::array<Vec3, 3>& target);
-    void read(std::string_view key, Mat4& target);
-    /// "auto" empties the target.
-    void read(std::string_view key, std::optional<double>& target);
-    void read_size(std::string_view key, int& width, int& height);
-    /// [first, last], the last not before the first.
-    void read_range(std::string_view key, int& first, int& last);
-    /// Numbers in ascending order, at least one.
-    void read_ascending(std::string_view key, std::vector<double>& target);
-    /// An enumeration whose values stand in the order of the key's choices.
-    template <class Enum>
-    void read_choice(std::string_view key, Enum& target) {
-        if (const auto index = choice(key)) target = static_cast<Enum>(*index);
+    /// Sets the members that the keys of this type are bound to. Those of absent and wrong keys stay as they
+    /// are.
+    template <class T>
+    void read(T& target) {
+        read_members(KeyOwner(target));
     }
-    /// The chosen word itself.
-    void read_choice(std::string_view key, std::string& target);
+    /// The value of a key; none if it is absent or wrong.
+    std::optional<KeyValue> value(const KeySpec& key);
     /// The list itself, for values that are read elsewhere; null where it is absent or no list.
     const TreeValue* list(std::string_view key);
 
@@ -68,20 +49,29 @@ class TableReader {
     void error(const Place& place, std::string message, std::string hint = {});
 
   private:
-    struct Found {
-        const KeySpec* spec = nullptr;
-        const TreeValue* value = nullptr; ///< null: absent
-    };
-    Found find(std::string_view key) const;
     void check_known();
     void check_required();
-    void wrong_type(const Found& found, const TreeValue& value, std::string_view expected);
-    bool check_number(const Found& found, const TreeValue& value);
-    bool check_integer(const Found& found, const TreeValue& value);
-    bool check_numbers(const Found& found, const TreeValue& value, std::size_t count);
-    std::optional<Vec3> vector(const Found& found, const TreeValue& value);
-    std::optional<Vec3> color(const Found& found);
-    std::optional<std::size_t> choice(std::string_view key);
+    void read_members(const KeyOwner& owner);
+    void wrong_type(const KeySpec& key, const TreeValue& value, std::string_view expected);
+    bool check_number(const KeySpec& key, const TreeValue& value);
+    bool check_integer(const KeySpec& key, const TreeValue& value);
+    bool check_numbers(const KeySpec& key, const TreeValue& value, std::size_t count);
+
+    std::optional<KeyValue> parse(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> boolean(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> number_or_auto(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> choice(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> text(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> size(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> frame_range(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> integer_pair(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> vector(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> color(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> scale(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> vertices(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> matrix(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> transform(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> ascending(const KeySpec& key, const TreeValue& value);
 
     const TreeValue& table_;
     const TableSpec& spec_;
@@ -93,5 +83,8 @@ class TableReader {
 
 /// The value of a table's selector ("kind", "type"), reporting none; empty if absent or wrong.
 std::string selected_type(const TreeValue& table, const TableSpec& spec);
+
+/// The matrix of a list of transform entries, the first applied first.
+Mat4 read_transform(const TreeValue& list, const ReadContext& context);
 
 } // namespace glint

@@ -2,7 +2,7 @@
 
 #include "formats/scene_tree.h"
 
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include <algorithm>
 

@@ -1,11 +1,9 @@
-#include "formats/scene_read.h"
-
-#include "formats/scene_words.h"
+#include "formats/file_keys.h"
+#include "formats/scene_table.h"
 #include "math/trig.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 namespace glint {
 namespace {
@@ -48,28 +46,14 @@ Mat4 read_entry(const TreeValue& table, const ReadContext& context) {
     TableReader entry(table, spec, spec.header(), {}, context);
     check_one(entry);
 
-    Mat4 matrix{1};
-    Vec3 translate{0}, scale{1}, axis{0, 0, 1};
-    double angle = 0;
-    entry.read("translate", translate);
-    entry.read("rotate", axis);
-    entry.read("angle", angle);
-    entry.read("scale", scale);
-    entry.read("matrix", matrix);
+    TransformEntry read;
+    entry.read(read);
     if (!entry.good()) return Mat4{1};
 
-    if (entry.has("rotate")) return rotation(axis, angle);
-    for (int i = 0; i < 3; ++i) matrix[i] *= scale[i];
-    matrix[3] += glm::dvec4(translate, 0);
-    return matrix;
-}
-
-// Finite, and its determinant too: many entries, each good, may still shrink or grow without end.
-bool in_range(const Mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(m[column][row])) return false;
-    return std::isnormal(glm::determinant(glm::dmat3(m)));
+    if (entry.has("rotate")) return rotation(read.rotate, read.angle);
+    for (int i = 0; i < 3; ++i) read.matrix[i] *= read.scale[i];
+    read.matrix[3] += glm::dvec4(read.translate, 0);
+    return read.matrix;
 }
 
 } // namespace
@@ -84,10 +68,7 @@ Mat4 read_transform(const TreeValue& list, const ReadContext& context) {
                 item.where, "expected a table in \"transform\", found " + std::string(item.kind_words()),
                 "for example { translate = [1, 0, 0] }");
     }
-    if (in_range(whole)) return whole;
-    context.problems.error(list.where,
-                           "\"transform\" as a whole is not regular: it scales beyond all measure");
-    return Mat4{1};
+    return whole;
 }
 
 } // namespace glint

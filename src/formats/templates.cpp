@@ -2,7 +2,7 @@
 
 #include "glint/formats.h"
 
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include <array>
 

@@ -1,6 +1,5 @@
 #include "glint/render.h"
 
-#include "glint/names.h"
 #include "render/film.h"
 #include "render/schedule_run.h"
 
@@ -13,10 +12,6 @@ double cpu_seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-std::string size_text(const RenderSettings& r) {
-    return std::to_string(r.width) + "x" + std::to_string(r.height);
 }
 
 } // namespace
@@ -38,23 +33,5 @@ Picture render(const Scene& scene, const RenderOptions& options) {
     picture.stats.cpu_seconds = cpu_seconds() - cpu;
     return picture;
 }
-
-std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& scene) {
-    const RenderSettings& r = scene.frozen().description.render;
-    const WhittedSettings& w = scene.frozen().description.whitted;
-    return {{"glint.version", version()},
-            {"glint.size", size_text(r)},
-            {"glint.spp", std::to_string(r.spp)},
-            {"glint.seed", std::to_string(r.seed)},
-            {"glint.integrator", r.integrator},
-            {"glint.filter", std::string(name_of(r.filter))},
-            {"glint.max_depth", std::to_string(w.max_depth)},
-            {"glint.shadows", std::string(name_of(w.shadows))},
-            {"glint.clamp", w.clamp ? "true" : "false"},
-            {"glint.energy", std::string(name_of(w.energy))},
-            {"glint.highlight_model", std::string(name_of(w.highlight_model))}};
-}
-
-const char* version() { return GLINT_VERSION; }
 
 } // namespace glint

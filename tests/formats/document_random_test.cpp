@@ -73,7 +73,7 @@ class Drawer {
         case KeyType::size:
             return "[" + std::to_string(1 + below(99)) + ", 7]";
         case KeyType::choice: {
-            const auto words = split_words(key.choices);
+            const auto words = choice_names(key);
             return words[below(words.size())];
         }
         case KeyType::text:

@@ -3,6 +3,7 @@
 #include "document_support.h"
 #include "formats/key_table.h"
 #include "formats/scene_tree.h"
+#include "formats/scene_write.h"
 
 #include <cmath>
 #include <cstring>
@@ -53,13 +54,13 @@ TEST(SceneValue, ReadsBackAsExactlyTheSameText) {
 std::string other_value(const KeySpec& key) {
     switch (key.type) {
     case KeyType::boolean:
-        return key.fallback == "true" ? "false" : "true";
+        return default_text(key) == "true" ? "false" : "true";
     case KeyType::integer:
         return key.key == "version" ? "1" : "7";
     case KeyType::choice:
-        for (const std::string& word : split_words(key.choices))
-            if (scene_value(word) != key.fallback) return scene_value(word);
-        return std::string(key.fallback);
+        for (const std::string& word : choice_names(key))
+            if (scene_value(word) != default_text(key)) return scene_value(word);
+        return default_text(key);
     case KeyType::text:
     case KeyType::file:
         return "\"m\"";
@@ -96,8 +97,7 @@ TEST(SceneText, SaysEveryKeyOfTheKeyTable) {
         if (spec.form == TableForm::root || spec.form == TableForm::entry) continue;
         if (spec.name == "animation" || spec.name == "animate") continue; // no part of a description
         const KeySpec* selector = spec.selector.empty() ? nullptr : find_key(spec, spec.selector, {});
-        for (const std::string& type :
-             selector ? split_words(selector->choices) : std::vector<std::string>{""}) {
+        for (const std::string& type : selector ? choice_names(*selector) : std::vector<std::string>{""}) {
             std::string text = full_table(spec, type) + around;
             if (spec.name == "instance")
                 text += "[[mesh]]\nname = \"m\"\nfile = \"a.ply\"\nmaterial = \"m\"\n";
@@ -105,7 +105,7 @@ TEST(SceneText, SaysEveryKeyOfTheKeyTable) {
             EXPECT_EQ(meaning(anew), anew);
             for (const KeySpec& key : spec.keys) {
                 const std::string line = "\n" + std::string(key.key) + " = ";
-                if (text.find(line) == std::string::npos || other_value(key) == key.fallback) continue;
+                if (text.find(line) == std::string::npos || other_value(key) == default_text(key)) continue;
                 EXPECT_NE(anew.find(line), std::string::npos) << key.key << " of " << text;
             }
             ++tables;

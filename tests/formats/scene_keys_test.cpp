@@ -64,7 +64,7 @@ index = 1.33)")
     EXPECT_EQ(d.render.height, 16384);
     EXPECT_EQ(d.render.spp, 1048576);
     EXPECT_EQ(d.render.seed, 9223372036854775807u);
-    EXPECT_EQ(d.render.integrator, "whitted");
+    EXPECT_EQ(d.render.integrator, Integrator::whitted);
     EXPECT_EQ(d.render.filter, PixelFilter::tent);
     EXPECT_EQ(d.render.background, Vec3(0.5, 1, 2));
     EXPECT_EQ(d.whitted.max_depth, 0);

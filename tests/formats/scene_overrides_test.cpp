@@ -91,7 +91,7 @@ TEST(SceneOverrides, ObjectsKeepTheirOrder) {
 }
 
 TEST(SceneOverrides, WhatIsNotTomlIsText) {
-    EXPECT_EQ(with({"render.integrator=whitted"}).render.integrator, "whitted");
+    EXPECT_EQ(with({"render.integrator=whitted"}).render.integrator, Integrator::whitted);
     EXPECT_EQ(with({"material.glass.color=white"}).materials[0].color, Vec3(1));
     EXPECT_EQ(with({"material.glass.color=#fff"}).materials[0].color, Vec3(1));
     EXPECT_EQ(with({"mesh.cat.file=a=b c.ply"}).objects.size(), 3u);

@@ -171,6 +171,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/mesh_files.h", "formats"},
         {"glint/picture_files.h", "formats"},
         {"glint/explanation_files.h", "formats"},
+        {"glint/keys.h", "scene"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;

@@ -1,5 +1,5 @@
 #pragma once
-// The words of messages about scene files.
+// Text of messages about values and scene files.
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "formats/scene_words.h"
+#include "scene/text.h"
 
 #include "glint/error.h"
 

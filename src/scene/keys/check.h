@@ -1,0 +1,33 @@
+#pragma once
+// The checks of values by the key table, for files and for descriptions made in memory.
+
+#include "glint/keys.h"
+
+#include <optional>
+#include <string>
+
+namespace glint {
+
+/// What is wrong with a value, and what is expected instead (may be empty).
+struct KeyFault {
+    std::string message;
+    std::string hint;
+};
+
+/// Is one of the value's numbers infinite, NaN or out of range?
+std::optional<KeyFault> number_fault(const KeySpec& key, double x);
+
+/// Is the value wrong as a whole, though each number in it is allowed?
+std::optional<KeyFault> value_fault(const KeySpec& key, const KeyValue& value);
+
+/// Both.
+std::optional<KeyFault> fault_of(const KeySpec& key, const KeyValue& value);
+
+// ── Checks of several values together ──────────────────────────────────────────────────────────────────────
+
+std::optional<KeyFault> view_fault(const CameraDescription& camera);
+std::optional<KeyFault> triangle_fault(const TriangleShape& triangle);
+/// With energy = "balanced".
+std::optional<KeyFault> balance_fault(const Material& material);
+
+} // namespace glint
