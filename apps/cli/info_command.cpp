@@ -5,6 +5,7 @@
 #include "scene_input.h"
 #include "text.h"
 
+#include "glint/keys.h"
 #include "glint/names.h"
 #include "glint/render.h"
 
@@ -52,21 +53,23 @@ std::string light_kinds(const SceneDescription& description) {
     return text.empty() ? "none" : text;
 }
 
+/// A value with six digits.
+std::string shown(const KeySpec& key, const KeyValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.6g}", *number);
+    if (const auto* vector = std::get_if<Vec3>(&value)) return point(*vector);
+    return plain_text(key, value);
+}
+
 /// What sets a material apart; the usual values go without saying.
 std::string properties(const Material& material) {
-    const Material usual;
-    std::string text = fmt::format("color {}", point(material.color));
-    const auto add = [&](const char* name, double value, double normal) {
-        if (value != normal) text += fmt::format(", {} {:.6g}", name, value);
-    };
-    add("ambient", material.ambient, usual.ambient);
-    add("diffuse", material.diffuse, usual.diffuse);
-    add("highlight", material.highlight, usual.highlight);
-    add("reflectivity", material.reflectivity, usual.reflectivity);
-    add("transparency", material.transparency, usual.transparency);
-    if (material.transparency > 0) add("index", material.index, 0);
-    if (material.fresnel) text += ", fresnel";
-    if (material.emission != usual.emission) text += ", emission " + point(material.emission);
+    std::string text;
+    for (const KeySpec& key : description_table("material").keys) {
+        const KeyValue value = key.get(KeyOwner(material));
+        const bool tells = key.key == "color" || (key.key == "index" && material.transparency > 0);
+        if (!tells && value == key.initial()) continue;
+        text += (text.empty() ? "" : ", ") + std::string(key.key);
+        if (key.type != KeyType::boolean) text += " " + shown(key, value);
+    }
     return text;
 }
 

@@ -3,6 +3,7 @@
 #include "text.h"
 
 #include "glint/gpu.h"
+#include "glint/keys.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,22 @@ Json scene_json(const SceneStats& stats) {
 Json settings_json(const Scene& scene) {
     Json json = Json::object();
     for (const auto& setting : picture_settings(scene)) json[setting_name(setting.first)] = setting.second;
+    return json;
+}
+
+Json material_json(const Material& material) {
+    Json json{{"name", material.name}};
+    for (const KeySpec& key : description_table("material").keys) {
+        const KeyValue value = key.get(KeyOwner(material));
+        if (const auto* number = std::get_if<double>(&value))
+            json[std::string(key.key)] = *number;
+        else if (const auto* vector = std::get_if<Vec3>(&value))
+            json[std::string(key.key)] = vector_json(*vector);
+        else if (const auto* flag = std::get_if<bool>(&value))
+            json[std::string(key.key)] = *flag;
+        else
+            json[std::string(key.key)] = plain_text(key, value);
+    }
     return json;
 }
 
@@ -107,12 +124,7 @@ std::string devices_json() {
 std::string info_json(const std::string& file, const SceneDescription& description, const Scene& scene) {
     const CameraDescription& camera = scene.camera();
     Json materials = Json::array();
-    for (const Material& material : description.materials)
-        materials.push_back({{"name", material.name},
-                             {"color", vector_json(material.color)},
-                             {"reflectivity", material.reflectivity},
-                             {"transparency", material.transparency},
-                             {"index", material.index}});
+    for (const Material& material : description.materials) materials.push_back(material_json(material));
     return document({
         {"glint", version()},
         {"file", file},
