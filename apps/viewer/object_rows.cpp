@@ -1,13 +1,17 @@
 #include "object_rows.h"
 
+#include "key_rows.h"
+
+#include "glint/document.h"
+#include "glint/names.h"
+
 #include <algorithm>
 #include <array>
 
 namespace glint::viewer {
 namespace {
 
-/// What a pixel of dragging adds to numbers without a unit, and to angles in degrees.
-constexpr double share_step = 0.005;
+/// What a pixel of dragging adds to angles, in degrees.
 constexpr double angle_step = 0.5;
 
 std::vector<std::string> material_names(const SceneDescription& scene) {
@@ -24,85 +28,7 @@ std::vector<std::string> mesh_names(const SceneDescription& scene) {
     return names;
 }
 
-/// The words of an enumeration, in its order.
-template <class Kind, std::size_t count>
-void choice_of(Rows& rows, const char* key, const char* label, Kind now,
-               const std::array<const char*, count>& words, const char* help) {
-    rows.choice(key, label, words[static_cast<std::size_t>(now)], {words.begin(), words.end()}, help);
-}
-
 Vec3 vector(const std::vector<double>& three) { return {three[0], three[1], three[2]}; }
-
-/// A factor for all directions, or one for each, as the file has it.
-void scale_row(Rows& rows, const std::string& key, const std::vector<double>& written, const char* help) {
-    if (written.size() == 3)
-        rows.place(key, "scale", vector(written), share_step, help);
-    else if (written.size() == 1)
-        rows.length(key, "scale", written[0], share_step, help);
-}
-
-/// The rows of one shape each.
-struct ShapeRows {
-    Rows& rows;
-    const SceneDescription& scene;
-    const std::string& table;
-    double step;
-    const FileKeys& keys;
-
-    void operator()(const PlaneShape& s) const {
-        rows.place("normal", "normal", s.normal, share_step, "at right angles to the plane; of any length");
-        rows.length("offset", "offset", s.offset, step, "normal · p = offset");
-        rows.check("solid", "solid", s.solid, "the half-space behind the normal, not a thin sheet");
-    }
-    void operator()(const SphereShape& s) const {
-        rows.place("center", "center", s.center, step, "");
-        rows.length("radius", "radius", s.radius, step, "");
-    }
-    void operator()(const CylinderShape& s) const {
-        rows.place("base", "base", s.base, step, "centre of the bottom disc");
-        rows.place("axis", "axis", s.axis, share_step, "the way up; of any length");
-        rows.length("height", "height", s.height, step, "");
-        rows.length("radius", "radius", s.radius, step, "");
-    }
-    void operator()(const TriangleShape& s) const {
-        constexpr std::array labels{"corner 1", "corner 2", "corner 3"};
-        std::array<Vec3, 3> corners = s.vertices;
-        bool moved = false;
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            moved |= rows.drag("vertices." + std::to_string(i), labels[i], corners[i], step, "");
-        if (moved)
-            rows.set("vertices", "[" + scene_value(corners[0]) + ", " + scene_value(corners[1]) + ", " +
-                                     scene_value(corners[2]) + "]");
-    }
-    void operator()(const PolyhedronShape& s) const {
-        rows.place("center", "center", s.center, step, "");
-        if (s.kind == PolyhedronKind::box) {
-            rows.place("size", "size", s.size, step, "lengths of the edges");
-            return;
-        }
-        rows.length("radius", "radius", s.radius, step, "of the circumscribed sphere");
-        if (s.kind != PolyhedronKind::prism && s.kind != PolyhedronKind::pyramid) return;
-        rows.whole("sides", "sides", s.sides, 3, std::max(s.sides, 24), "");
-        rows.length("height", "height", s.height, step, "");
-        rows.place("axis", "axis", s.axis, share_step, "the way up; of any length");
-    }
-    void operator()(const MeshShape& s) const {
-        choice_of(rows, "normals", "normals", s.normals, std::array{"auto", "flat", "smooth"},
-                  "the mesh's own, one a triangle, or smooth ones");
-        choice_of(rows, "facing", "facing", s.facing, std::array{"viewer", "stored"},
-                  "normals turned to the viewer, or as the winding has them");
-        choice_of(rows, "vertex_colors", "vertex colors", s.vertex_colors, std::array{"auto", "ignore"},
-                  "do stored colours replace the material's?");
-        if (s.point_radius)
-            rows.length("point_radius", "point radius", *s.point_radius, step, "of each point's sphere");
-        const std::vector<double>& written = keys.numbers(table + ".scale");
-        scale_row(rows, "scale", written.empty() ? std::vector{1.0} : written,
-                  "before the transform; negative mirrors");
-    }
-    void operator()(const InstanceShape& s) const {
-        rows.choice("mesh", "mesh", s.mesh, mesh_names(scene), "which mesh is shown again");
-    }
-};
 
 /// The rows of an object's transform, entry by entry as the file has them.
 class TransformRows {
@@ -162,16 +88,22 @@ class TransformRows {
 
 void object_rows(Ui& ui, const SceneDescription& scene, const Object& object, const std::string& table,
                  double step, const FileKeys& keys, std::vector<Edit>& edits) {
-    Rows rows(ui, edits, table);
-    rows.choice("material", "material", object.material, material_names(scene), "");
-    rows.check("visible", "visible", object.visible, "hidden ones are gone for all rays");
-    if (is_solid(object.shape))
-        rows.whole("priority", "priority", object.priority, std::min(object.priority, -8),
-                   std::max(object.priority, 8), "where solids overlap, the higher owns the space");
-    std::visit(ShapeRows{rows, scene, table, step, keys}, object.shape);
+    const TableSpec& spec = description_table(name_of(object.shape));
+    KeyRows rows(ui, edits, table, spec, KeyOwner(object), step, keys);
+    rows.names("material", material_names(scene));
+    rows.row("visible");
+    if (is_solid(object.shape)) rows.row("priority");
+    for (const KeySpec& key : spec.keys) {
+        // The common keys follow the shape's own.
+        if (key.key == "name") break;
+        if (key.key == "mesh")
+            rows.names(key.key, mesh_names(scene));
+        else if (key.key != spec.selector)
+            rows.row(key);
+    }
     const bool has_no_place = std::holds_alternative<MeshShape>(object.shape) ||
                               std::holds_alternative<InstanceShape>(object.shape);
-    TransformRows(rows, table, step, keys).draw(has_no_place);
+    TransformRows(rows.rows(), table, step, keys).draw(has_no_place);
 }
 
 } // namespace glint::viewer

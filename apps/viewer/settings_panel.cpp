@@ -1,5 +1,7 @@
 #include "settings_panel.h"
 
+#include "key_rows.h"
+
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <imgui.h>
@@ -57,26 +59,15 @@ void work(Ui& ui, ViewState& state) {
     if (chosen >= 0) state.kernel = static_cast<Kernel>(chosen);
 }
 
-void light_model(Ui& ui, const WhittedSettings& w, std::vector<Edit>& edits) {
-    Rows rows(ui, edits, "whitted");
-    rows.whole("max_depth", "depth", w.max_depth, 0, std::max(w.max_depth, 16),
-               "bounces after the first hit");
-    rows.choice("shadows", "shadows", w.shadows == Shadows::opaque ? "opaque" : "transmissive",
-                {"transmissive", "opaque"}, "does glass let light through to what it shades?");
-    rows.check("clamp", "clamp", w.clamp, "limit the local light to 1, as the report's program did");
-    rows.choice("energy", "energy", w.energy == Energy::balanced ? "balanced" : "report",
-                {"report", "balanced"}, "the report's sums, or local light scaled by what is left of 1");
-    rows.choice("highlight_model", "highlights",
-                w.highlight_model == HighlightModel::phong ? "phong" : "blinn", {"blinn", "phong"},
-                "(n\u00b7h)\u207f or (v\u00b7r)\u207f");
-    rows.number("index", "outer index", w.index, {1, std::max(w.index, 2.0)},
-                "index of refraction of what surrounds everything");
-}
-
-void samples(Ui& ui, const RenderSettings& r, std::vector<Edit>& edits) {
-    Rows rows(ui, edits, "render");
-    rows.whole("spp", "samples", r.spp, 1, std::max(r.spp, 64), "rays through each pixel; 1 is its centre");
-    rows.color("background", "background", r.background, "what rays bring that meet nothing");
+/// Rows of the settings that the window has no other means to change.
+template <class Settings>
+void settings_rows(Ui& ui, const char* name, const Settings& settings, std::vector<Edit>& edits) {
+    constexpr std::array<std::string_view, 4> without{"size", "seed", "integrator", "filter"};
+    const TableSpec& table = description_table(name);
+    const FileKeys file;
+    KeyRows rows(ui, edits, name, table, KeyOwner(settings), share_step, file);
+    for (const KeySpec& key : table.keys)
+        if (std::find(without.begin(), without.end(), key.key) == without.end()) rows.row(key);
 }
 
 void comparison(Ui& ui, bool kept, ViewState& state, std::vector<Action>& actions) {
@@ -106,8 +97,9 @@ void camera_rows(Ui& ui, const CameraDescription& camera, ViewState& state, Sett
     std::vector<Edit> unused;
     CameraDescription changed = camera;
     bool touched = false;
-    const double least = 1;
-    const double most = 150;
+    const NumberRange& usual = find_key(description_table("camera"), "fov", {})->typical;
+    const double least = usual.low;
+    const double most = usual.high;
     label_row(ui, "field of view", "full angle ([ and ])");
     touched |= ImGui::SliderScalar("##fov", ImGuiDataType_Double, &changed.fov, &least, &most, "%.3g\u00b0");
     ui.map.item("camera.fov");
@@ -150,9 +142,9 @@ void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescripti
     quantity(ui, state);
     backend(ui, why_cpu, state);
     heading(ui, "Light model");
-    light_model(ui, scene.whitted, wishes.edits);
+    settings_rows(ui, "whitted", scene.whitted, wishes.edits);
     heading(ui, "Picture");
-    samples(ui, scene.render, wishes.edits);
+    settings_rows(ui, "render", scene.render, wishes.edits);
     work(ui, state);
     comparison(ui, kept, state, wishes.actions);
     camera_rows(ui, camera, state, wishes);
