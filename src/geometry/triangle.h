@@ -11,7 +11,7 @@
 // - lateral, Ax = (v-o)[kx] - Sx·(v-o)[kz]: rounding of (v-o)[kx], u S, and of the difference, 2 u S. Sx, its
 //   product, Sz and its product in Az stretch one and the same depth, 4 u S. In all 7 u S.
 //
-// Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (triangle_point_error) against that.
+// Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (error_of_triangle) against that.
 
 #include "geometry/exact_point.h"
 #include "geometry/triangle.shared.h"
@@ -63,15 +63,5 @@ inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& ve
     const ShearedVertex c = shear(ray, vertices[2]);
     return !surely_outside(a, b, c) && intersect_sheared(a, b, c, ray.sz, tmin, limit, hit);
 }
-
-/// The point with weights u and v of vertices 1 and 2, the normal by the winding. Where the triangle has no
-/// area, any unit normal facing `seen_along` (not zero).
-ExactPoint triangle_point(const TriangleVertices& vertices, double u, double v, const dvec3& seen_along);
-
-/// A bound, per axis, of what separates `p` (rounded to float) from its triangle, and of what the test of a
-/// ray that starts there can displace the triangle by: an origin moved off the plane by it never hits that
-/// triangle again. Half a float's spacing of p, and 8 u S of the displacement above, S being the largest
-/// |coordinate| of v - p.
-vec3 triangle_point_error(const TriangleVertices& vertices, const vec3& p);
 
 } // namespace glint

@@ -81,7 +81,10 @@ GLINT_FN void point_of_triangle(vec3 a, vec3 b, vec3 c, double u, double v, dvec
     n = normal / sqrt(dot(normal, normal));
 }
 
-/// triangle_point_error() of geometry/triangle.h. 2^-24 and 2^-21 are written out.
+/// A bound, per axis, of what separates p (rounded to float) from its triangle, and of what the test of a ray
+/// that starts there can displace the triangle by: an origin moved off the plane by it never hits that
+/// triangle again. Half a float's spacing of p, and 8 u S of the displacement in geometry/triangle.h, S being
+/// the largest |coordinate| of v - p. 2^-24 and 2^-21 are written out.
 GLINT_FN vec3 error_of_triangle(vec3 a, vec3 b, vec3 c, vec3 p) {
     vec3 far = max(max(abs(a - p), abs(b - p)), abs(c - p));
     float reach = max(max(far.x, far.y), far.z);

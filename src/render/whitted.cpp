@@ -142,12 +142,7 @@ void WhittedTracer::step_off_edge(const Ray& ray, const Hit& hit, SurfacePoint& 
     Hit middle = hit;
     middle.u = 1.0f / 3.0f;
     middle.v = 1.0f / 3.0f;
-    const vec3 inward = scene_.world.surface(ray, middle).p - point.p;
-    const float length = sqrt(dot(inward, inward));
-    const float step = 8.0f * max(max(point.p_error.x, point.p_error.y), point.p_error.z);
-    if (!(length > step)) return;
-    point.p = point.p + inward * (step / length);
-    point.p_error = point.p_error + abs(point.p) * 0x1p-24f;
+    point = moved_off_edge(point, scene_.world.surface(ray, middle).p);
 }
 
 void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
@@ -158,10 +153,9 @@ void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
         return;
     }
     const uvec3 corner = attributes.mesh->triangles[hit.prim];
-    const float w = 1.0f - hit.u - hit.v;
     if (attributes.colored) {
         const std::vector<vec3>& c = attributes.mesh->colors;
-        s.color = c[corner.x] * w + c[corner.y] * hit.u + c[corner.z] * hit.v;
+        s.color = interpolated(c[corner.x], c[corner.y], c[corner.z], hit.u, hit.v);
     }
     if (attributes.normals == nullptr) return;
     const std::int32_t matrix = scene_.objects[hit.object].normal_matrix;
@@ -170,11 +164,8 @@ void WhittedTracer::interpolate(const Hit& hit, Surface& s) const {
         if (matrix == no_normal_matrix) return n;
         return transformed_normal(scene_.normal_matrices[static_cast<std::size_t>(matrix)], n);
     };
-    const vec3 sum = normal(corner.x) * w + normal(corner.y) * hit.u + normal(corner.z) * hit.v;
-    const float squared = dot(sum, sum);
-    if (!(squared > 0.0f)) return;
-    s.n = sum / sqrt(squared);
-    if (dot(s.n, s.n_g) < 0.0f) s.n = -s.n;
+    s.n = shading_normal(interpolated(normal(corner.x), normal(corner.y), normal(corner.z), hit.u, hit.v),
+                         s.n_g);
 }
 
 // ── Light that arrives from the lights

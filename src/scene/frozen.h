@@ -1,6 +1,7 @@
 #pragma once
 // What a Scene holds: single precision, resolved names, trees. Made by freeze.cpp, read by render/.
 
+#include "geometry/surface.shared.h"
 #include "glint/scene.h"
 #include "math/vec.h"
 #include "shading/records.shared.h"
@@ -21,13 +22,6 @@ struct MeshAttributes {
     std::shared_ptr<const Mesh> mesh; ///< for indices and colours
     bool colored = false;
 };
-
-/// Unit, or 0 where n is. The matrix is the inverse transpose of the points'.
-inline vec3 transformed_normal(const dmat3& normal_matrix, const vec3& n) {
-    const dvec3 t = normal_matrix * dvec3(n);
-    const double squared = glm::dot(t, t);
-    return squared > 0 ? vec3(t / std::sqrt(squared)) : vec3(0.0f);
-}
 
 inline constexpr std::int32_t no_attributes = -1;
 inline constexpr std::int32_t no_normal_matrix = -1;

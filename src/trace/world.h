@@ -3,6 +3,7 @@
 // objects, nothing of materials.
 
 #include "geometry/quadric.h"
+#include "geometry/surface.shared.h"
 #include "math/bounds.h"
 #include "math/ray.h"
 #include "math/vec.h"
@@ -37,14 +38,6 @@ struct Hit {
 /// (t, object, prim) of a before those of b; of one quadric's two hits at one t, the way in before the way
 /// out.
 bool precedes(const Hit& a, const Hit& b);
-
-/// The surface at a hit. `p` is on the surface up to `p_error`.
-struct SurfacePoint {
-    vec3 p{0.0f};
-    vec3 p_error{0.0f}; ///< absolute bound, per axis
-    vec3 n{0.0f}; ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
-                  ///< triangles, as given for planes
-};
 
 /// Surface points of many hits: each row has one number of each, at the hit's place. Up to seven more numbers
 /// are written behind the last.

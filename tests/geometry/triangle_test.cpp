@@ -153,12 +153,23 @@ TEST(Triangle, IsHitAtAnySizeWithTheSameBits) {
     EXPECT_GT(found, 500);
 }
 
+vec3 vertex(const TriangleVertices& triangle, std::size_t i) {
+    return {triangle[i][0], triangle[i][1], triangle[i][2]};
+}
+
+ExactPoint exact_point(const TriangleVertices& triangle, double u, double v, const dvec3& seen_along) {
+    ExactPoint point;
+    point_of_triangle(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), u, v, seen_along,
+                      point.p, point.n);
+    return point;
+}
+
 TEST(Triangle, PointHasTheNormalOfTheWinding) {
-    const ExactPoint point = triangle_point(corner, 0.25, 0.5, {0, 0, 1});
+    const ExactPoint point = exact_point(corner, 0.25, 0.5, {0, 0, 1});
     EXPECT_EQ(point.p, dvec3(0.25, 0.5, 1.0));
     EXPECT_EQ(point.n, dvec3(0, 0, 1));
     const TriangleVertices line{{{0, 0, 1}, {1, 0, 1}, {2, 0, 1}}};
-    EXPECT_EQ(triangle_point(line, 0.25, 0.5, {0, 3, 0}).n, dvec3(0, -1, 0)) << "no area: toward the viewer";
+    EXPECT_EQ(exact_point(line, 0.25, 0.5, {0, 3, 0}).n, dvec3(0, -1, 0)) << "no area: toward the viewer";
 }
 
 /// Random numbers in [-1, 1) and needles made of them.
@@ -202,10 +213,11 @@ TEST(Triangle, SpawnedRayNeverReintersects) {
             u = 1.0 - u;
             v = 1.0 - v;
         }
-        const ExactPoint exact = triangle_point(triangle, u, v, {0, 0, 1});
+        const ExactPoint exact = exact_point(triangle, u, v, {0, 0, 1});
         const vec3 p(exact.p);
         const vec3 n(exact.n);
-        const vec3 error = triangle_point_error(triangle, p);
+        const vec3 error =
+            error_of_triangle(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), p);
 
         // Toward one corner, raised off the plane by anything from nothing to a right angle.
         const auto& goal = triangle[random.engine() % 3];

@@ -1,0 +1,128 @@
+#ifndef GLINT_GEOMETRY_SURFACE_SHARED_H
+#define GLINT_GEOMETRY_SURFACE_SHARED_H
+#include "geometry/quadric.shared.h"
+#include "geometry/triangle.shared.h"
+#include "math/shared.h"
+
+// From a hit back to the surface: computed in double, rounded once, with a bound on the error that is left.
+// Also what is interpolated over a triangle.
+
+GLINT_SHARED_BEGIN
+
+/// The surface at a hit. `p` is on the surface up to `p_error`.
+struct SurfacePoint {
+    vec3 p;
+    vec3 p_error; ///< absolute bound, per axis
+    vec3 n;       ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
+            ///< triangles, as given for planes
+};
+
+GLINT_FN double max_abs(dvec3 v) {
+    dvec3 a = abs(v);
+    return max(max(a.x, a.y), a.z);
+}
+
+/// Rounds to float, with half a float's spacing and `slack` as the error.
+GLINT_FN SurfacePoint rounded_point(dvec3 p, dvec3 n, double slack) {
+    SurfacePoint point;
+    point.p = vec3(p);
+    point.p_error = abs(point.p) * (1.0f / 16777216.0f) + vec3(float(slack));
+    point.n = vec3(n);
+    return point;
+}
+
+/// On a triangle in the world's own space, at the weights u and v of vertices b and c. `seen_along` as in
+/// point_of_triangle(); `reversed`: the normal is turned against the winding.
+GLINT_FN SurfacePoint triangle_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
+                                       bool reversed) {
+    dvec3 p;
+    dvec3 n;
+    point_of_triangle(a, b, c, u, v, seen_along, p, n);
+    SurfacePoint point;
+    point.p = vec3(p);
+    point.p_error = error_of_triangle(a, b, c, point.p);
+    point.n = vec3(reversed ? -n : n);
+    return point;
+}
+
+/// The same for an instance's triangle, given in the mesh's space; p_world = linear · p_mesh + translation,
+/// and `slack` is what that loses in double.
+///
+/// A ray that starts at the point goes back to the mesh's space, where its origin and direction are rounded
+/// and its test displaces triangles: error_of_triangle() has the first and the third, and the direction
+/// displaces what it meets of the triangle by 1 u S more than that allows (u and S as in
+/// geometry/triangle.h). A quarter on top covers it and all of second order. What bounds each coordinate
+/// there, bounds those here through |linear|.
+GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
+                                       GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
+                                       GLINT_IN(dvec3) translation, double slack, bool reversed) {
+    dvec3 p;
+    dvec3 n;
+    point_of_triangle(a, b, c, u, v, seen_along, p, n);
+    dvec3 normal = transpose(inverse) * n;
+    dvec3 unit = normal / sqrt(dot(normal, normal));
+    dvec3 there = dvec3(error_of_triangle(a, b, c, vec3(p))) * 1.25;
+    dvec3 here = abs(linear[0]) * there.x + abs(linear[1]) * there.y + abs(linear[2]) * there.z;
+    SurfacePoint point = rounded_point(linear * p + translation, reversed ? -unit : unit, slack);
+    point.p_error = point.p_error + vec3(here);
+    return point;
+}
+
+/// From a quadric's local space to the world: p_world = linear · p + translation, normals by the inverse
+/// transpose. `size` is size_of_quadric() there.
+GLINT_FN SurfacePoint point_in_world(dvec3 p, dvec3 n, GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
+                                     GLINT_IN(dvec3) translation, double size) {
+    dvec3 normal = transpose(inverse) * n;
+    double stretch = max_abs(linear[0]) + max_abs(linear[1]) + max_abs(linear[2]);
+    return rounded_point(linear * p + translation, normal / sqrt(dot(normal, normal)),
+                         surface_error * (max_abs(translation) + stretch * size));
+}
+
+/// Where the line o + t d meets a plane.
+GLINT_FN SurfacePoint plane_surface(dvec3 o, dvec3 d, dvec3 normal, double offset) {
+    double t;
+    line_meets_plane(o, d, normal, offset, t);
+    dvec3 p = o + d * t;
+    dvec3 on;
+    dvec3 n;
+    point_of_plane(normal, offset, p, on, n);
+    return rounded_point(on, n, surface_error * (max_abs(o) + max_abs(p)));
+}
+
+/// A point exactly on an edge lies in two faces, and rays that start there must be on the right side of both:
+/// it moves into its own face, toward that face's middle, by a few times its error.
+GLINT_FN SurfacePoint moved_off_edge(GLINT_IN(SurfacePoint) point, vec3 middle) {
+    SurfacePoint moved = point;
+    vec3 inward = middle - point.p;
+    float length_of = sqrt(dot(inward, inward));
+    float step_of = 8.0f * max(max(point.p_error.x, point.p_error.y), point.p_error.z);
+    if (!(length_of > step_of)) return moved;
+    moved.p = point.p + inward * (step_of / length_of);
+    moved.p_error = point.p_error + abs(moved.p) * (1.0f / 16777216.0f);
+    return moved;
+}
+
+// ── What vertices have, interpolated
+
+/// Vertex normals in the world: unit, or 0 where n is. The matrix is the inverse transpose of the points'.
+GLINT_FN vec3 transformed_normal(GLINT_IN(dmat3) normal_matrix, vec3 n) {
+    dvec3 t = normal_matrix * dvec3(n);
+    double squared = dot(t, t);
+    return squared > 0.0 ? vec3(t / sqrt(squared)) : vec3(0.0f);
+}
+
+/// At the weights u and v of vertices b and c.
+GLINT_FN vec3 interpolated(vec3 a, vec3 b, vec3 c, float u, float v) {
+    return a * (1.0f - u - v) + b * u + c * v;
+}
+
+/// The shading normal from the interpolated one: unit, on the side of n_g; n_g where that is 0.
+GLINT_FN vec3 shading_normal(vec3 normal, vec3 n_g) {
+    float squared = dot(normal, normal);
+    if (!(squared > 0.0f)) return n_g;
+    vec3 n = normal / sqrt(squared);
+    return dot(n, n_g) < 0.0f ? -n : n;
+}
+
+GLINT_SHARED_END
+#endif
