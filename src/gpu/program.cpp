@@ -62,7 +62,7 @@ std::string joined(const std::string& defines, const std::function<bool(const st
 /// Each of these is a program of its own, with all others.
 bool has_main(const std::string& path) {
     return path == "gpu/shaders/whitted.glsl" || path == "gpu/shaders/rays.glsl" ||
-           path == "gpu/shaders/show.glsl";
+           path == "gpu/shaders/first_hit.glsl" || path == "gpu/shaders/show.glsl";
 }
 
 [[noreturn]] void refuse(const GpuContext& context, const std::string& log) {
@@ -82,20 +82,24 @@ ProgramChoice program_for(const GpuSceneData& scene) {
 }
 
 std::string shader_source(const ProgramChoice& choice) {
-    const std::string mine = choice.rays ? "gpu/shaders/rays.glsl" : "gpu/shaders/whitted.glsl";
+    const std::string mine = choice.rays        ? "gpu/shaders/rays.glsl"
+                             : choice.first_hit ? "gpu/shaders/first_hit.glsl"
+                                                : "gpu/shaders/whitted.glsl";
     return joined(define("GLINT_GLASS", choice.glass ? 1 : 0) +
                       define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
                       define("GLINT_TERMS", choice.terms ? 7 : 1) +
-                      define("GLINT_FIRST_HIT", choice.first_hit ? 1 : 0) +
                       define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
                       define("GLINT_STACK", choice.stack),
                   [&](const std::string& path) { return path == mine || !has_main(path); });
 }
 
 std::string show_source() {
+    static const char* const needed[] = {
+        "math/shared.h",        "imaging/filter.shared.h", "shading/records.shared.h",
+        "gpu/records.shared.h", "gpu/shaders/data.glsl",   "gpu/shaders/slot_fields.glsl",
+        "gpu/shaders/show.glsl"};
     return joined("", [](const std::string& path) {
-        return path == "math/shared.h" || path == "gpu/records.shared.h" || path == "gpu/shaders/data.glsl" ||
-               path == "gpu/shaders/places.glsl" || path == "gpu/shaders/show.glsl";
+        return std::find(std::begin(needed), std::end(needed), path) != std::end(needed);
     });
 }
 

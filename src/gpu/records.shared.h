@@ -1,7 +1,11 @@
 #ifndef GLINT_GPU_RECORDS_SHARED_H
 #define GLINT_GPU_RECORDS_SHARED_H
+#include "imaging/filter.shared.h"
 #include "math/shared.h"
+#include "shading/records.shared.h"
 #ifndef GLINT_GLSL
+#include "math/index.h"
+
 #include <cstddef>
 #endif
 
@@ -10,6 +14,81 @@
 // a vec3 is followed by a scalar of four bytes, so that C++ has no other layout.
 
 GLINT_SHARED_BEGIN
+
+#ifdef GLINT_GLSL
+const uint invalid_index = 0xffffffffu; // math/index.h
+#endif
+
+// Vectors and matrices of doubles without the gaps of std430, which aligns dvec3 to 32 bytes.
+#ifdef GLINT_GLSL
+struct PackedVector {
+    double x;
+    double y;
+    double z;
+};
+struct PackedMatrix {
+    PackedVector columns[3];
+};
+#else
+using PackedVector = dvec3;
+using PackedMatrix = dmat3;
+#endif
+
+/// Eight children of the tree: gpu/tree.h has their layout.
+struct NodeRecord {
+    vec3 origin;
+    uint exponents_and_mask; ///< of x, y, z: 8 bits each, biased by 127; then which children there are
+    uint children[8];        ///< codes
+    uvec4 sides_x; ///< a byte each: low sides of children 0 to 3, of 4 to 7, high sides the same way
+    uvec4 sides_y;
+    uvec4 sides_z;
+};
+
+/// A plane, or a quadric in its object's local space.
+struct ShapeRecord {
+    int kind; ///< of a quadric: quadric_sphere or quadric_cylinder
+    uint object;
+    uint prim;         ///< within its object
+    uint is_local;     ///< 1: ObjectRecord has the way to its local space
+    PackedVector base; ///< of a cylinder; a sphere's centre
+    PackedVector axis; ///< of a cylinder, unit; a plane's normal
+    double height;     ///< of a cylinder; a plane's offset
+    double radius;
+};
+
+// ObjectRecord::flags
+const uint object_solid = 1u;
+const uint object_lit_as_stored = 2u;  ///< lights find its normals as its winding has them
+const uint object_turned = 4u;         ///< its normals are turned against the winding
+const uint object_reversed = 8u;       ///< the same, against the winding as its triangles are stored
+const uint object_instance = 16u;      ///< its triangles are those of a shared mesh, in a local space
+const uint object_local_normals = 32u; ///< its vertex normals go to the world by normal_matrix
+
+/// An object, with its material and the way to its local space, where it has one: an instance, or a quadric
+/// that is stretched.
+struct ObjectRecord {
+    MaterialRecord material;
+    uint rank; ///< of overlapping solids the one of higher rank owns the space
+    uint flags;
+    uint interior;  ///< number of a transparent solid among all of them, by rank, from 1; 0 for others
+    uint mesh_root; ///< of an instance
+    uint corners;   ///< this and the next two: where a mesh's arrays are among the words, or invalid_index
+    uint normals;
+    uint colors;
+    float mesh_max_coordinate; ///< of an instance: the largest |coordinate| of its tree's boxes
+    PackedMatrix linear;       ///< p_world = linear · p_local + translation
+    PackedMatrix inverse;
+    PackedVector translation;
+    double slack;               ///< what the way to the world and back loses in double
+    PackedMatrix normal_matrix; ///< see object_local_normals
+    double reserved;            ///< 0; std430 rounds the size up to a multiple of 16 bytes
+};
+
+/// The share of the pixel filter beyond a distance of radius · (1 − i / filter_steps).
+struct FilterTable {
+    float tails[filter_steps + 1];
+    float reserved[3]; ///< 0
+};
 
 /// The terms of the light (glint/term.h).
 const uint term_ambient = 0u;
@@ -34,7 +113,7 @@ struct GpuSettings {
     uvec4 interiors_at_eye; ///< the transparent solids around the eye, as rays carry them
     uint seed_low;
     uint seed_high;
-    uint filter_steps;          ///< of the filter's table
+    uint samples;               ///< a pixel, in the whole picture
     uint negative_filter_steps; ///< its outermost steps, on which the filter is below 0
 
     // The scene.
@@ -45,17 +124,9 @@ struct GpuSettings {
     uint max_depth;
     uint light_count;
     uint plane_count;
-    uint mesh_count;     ///< meshes in the world's own space
-    uint opaque_shadows; ///< this and the next three: 0 or 1
-    uint clamp_light;
-    uint balanced_energy;
-    uint phong_highlights;
-    uint first_quadric; ///< this and the next two: in doubles of the shapes
-    uint first_affine;
-    uint first_instance;
-    uint tree_root;      ///< none: only planes
-    uint first_light;    ///< this and the next: in vectors of the tables
-    uint first_tail;     ///< of the filter
+    uint mesh_count; ///< meshes in the world's own space
+    WhittedModes modes;
+    uint tree_root;      ///< invalid_index: only planes
     uint first_interior; ///< in words: the transparent solids by rank
 
     // The dispatch.
@@ -66,7 +137,6 @@ struct GpuSettings {
     uint pixel_step; ///< pixels from one slot's to the next's
     uint end_x;      ///< past the last pixel
     uint end_y;
-    uint samples;      ///< a pixel, in the whole picture
     uint first_sample; ///< samples before
     uint end_sample;   ///< take samples up to this one
     uint first_slot;
@@ -83,9 +153,7 @@ struct GpuSettings {
     uint film_terms;    ///< terms that the film keeps apart
     uint shown_term;    ///< one of them
     uint smooth_steps;  ///< 1: linear between known pixels, 0: blocks
-    uint reserved_1;    ///< these three: 0, for std140 rounds the size up to a multiple of 16 bytes
-    uint reserved_2;
-    uint reserved_3;
+    uint reserved;      ///< 0; std140 rounds the size up to a multiple of 16 bytes
 };
 
 // GpuSettings::show_mode
@@ -119,7 +187,15 @@ const uint film_counts = 2u;
 
 #ifndef GLINT_GLSL
 static_assert(offsetof(GpuSettings, interiors_at_eye) == 64 && offsetof(GpuSettings, ambient_light) == 96 &&
-              offsetof(GpuSettings, max_depth) == 128 && sizeof(GpuSettings) == 288);
+              offsetof(GpuSettings, max_depth) == 128 && offsetof(GpuSettings, modes) == 144 &&
+              sizeof(GpuSettings) == 256);
+static_assert(offsetof(NodeRecord, children) == 16 && offsetof(NodeRecord, sides_x) == 48 &&
+              sizeof(NodeRecord) == 96);
+static_assert(sizeof(PackedVector) == 24 && sizeof(PackedMatrix) == 72);
+static_assert(offsetof(ShapeRecord, base) == 16 && sizeof(ShapeRecord) == 80);
+static_assert(offsetof(ObjectRecord, rank) == 80 && offsetof(ObjectRecord, linear) == 112 &&
+              offsetof(ObjectRecord, normal_matrix) == 288 && sizeof(ObjectRecord) == 368);
+static_assert(sizeof(FilterTable) % 16 == 0);
 #endif
 
 GLINT_SHARED_END

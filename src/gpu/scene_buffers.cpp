@@ -23,12 +23,15 @@ SceneBuffers::SceneBuffers(const GpuContext& c, const GpuSceneData& d, const Sce
       leaves_(before != nullptr ? before->leaves_ : shared(c, "the scene's triangles", d.tree.leaves)),
       objects_(c, "the scene's objects", d.objects.data(), size_of(d.objects)),
       words_(c, "the meshes' normals and colours", d.words.data(), size_of(d.words)),
-      tables_(c, "the scene's materials and lights", d.tables.data(), size_of(d.tables)),
-      shapes_(c, "the scene's shapes and places", d.shapes.data(), size_of(d.shapes)) {}
+      lights_(c, "the scene's lights", nullptr, sizeof(FilterTable) + size_of(d.lights)),
+      shapes_(c, "the scene's planes and quadrics", d.shapes.data(), size_of(d.shapes)) {
+    lights_.write(0, &d.filter_table, sizeof(FilterTable));
+    if (!d.lights.empty()) lights_.write(sizeof(FilterTable), d.lights.data(), size_of(d.lights));
+}
 
 void SceneBuffers::bind() const {
     std::uint32_t binding = 0;
-    for (const GpuBuffer* buffer : {nodes_.get(), leaves_.get(), &objects_, &words_, &tables_, &shapes_})
+    for (const GpuBuffer* buffer : {nodes_.get(), leaves_.get(), &objects_, &words_, &lights_, &shapes_})
         buffer->bind_storage(binding++);
 }
 

@@ -21,7 +21,7 @@ class SceneBuffers {
 
   private:
     std::shared_ptr<const GpuBuffer> nodes_, leaves_;
-    GpuBuffer objects_, words_, tables_, shapes_;
+    GpuBuffer objects_, words_, lights_, shapes_;
 };
 
 } // namespace glint

@@ -1,5 +1,6 @@
 #pragma once
-// A frozen scene as the shader reads it: flat arrays, records found by their numbers (shaders/data.glsl).
+// A scene as the shader reads it: arrays of records (gpu/records.shared.h), one for each buffer of
+// shaders/data.glsl.
 
 #include "gpu/records.shared.h"
 #include "gpu/tree.h"
@@ -12,12 +13,14 @@ namespace glint {
 
 struct GpuSceneData {
     GpuTree tree;
-    std::vector<uvec4> objects;
-    std::vector<std::uint32_t> words;
-    std::vector<vec4> tables;
-    std::vector<double> shapes;
-    GpuSettings settings{}; ///< all that the scene decides
-    bool glass = false;   ///< does anything let light through?
+    std::vector<ObjectRecord> objects;
+    std::vector<std::uint32_t> interiors; ///< ObjectRecord::interior of each
+    std::vector<std::uint32_t> words;     ///< ranges of meshes, numbers of transparent solids, vertex data
+    FilterTable filter_table{};
+    std::vector<LightRecord> lights;
+    std::vector<ShapeRecord> shapes; ///< planes, then quadrics in the order of the tree's leaves
+    GpuSettings settings{};          ///< all that the scene decides
+    bool glass = false;              ///< does anything let light through?
 };
 
 /// Where `tree` is given it is the scene's, made before. Throws Error(device) for a scene that the shader's

@@ -38,6 +38,8 @@ void GpuStudio::prepare(const Scene& scene) {
     data.tree.nodes = {};
     data.tree.leaves = {};
     data.words = {};
+    data.objects = {};
+    data.shapes = {};
     data_ = std::move(data);
     scene_ = scene;
 }

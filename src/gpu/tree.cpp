@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace glint {
 namespace {
 
-constexpr std::size_t words_of_node = 6;
-constexpr std::uint32_t most_nodes = 0x00ffffffu;
-constexpr std::uint32_t most_leaf_units = 0x02000000u;
+constexpr std::uint32_t max_nodes = 0x00ffffffu;
+constexpr std::uint32_t max_leaf_units = 0x02000000u;
 
 /// A child on its way into a node.
 struct Child {
@@ -61,42 +59,38 @@ std::array<int, wide_children> slots_of(const std::vector<Child>& children, cons
     return child_at;
 }
 
-/// Writes a node over its children, at most eight; grows `corner` by what its boxes reach.
-void write_node(const std::vector<Child>& children, uvec4* out, float& corner) {
+/// A node over its children, at most eight; grows `corner` by what its boxes reach.
+NodeRecord make_node(const std::vector<Child>& children, float& corner) {
     Bounds all;
     for (const Child& child : children) all.grow(child.box);
     const std::array<int, wide_children> child_at = slots_of(children, all);
-    std::array<std::uint32_t, 4> head{};
-    std::array<std::uint32_t, wide_children> codes{};
-    std::array<std::array<std::uint32_t, 4>, 3> sides{};
+    NodeRecord node{};
+    node.origin = all.lo;
+    uvec4* const sides[] = {&node.sides_x, &node.sides_y, &node.sides_z};
     for (int axis = 0; axis < 3; ++axis) {
         const double origin = all.lo[axis];
         const int exponent = exponent_for(double(all.hi[axis]) - origin);
         const double step = std::ldexp(1.0, exponent);
-        head[std::size_t(axis)] = std::bit_cast<std::uint32_t>(all.lo[axis]);
-        head[3] |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
+        node.exponents_and_mask |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
         for (std::size_t slot = 0; slot < wide_children; ++slot) {
             if (child_at[slot] < 0) continue;
             const Bounds& box = children[std::size_t(child_at[slot])].box;
             const double low = std::clamp(std::floor((double(box.lo[axis]) - origin) / step), 0.0, 255.0);
             const double high = std::clamp(std::ceil((double(box.hi[axis]) - origin) / step), 0.0, 255.0);
             const auto shift = static_cast<std::uint32_t>(8 * (slot % 4));
-            sides[std::size_t(axis)][slot / 4] |= static_cast<std::uint32_t>(low) << shift;
-            sides[std::size_t(axis)][2 + slot / 4] |= static_cast<std::uint32_t>(high) << shift;
+            const auto half = static_cast<int>(slot / 4);
+            (*sides[axis])[half] |= static_cast<std::uint32_t>(low) << shift;
+            (*sides[axis])[2 + half] |= static_cast<std::uint32_t>(high) << shift;
             corner = std::max({corner, static_cast<float>(std::abs(origin)),
                                static_cast<float>(std::abs(origin + high * step))});
         }
     }
     for (std::size_t slot = 0; slot < wide_children; ++slot) {
         if (child_at[slot] < 0) continue;
-        head[3] |= 1u << (24 + slot);
-        codes[slot] = children[std::size_t(child_at[slot])].code;
+        node.exponents_and_mask |= 1u << (24 + slot);
+        node.children[slot] = children[std::size_t(child_at[slot])].code;
     }
-    out[0] = {head[0], head[1], head[2], head[3]};
-    out[1] = {codes[0], codes[1], codes[2], codes[3]};
-    out[2] = {codes[4], codes[5], codes[6], codes[7]};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        out[3 + axis] = {sides[axis][0], sides[axis][1], sides[axis][2], sides[axis][3]};
+    return node;
 }
 
 int depth_below(const MeshTree& tree, std::uint32_t node) {
@@ -123,7 +117,7 @@ class Builder {
         }
         depth_ = 0;
         std::vector<Item> items;
-        if (mesh_root != GpuTree::no_root) items.push_back({world_.mesh_tree.bounds, nullptr, {}, mesh_root});
+        if (mesh_root != invalid_index) items.push_back({world_.mesh_tree.bounds, nullptr, {}, mesh_root});
         const Tree& instances = world_.instance_tree.tree();
         if (!instances.empty()) items.push_back({instances.bounds, &instances, instances.root, 0});
         const Tree& quadrics = world_.quadric_tree;
@@ -146,23 +140,23 @@ class Builder {
     };
 
     std::uint32_t new_nodes(std::size_t count) {
-        const std::size_t first = tree_.nodes.size() / words_of_node;
-        if (first + count > most_nodes)
+        const std::size_t first = tree_.nodes.size();
+        if (first + count > max_nodes)
             throw Error(ErrorKind::device,
-                        "the scene's tree has more than " + std::to_string(most_nodes) +
+                        "the scene's tree has more than " + std::to_string(max_nodes) +
                             " nodes, which is what the GPU's can have",
                         "render on the CPU");
-        tree_.nodes.resize((first + count) * words_of_node);
+        tree_.nodes.resize(first + count);
         return static_cast<std::uint32_t>(first);
     }
 
     std::uint32_t add_mesh(const MeshTree& mesh, float& corner) {
-        if (mesh.nodes.empty()) return GpuTree::no_root;
+        if (mesh.nodes.empty()) return invalid_index;
         const std::uint32_t first = new_nodes(mesh.nodes.size());
         const std::size_t units = tree_.leaves.size() / 4;
         tree_.leaves.insert(tree_.leaves.end(), mesh.leaf_words.begin(), mesh.leaf_words.end());
         tree_.leaves.resize((tree_.leaves.size() + 3) / 4 * 4);
-        if (tree_.leaves.size() / 4 > most_leaf_units)
+        if (tree_.leaves.size() / 4 > max_leaf_units)
             throw Error(ErrorKind::device,
                         "the scene's triangles take more than the 512 MiB that the GPU's tree can name",
                         "render on the CPU, or show meshes more than once as instances");
@@ -179,7 +173,7 @@ class Builder {
                 child.code = (code & leaf_bit) != 0 ? code + static_cast<std::uint32_t>(units) : code + first;
                 children.push_back(child);
             }
-            write_node(children, &tree_.nodes[(first + i) * words_of_node], corner);
+            tree_.nodes[first + i] = make_node(children, corner);
         }
         depth_ = std::max(depth_, depth_below(mesh, 0));
         return first;
@@ -202,7 +196,7 @@ class Builder {
         const std::uint32_t node = new_nodes(1);
         std::vector<Child> children;
         for (const Item& item : items) children.push_back({item.box, code_of(item, depth)});
-        write_node(children, &tree_.nodes[node * words_of_node], tree_.corner);
+        tree_.nodes[node] = make_node(children, tree_.corner);
         return node;
     }
 
@@ -220,7 +214,7 @@ class Builder {
         if (item.can_open()) return add_top({child_of(item, 0), child_of(item, 1)}, depth + 1);
         if (item.tree == &world_.quadric_tree)
             return 0x40000000u | (item.ref.count - 1) << 24 | item.ref.first;
-        return 0x60000000u | item.tree->order[item.ref.first];
+        return 0x60000000u | world_.instances[item.tree->order[item.ref.first]].object;
     }
 
     const WorldData& world_;

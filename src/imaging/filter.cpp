@@ -2,8 +2,6 @@
 
 #include "imaging/filter.h"
 
-#include "imaging/filter.shared.h"
-
 #include <cmath>
 
 namespace glint {
@@ -90,26 +88,22 @@ PixelFilterSampler::PixelFilterSampler(PixelFilter filter)
     }
 }
 
-PixelFilterSampler::Offset PixelFilterSampler::along_axis(float u) const {
-    // Both halves share one table; twice the distance to the nearer end of [0, 1) is exact.
-    const bool left = u < 0.5f;
-    const float tail = left ? 2 * u : 2 - 2 * u;
-
+FilterOffset PixelFilterSampler::along_axis(float u) const {
     // Only at u = 1/2, the centre, is all of |f| beyond.
+    const float tail = filter_tail(u);
     std::size_t step = steps - 1;
     if (tail < 1) {
         step = start_[static_cast<std::size_t>(tail * static_cast<float>(starts))];
         while (tail_[step + 1] <= tail) ++step;
     }
-    const float distance = filter_distance(radius_, static_cast<int>(step), static_cast<int>(steps), tail,
-                                           tail_[step], tail_[step + 1]);
-    return {left ? -distance : distance, step < negative_steps_ ? -1.0f : 1.0f};
+    return filter_offset(u, radius_, static_cast<int>(step), static_cast<int>(negative_steps_), tail_[step],
+                         tail_[step + 1]);
 }
 
 FilterSample PixelFilterSampler::sample(float u, float v) const {
-    const Offset x = along_axis(u);
-    const Offset y = along_axis(v);
-    return {x.distance, y.distance, x.sign * y.sign};
+    const FilterOffset x = along_axis(u);
+    const FilterOffset y = along_axis(v);
+    return {x.distance_to, y.distance_to, x.weight * y.weight};
 }
 
 } // namespace glint

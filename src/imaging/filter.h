@@ -4,6 +4,7 @@
 // is the sign of f. Nothing is splatted to other pixels, so tiles never wait for each other.
 
 #include "glint/filter.h"
+#include "imaging/filter.shared.h"
 
 #include <array>
 #include <cstddef>
@@ -41,15 +42,9 @@ class PixelFilterSampler {
     float radius() const { return radius_; }
 
   private:
-    struct Offset {
-        float distance;
-        float sign;
-    };
-    Offset along_axis(float u) const;
+    FilterOffset along_axis(float u) const;
 
-    /// A multiple of 14, so that steps of Mitchell's filter end at 1 (where its pieces meet) and at 8/7
-    /// (where its sign changes).
-    static constexpr std::size_t steps = 896;
+    static constexpr std::size_t steps = filter_steps;
     /// A power of two, so that finding the place to begin a search is exact.
     static constexpr std::size_t starts = 1024;
 

@@ -18,14 +18,14 @@ namespace {
 /// The box of a node's child as the shader reads it.
 Bounds child_box(const GpuTree& tree, std::uint32_t node, std::uint32_t child) {
     Bounds box;
+    const NodeRecord& record = tree.nodes[node];
+    const uvec4* const sides[] = {&record.sides_x, &record.sides_y, &record.sides_z};
     for (int axis = 0; axis < 3; ++axis) {
-        const uvec4 head = tree.nodes[6 * node];
-        const auto at = 6 * node + 3 + static_cast<std::uint32_t>(axis);
-        const float origin = std::bit_cast<float>(head[axis]);
-        const float step = std::ldexp(1.0f, static_cast<int>(head.w >> (8 * axis) & 255u) - 127);
+        const std::uint32_t exponent = record.exponents_and_mask >> (8 * axis) & 255u;
+        const float step = std::ldexp(1.0f, static_cast<int>(exponent) - 127);
         const auto side = [&](std::uint32_t word) {
-            const std::uint32_t four = tree.nodes[at][static_cast<int>(word + child / 4)];
-            return origin + static_cast<float>(four >> (8 * (child % 4)) & 255u) * step;
+            const std::uint32_t four = (*sides[axis])[static_cast<int>(word + child / 4)];
+            return record.origin[axis] + static_cast<float>(four >> (8 * (child % 4)) & 255u) * step;
         };
         box.lo[axis] = side(0);
         box.hi[axis] = side(2);
@@ -60,8 +60,8 @@ void visit_leaf(const GpuTree& tree, std::uint32_t code, const Bounds& box, Foun
 void visit(const GpuTree& tree, std::uint32_t node, int depth, Found& found) {
     ASSERT_LT(depth, tree.stack);
     for (std::uint32_t child = 0; child < 8; ++child) {
-        if ((tree.nodes[6 * node].w >> (24 + child) & 1u) == 0) continue;
-        const std::uint32_t code = tree.nodes[6 * node + 1 + child / 4][static_cast<int>(child % 4)];
+        if ((tree.nodes[node].exponents_and_mask >> (24 + child) & 1u) == 0) continue;
+        const std::uint32_t code = tree.nodes[node].children[child];
         if (code >> 31 != 0)
             visit_leaf(tree, code, child_box(tree, node, child), found);
         else if (code >> 30 == 0)
@@ -79,7 +79,7 @@ TEST(GpuTree, HoldsEverythingOnce) {
         const Scene scene = freeze(exhibit.scene);
         const WorldData& world = scene.frozen().world.data();
         const GpuTree tree = build_gpu_tree(world);
-        if (tree.root == GpuTree::no_root) continue;
+        if (tree.root == invalid_index) continue;
         Found found;
         visit(tree, tree.root, 0, found);
         EXPECT_EQ(found.triangles.size(), world.mesh_tree.triangles - world.mesh_tree.left_out)

@@ -35,10 +35,7 @@ struct Exemption {
 };
 
 const std::vector<Exemption>& exemptions() {
-    static const std::vector<Exemption> table = {
-        {"src/gpu/shaders/whitted.glsl", "void main()", "temporary: until its four phases are functions"},
-        {"src/gpu/shaders/trace.glsl", "Hit trace(", "temporary: until its steps are functions"},
-    };
+    static const std::vector<Exemption> table = {};
     return table;
 }
 

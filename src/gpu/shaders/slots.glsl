@@ -1,13 +1,42 @@
-// A slot is one pixel of the tile and what is under way for it. Between two dispatches it waits in `work`:
-// a sample's rays need not be followed to the end in one.
+// A slot is one pixel of the tile and the rays under way for it. Between two dispatches it waits in `work`: a sample's
+// tree of rays need not be followed to its end in one. Nothing here knows the light model: an estimator's main() opens
+// its slot, takes path after path, adds to `terms`, lets further paths wait, and closes the slot.
 
-// Fields of a slot: sample, state, terms, then the rays that wait.
-const uint state_waiting = 0xffffu; // how many rays wait
+/// A ray on its way, with the share of its light that reaches the pixel.
+struct Path {
+    vec3 origin;
+    vec3 direction;
+    vec3 weight;
+    uint depth;
+    uint term; // reflection or transmission below the first hit, else `invalid_index`
+    uvec4 interiors;
+};
+
+struct Slot {
+    uint number;
+    uvec2 pixel;
+    uint sample_number; // of the sample under way, or the next
+    bool begun;         // a sample is under way
+    bool covered;       // it hit something
+    float weight;       // of that sample: 1 or −1
+    uint waiting;       // paths in `work`, the last of which goes first
+    bool has_path;      // `path` goes before these
+    uint budget;        // paths that may still be followed in this dispatch
+};
+
+Slot slot;
+Path path;               // the one that is followed
+vec3 terms[GLINT_TERMS]; // what the sample's light is made of so far
+uvec4 rays = uvec4(0u);  // primary, reflected, refracted, shadow
+
+// The state of a slot in `work`.
+const uint state_waiting = 0xffffu;
 const uint state_begun = 0x10000u;
-const uint state_negative = 0x20000u; // the sample's weight is −1
-const uint state_covered = 0x40000u;  // it hit something
-const uint state_running = 0x80000u;  // a dispatch has begun with the slot, and has not saved it
-const uint fields_before_rays = field_terms + fields_of_term * uint(GLINT_TERMS);
+const uint state_negative = 0x20000u;
+const uint state_covered = 0x40000u;
+const uint state_running = 0x80000u; // a dispatch has begun with the slot, and has not saved it
+
+void add_term(uint term, vec3 value) { terms[GLINT_TERMS == 1 ? 0u : term] += value; }
 
 void save_vector(uint at, vec3 v) {
     work[at] = floatBitsToUint(v.x);
@@ -19,70 +48,178 @@ vec3 saved_vector(uint at) {
                 uintBitsToFloat(work[at + 2u * settings.slot_count]));
 }
 
-uint ray_field(uint slot, uint ray) { return slot_field(slot, fields_before_rays + ray * fields_of_ray); }
+uint term_field(uint term) { return slot_field(slot.number, field_terms + fields_of_term * term); }
+uint ray_field(uint ray) { return term_field(uint(GLINT_TERMS)) + ray * fields_of_ray * settings.slot_count; }
 
-void save_path(uint slot, uint ray, Path path) {
-    uint at = ray_field(slot, ray);
+/// Lets a path wait; the last goes first.
+void let_wait(Path p) {
+    uint at = ray_field(slot.waiting++);
     uint stride = settings.slot_count;
-    save_vector(at, path.origin);
-    save_vector(at + 3u * stride, path.direction);
-    save_vector(at + 6u * stride, path.weight);
-    work[at + 9u * stride] = path.depth | (path.term == none ? 0u : path.term << 16);
+    save_vector(at, p.origin);
+    save_vector(at + 3u * stride, p.direction);
+    save_vector(at + 6u * stride, p.weight);
+    work[at + 9u * stride] = p.depth | (p.term == invalid_index ? 0u : p.term << 16);
 #if GLINT_GLASS
-    for (int i = 0; i < 4; ++i) work[at + uint(10 + i) * stride] = path.media[i];
+    for (int i = 0; i < 4; ++i) work[at + uint(10 + i) * stride] = p.interiors[i];
 #endif
 }
 
-Path saved_path(uint slot, uint ray) {
-    uint at = ray_field(slot, ray);
+Path last_waiting() {
+    uint at = ray_field(--slot.waiting);
     uint stride = settings.slot_count;
-    Path path;
-    path.origin = saved_vector(at);
-    path.direction = saved_vector(at + 3u * stride);
-    path.weight = saved_vector(at + 6u * stride);
     uint info = work[at + 9u * stride];
-    path.depth = info & 0xffffu;
-    path.term = info >> 16 == 0u ? none : info >> 16;
-    path.media = uvec4(0u);
+    Path p = Path(saved_vector(at), saved_vector(at + 3u * stride), saved_vector(at + 6u * stride), info & 0xffffu,
+                  info >> 16 == 0u ? invalid_index : info >> 16, uvec4(0u));
 #if GLINT_GLASS
-    for (int i = 0; i < 4; ++i) path.media[i] = work[at + uint(10 + i) * stride];
+    for (int i = 0; i < 4; ++i) p.interiors[i] = work[at + uint(10 + i) * stride];
 #endif
-    return path;
+    return p;
 }
 
-/// imaging/filter.cpp: along_axis(), its table searched by halving. The offset, and the sign of the filter.
-vec2 filter_offset(float u) {
-    bool left = u < 0.5f;
-    float tail = left ? 2.0f * u : 2.0f - 2.0f * u;
+/// The step of the filter's table that has `tail`, by halving.
+uint filter_step(float tail) {
     uint low = 0u;
-    uint high = settings.filter_steps;
+    uint high = uint(filter_steps);
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;
-        if (tables[settings.first_tail + middle].x <= tail)
+        if (filter_table.tails[middle] <= tail)
             low = middle;
         else
             high = middle;
     }
-    float outer = tables[settings.first_tail + low].x;
-    float inner = tables[settings.first_tail + low + 1u].x;
-    float distance_to = filter_distance(settings.filter_radius, int(low), int(settings.filter_steps), tail, outer, inner);
-    return vec2(left ? -distance_to : distance_to, low < settings.negative_filter_steps ? -1.0f : 1.0f);
+    return low;
 }
 
-/// The camera ray of a sample, and its weight.
-Path primary_path(uvec2 pixel, uint number, uint samples, out float weight) {
-    vec2 offset = vec2(0.0f);
-    weight = 1.0f;
-    if (samples > 1u) {
-        vec2 u = sample_pair(pixel_key(settings.seed_low, settings.seed_high, pixel.x, pixel.y), number, 0u);
-        vec2 x = filter_offset(u.x);
-        vec2 y = filter_offset(u.y);
-        offset = vec2(x.x, y.x);
-        weight = x.y * y.y;
-    }
-    PinholeCamera camera = PinholeCamera(settings.camera_eye, settings.camera_forward,
-                                         settings.camera_right, settings.camera_up,
-                                         settings.image_width, settings.image_height);
-    vec3 direction = pinhole_direction(camera, int(pixel.x), int(pixel.y), offset.x, offset.y);
-    return Path(camera.eye, direction, vec3(1.0f), 0u, none, settings.interiors_at_eye);
+FilterOffset pixel_offset(float u) {
+    uint step_at = filter_step(filter_tail(u));
+    return filter_offset(u, settings.filter_radius, int(step_at), int(settings.negative_filter_steps),
+                         filter_table.tails[step_at], filter_table.tails[step_at + 1u]);
 }
+
+void begin_sample() {
+    vec2 offset = vec2(0.0f);
+    slot.weight = 1.0f;
+    if (settings.samples > 1u) {
+        uint key = pixel_key(settings.seed_low, settings.seed_high, slot.pixel.x, slot.pixel.y);
+        vec2 u = sample_pair(key, slot.sample_number, 0u);
+        FilterOffset x = pixel_offset(u.x);
+        FilterOffset y = pixel_offset(u.y);
+        offset = vec2(x.distance_to, y.distance_to);
+        slot.weight = x.weight * y.weight;
+    }
+    PinholeCamera camera =
+        PinholeCamera(settings.camera_eye, settings.camera_forward, settings.camera_right, settings.camera_up,
+                      settings.image_width, settings.image_height);
+    vec3 direction = pinhole_direction(camera, int(slot.pixel.x), int(slot.pixel.y), offset.x, offset.y);
+    path = Path(camera.eye, direction, vec3(1.0f), 0u, invalid_index, settings.interiors_at_eye);
+    slot.begun = true;
+    slot.covered = false;
+    ++rays.x;
+}
+
+/// From `terms` to the film.
+void end_sample() {
+    uint stride = settings.slot_count;
+    uint sums = film_fields_of_term * uint(GLINT_TERMS);
+    uint at = slot.number + (slot.weight > 0.0f ? 0u : sums / 2u * stride);
+    for (int i = 0; i < GLINT_TERMS; ++i) {
+        for (int axis = 0; axis < 3; ++axis) film[at + uint(3 * i + axis) * stride] += terms[i][axis];
+        terms[i] = vec3(0.0f);
+    }
+    uint counts = slot.number + sums * stride;
+    if (slot.weight > 0.0f) film[counts] += 1.0f;
+    if (slot.covered) film[counts + stride] += 1.0f;
+    slot.begun = false;
+    ++slot.sample_number;
+}
+
+/// False if there is nothing to do.
+bool open_slot() {
+    slot.number = settings.first_slot + gl_GlobalInvocationID.x;
+    if (slot.number >= settings.end_slot) return false;
+    slot.pixel = slot_pixel(slot.number);
+    uint state_at = slot_field(slot.number, field_state);
+    slot.sample_number = work[slot_field(slot.number, field_sample)] + settings.first_sample;
+    if (any(greaterThanEqual(slot.pixel, uvec2(settings.end_x, settings.end_y))) ||
+        slot.sample_number >= settings.end_sample)
+        return false;
+    uint state = work[state_at];
+    // The driver ended the estimator's loop before its end: see gpu/pace.h.
+    if ((state & state_running) != 0u) {
+        atomicOr(work[counter_faults], fault_loops);
+        return false;
+    }
+    work[state_at] = state | state_running;
+    atomicAdd(work[counter_unfinished], 1u);
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) terms[i] = saved_vector(term_field(i));
+    slot.waiting = state & state_waiting;
+    slot.begun = (state & state_begun) != 0u;
+    slot.weight = (state & state_negative) != 0u ? -1.0f : 1.0f;
+    slot.covered = (state & state_covered) != 0u;
+    slot.has_path = false;
+    slot.budget = settings.max_nodes;
+    return true;
+}
+
+void save_slot() {
+    if (slot.has_path) let_wait(path);
+    work[slot_field(slot.number, field_sample)] = slot.sample_number - settings.first_sample;
+    work[slot_field(slot.number, field_state)] = slot.waiting | (slot.begun ? state_begun : 0u) |
+                                                 (slot.weight < 0.0f ? state_negative : 0u) |
+                                                 (slot.covered ? state_covered : 0u);
+    for (uint i = 0u; i < uint(GLINT_TERMS); ++i) save_vector(term_field(i), terms[i]);
+    if (slot.sample_number >= settings.end_sample) atomicAdd(work[counter_unfinished], 0xffffffffu); // one less
+}
+
+/// Takes the next path. False if the slot has nothing more to do in this dispatch: then it was saved, here and not behind
+/// the estimator's loop, for a driver may have ended that.
+bool next_path() {
+    bool idle = !slot.has_path && slot.waiting == 0u;
+    if (idle && slot.begun) end_sample();
+    if ((idle && slot.sample_number >= settings.end_sample) || slot.budget == 0u ||
+        turns >= settings.max_walk_steps) {
+        save_slot();
+        return false;
+    }
+    if (idle)
+        begin_sample();
+    else if (!slot.has_path)
+        path = last_waiting();
+    slot.has_path = false;
+    --slot.budget;
+    return true;
+}
+
+void close_slot() {
+    if (interiors_overflowed) atomicOr(work[counter_faults], fault_interiors);
+    for (uint i = 0u; i < 4u; ++i)
+        if (rays[i] != 0u) atomicAdd(work[counter_rays + i], rays[i]);
+}
+
+// ── The loop of an estimator: a ray a turn
+
+// What the loop does next.
+const uint phase_next = 0u;   // take a path
+const uint phase_path = 1u;   // trace it to a surface
+const uint phase_lights = 2u; // find a light that is worth a shadow ray
+const uint phase_shadow = 3u; // trace the shadow ray
+uint phase = phase_next;
+
+// The ray that is traced: from its origin on, or from behind the hit `after`.
+SpawnedRay ray;
+Hit after;
+bool any_hit; // the first hit that is found will do
+
+void start_ray(SpawnedRay next_ray, bool any) {
+    ray = next_ray;
+    after = no_hit(0.0f);
+    any_hit = any;
+}
+
+void start_path() {
+    phase = phase_path;
+    start_ray(SpawnedRay(path.origin, path.direction, infinite_t()), false);
+}
+
+/// Hits have t < tmax.
+Hit trace_ray() { return trace(ray.origin, ray.direction, next_float(ray.tmax, -1.0f), after, any_hit); }

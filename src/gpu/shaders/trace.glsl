@@ -3,9 +3,8 @@
 
 const uint kind_none = 0u;
 const uint kind_triangle = 1u;
-const uint kind_sphere = 2u;
-const uint kind_cylinder = 3u;
-const uint kind_plane = 4u;
+const uint kind_quadric = 2u;
+const uint kind_plane = 3u;
 
 struct Hit {
     float t;
@@ -14,13 +13,12 @@ struct Hit {
     uint kind;
     uint object;
     uint prim;
-    uint at;       // of a triangle its leaf's code, its number there in place of their count; else the shape
-    uint instance; // or `none`
+    uint at; // of a triangle its leaf's code, its number there in place of their count; else the shape
     bool on_edge;
     bool positive;
 };
 
-Hit no_hit(float t) { return Hit(t, 0.0f, 0.0f, kind_none, none, 0u, 0u, none, false, false); }
+Hit no_hit(float t) { return Hit(t, 0.0f, 0.0f, kind_none, invalid_index, 0u, 0u, false, false); }
 
 /// trace/world.h: precedes().
 bool precedes(Hit a, Hit b) {
@@ -41,7 +39,6 @@ bool follows(Hit previous, Hit hit) {
 }
 
 float largest(vec3 v) { return max(max(v.x, v.y), v.z); }
-double largest(dvec3 v) { return max(max(v.x, v.y), v.z); }
 
 /// The axes in the order kx, ky, kz of geometry/triangle.h.
 vec3 permuted(vec3 v, int kz) { return kz == 0 ? v.yzx : (kz == 1 ? v.zxy : v.xyz); }
@@ -89,13 +86,13 @@ void clip_axis(uint low, uint high, bool negative, float base, float scale, floa
 
 /// The children that the ray meets in [from, to], as bits in the order in which it should enter them.
 uint children_met(uint node, SpaceRay ray, float from, float to) {
-    uvec4 head = nodes[6u * node];
-    vec3 base = uintBitsToFloat(head.xyz) - ray.origin;
-    vec3 scale = intBitsToFloat(ivec3((head.www >> uvec3(0u, 8u, 16u)) & 255u) << 23);
+    uint head = nodes[node].exponents_and_mask;
+    vec3 base = nodes[node].origin - ray.origin;
+    vec3 scale = intBitsToFloat(ivec3((uvec3(head) >> uvec3(0u, 8u, 16u)) & 255u) << 23);
     bvec3 negative = bvec3((uvec3(ray.octant) >> uvec3(0u, 1u, 2u)) & 1u);
-    uvec4 qx = nodes[6u * node + 3u];
-    uvec4 qy = nodes[6u * node + 4u];
-    uvec4 qz = nodes[6u * node + 5u];
+    uvec4 qx = nodes[node].sides_x;
+    uvec4 qy = nodes[node].sides_y;
+    uvec4 qz = nodes[node].sides_z;
     uint met = 0u;
     for (uint half_node = 0u; half_node < 2u; ++half_node) {
         vec4 enter = vec4(from);
@@ -107,13 +104,19 @@ uint children_met(uint node, SpaceRay ray, float from, float to) {
                   ray.inverse.y, enter, leave);
         clip_axis(first ? qz.x : qz.y, first ? qz.z : qz.w, negative.z, base.z, scale.z, ray.pad,
                   ray.inverse.z, enter, leave);
-        uvec4 inside = uvec4(lessThanEqual(enter, leave)) & ((uvec4(head.w) >> (24u + 4u * half_node + uvec4(0u, 1u, 2u, 3u))) & 1u);
-        uvec4 place = (uvec4(0u, 1u, 2u, 3u) + 4u * half_node) ^ ray.octant;
-        uvec4 bits = inside << place;
+        uvec4 child = uvec4(0u, 1u, 2u, 3u) + 4u * half_node;
+        uvec4 inside = uvec4(lessThanEqual(enter, leave)) & ((uvec4(head) >> (24u + child)) & 1u);
+        uvec4 bits = inside << (child ^ ray.octant);
         met |= bits.x | bits.y | bits.z | bits.w;
     }
     return met;
 }
+
+// A leaf's code (trace/mesh_tree.h, LeafCode); a hit has the triangle's number in place of the count.
+uint leaf_word(uint code) { return (code & 0x01ffffffu) * 4u; }
+uint leaf_vertices(uint code) { return ((code >> 25) & 7u) + 1u; }
+uint leaf_triangles(uint code) { return ((code >> 28) & 7u) + 1u; }
+uint leaf_triangle_number(uint hit_code) { return (hit_code >> 28) & 7u; }
 
 vec3 leaf_vertex(uint word, uint count, uint number) {
     uint at = word + 4u + number;
@@ -122,8 +125,8 @@ vec3 leaf_vertex(uint word, uint count, uint number) {
 
 /// The corners of triangle i of a leaf.
 void leaf_triangle(uint code, uint i, out vec3 a, out vec3 b, out vec3 c) {
-    uint word = (code & 0x01ffffffu) * 4u;
-    uint count = ((code >> 25) & 7u) + 1u;
+    uint word = leaf_word(code);
+    uint count = leaf_vertices(code);
     uint corners = leaves[word + i / 2u] >> (16u * (i % 2u));
     a = leaf_vertex(word, count, corners & 7u);
     b = leaf_vertex(word, count, (corners >> 3) & 7u);
@@ -137,24 +140,18 @@ ShearedVertex sheared(SpaceRay ray, vec3 vertex) {
     return ShearedVertex(x, y, v.z);
 }
 
-/// Object and number within it of the triangle with a running number.
-void name_triangle(uint number, uint instance, out uint object, out uint prim) {
-    if (instance != none) {
-        object = uint(shapes[settings.first_instance + 26u * instance + 22u]);
-        prim = number;
-        return;
-    }
+/// The mesh in the world's own space that has the triangle with a running number.
+uint mesh_of_triangle(uint number) {
     uint low = 0u;
     uint high = settings.mesh_count;
     while (high - low > 1u) {
         uint middle = (low + high) / 2u;
-        if (words[2u * middle] <= number)
+        if (mesh_first_triangle(middle) <= number)
             low = middle;
         else
             high = middle;
     }
-    object = words[2u * low + 1u];
-    prim = number - words[2u * low];
+    return low;
 }
 
 bool test_triangle(SpaceRay ray, uint code, uint i, uint instance, float limit, inout Hit hit) {
@@ -166,39 +163,45 @@ bool test_triangle(SpaceRay ray, uint code, uint i, uint instance, float limit, 
     if (surely_outside(sa, sb, sc)) return false;
     TriangleHit found;
     if (!intersect_sheared(sa, sb, sc, ray.shear.z, 0.0f, limit, found)) return false;
-    hit = Hit(found.t, found.u, found.v, kind_triangle, 0u, 0u, (code & 0x8fffffffu) | i << 28, instance,
+    uint number = leaves[leaf_word(code) + 4u + 3u * leaf_vertices(code) + i];
+    hit = Hit(found.t, found.u, found.v, kind_triangle, instance, number, (code & 0x8fffffffu) | i << 28,
               found.on_edge, found.positive);
-    uint word = (code & 0x01ffffffu) * 4u;
-    uint count = ((code >> 25) & 7u) + 1u;
-    name_triangle(leaves[word + 4u + 3u * count + i], instance, hit.object, hit.prim);
+    if (instance == invalid_index) {
+        uint mesh = mesh_of_triangle(number);
+        hit.object = mesh_object(mesh);
+        hit.prim = number - mesh_first_triangle(mesh);
+    }
     return true;
 }
 
-/// The span of a line in a quadric, in the quadric's own space.
-bool span_in_quadric(uint quadric, dvec3 origin, dvec3 direction, out SolidSpan span) {
-    uint at = settings.first_quadric + 12u * quadric;
-    double affine = shapes[at + 1u];
-    if (affine >= 0.0) {
-        uint place = settings.first_affine + 21u * uint(affine);
-        dmat3 inverse = shape_matrix(place + 9u);
-        origin = inverse * (origin - shape_vector(place + 18u));
-        direction = inverse * direction;
-    }
-    dvec3 from = origin - shape_vector(at + 4u);
-    span.enter_part = 0;
-    span.leave_part = 0;
-    if (shapes[at] == double(kind_cylinder))
-        return line_in_cylinder(from, direction, shape_vector(at + 7u), shapes[at + 10u], shapes[at + 11u], span);
-    return line_in_ball(from, direction, shapes[at + 11u], span.enter, span.leave);
+QuadricShape quadric_of(ShapeRecord shape) {
+    return QuadricShape(shape.kind, unpacked(shape.base), unpacked(shape.axis), shape.height, shape.radius);
+}
+
+/// The ray's line in the space of an object.
+void to_local(uint object, inout dvec3 origin, inout dvec3 direction) {
+    dmat3 inverse = unpacked(objects[object].inverse);
+    origin = inverse * (origin - unpacked(objects[object].translation));
+    direction = inverse * direction;
+}
+
+void to_shape(ShapeRecord shape, inout dvec3 origin, inout dvec3 direction) {
+    if (shape.is_local != 0u) to_local(shape.object, origin, direction);
+}
+
+/// The part of a line inside a quadric, in the quadric's own space.
+bool span_in_shape(uint shape_number, dvec3 origin, dvec3 direction, out SolidSpan span) {
+    ShapeRecord shape = shapes[shape_number];
+    to_shape(shape, origin, direction);
+    return line_in_quadric(quadric_of(shape), origin, direction, span);
 }
 
 /// The first of a quadric's two hits that follows another.
-bool test_quadric(uint quadric, dvec3 origin, dvec3 direction, Hit after, float limit, inout Hit hit) {
+bool test_quadric(uint shape, dvec3 origin, dvec3 direction, Hit after, float limit, inout Hit hit) {
     SolidSpan span;
-    if (!span_in_quadric(quadric, origin, direction, span)) return false;
-    uint at = settings.first_quadric + 12u * quadric;
-    hit = Hit(float(span.enter), 0.0f, 0.0f, uint(shapes[at]), uint(shapes[at + 2u]), uint(shapes[at + 3u]),
-              quadric, none, false, false);
+    if (!span_in_shape(shape, origin, direction, span)) return false;
+    hit = Hit(float(span.enter), 0.0f, 0.0f, kind_quadric, shapes[shape].object, shapes[shape].prim, shape, false,
+              false);
     if (!(span.enter > 0.0) || !follows(after, hit)) {
         if (!(span.leave > 0.0)) return false;
         hit.t = float(span.leave);
@@ -207,19 +210,11 @@ bool test_quadric(uint quadric, dvec3 origin, dvec3 direction, Hit after, float 
     return hit.t <= limit;
 }
 
-bool test_plane(uint plane, dvec3 origin, dvec3 direction, float limit, inout Hit hit) {
+bool test_plane(uint shape, dvec3 origin, dvec3 direction, float limit, inout Hit hit) {
     double t;
-    if (!line_meets_plane(origin, direction, shape_vector(5u * plane), shapes[5u * plane + 3u], t)) return false;
-    hit = Hit(float(t), 0.0f, 0.0f, kind_plane, uint(shapes[5u * plane + 4u]), 0u, plane, none, false, false);
+    if (!line_meets_plane(origin, direction, unpacked(shapes[shape].axis), shapes[shape].height, t)) return false;
+    hit = Hit(float(t), 0.0f, 0.0f, kind_plane, shapes[shape].object, 0u, shape, false, false);
     return t > 0.0 && hit.t <= limit;
-}
-
-/// The ray in the space of an instance's mesh, rounded once.
-void to_instance(uint instance, vec3 origin, vec3 direction, out vec3 local_origin, out vec3 local_direction) {
-    uint at = settings.first_instance + 26u * instance;
-    dmat3 inverse = shape_matrix(at);
-    local_origin = vec3(inverse * (dvec3(origin) - shape_vector(at + 9u)));
-    local_direction = vec3(inverse * dvec3(direction));
 }
 
 /// Finite, and with a direction.
@@ -228,16 +223,114 @@ bool traceable(vec3 origin, vec3 direction) {
     return zero == vec3(0.0f) && direction != vec3(0.0f);
 }
 
-const uint leave_instance = 0xffffffffu;
-
-// Turns of all walks so far.
-uint turns = 0u;
+uint turns = 0u; // of all walks so far
 
 #if GLINT_COUNT
 // What the last trace() did: nodes whose children's boxes it tested, and shapes that it tested.
 uint steps_to_nodes = 0u;
 uint steps_to_shapes = 0u;
 #endif
+
+// A walk through the tree goes depth first. A stack entry is a node with its children that are still to be entered, as
+// 24 and 8 bits, or leave_instance.
+const uint leave_instance = 0xffffffffu;
+uint walk_stack[GLINT_STACK];
+int walk_waiting; // entries of the stack
+
+struct Walk {
+    vec3 origin;    // in the world
+    vec3 direction;
+    SpaceRay ray;   // in the space it is in
+    uint instance;  // the object whose mesh it is in, or invalid_index
+    uint node;
+    uint children;  // of the node, still to be entered, as bits in their order
+    uint next;      // the node to visit now, or invalid_index
+    uint leaf_kind; // of the shapes that are tested now
+    uint leaf;      // of triangles its code, else the first shape
+    uint left;      // shapes that are still to be tested
+};
+
+/// Planes stand in no tree: they are tested first.
+Walk walk_of(vec3 origin, vec3 direction) {
+    walk_waiting = 0;
+    return Walk(origin, direction, space_ray(origin, direction, settings.max_coordinate, settings.instance_slack),
+                invalid_index, 0u, 0u, settings.tree_root, kind_plane, 0u, settings.plane_count);
+}
+
+void push_children(Walk walk) {
+    if (walk.children != 0u) walk_stack[walk_waiting++] = walk.node << 8 | walk.children;
+}
+
+void pop_children(inout Walk walk) {
+    uint entry = walk_stack[--walk_waiting];
+    if (entry == leave_instance) {
+        walk.instance = invalid_index;
+        walk.ray = space_ray(walk.origin, walk.direction, settings.max_coordinate, settings.instance_slack);
+    } else {
+        walk.node = entry >> 8;
+        walk.children = entry & 255u;
+    }
+}
+
+#if GLINT_INSTANCES
+void enter_instance(inout Walk walk, uint object) {
+    push_children(walk);
+    walk_stack[walk_waiting++] = leave_instance;
+    walk.children = 0u;
+    walk.instance = object;
+    dvec3 origin = dvec3(walk.origin);
+    dvec3 direction = dvec3(walk.direction);
+    to_local(object, origin, direction);
+    walk.ray = space_ray(vec3(origin), vec3(direction), objects[object].mesh_max_coordinate, 0.0f);
+    if (traceable(vec3(origin), vec3(direction))) walk.next = objects[object].mesh_root;
+}
+#endif
+
+/// Goes to the next child of the node: a node, an instance or a leaf, by its code (gpu/tree.h).
+void enter_child(inout Walk walk) {
+    uint bit = uint(findLSB(walk.children));
+    walk.children &= walk.children - 1u;
+    uint code = nodes[walk.node].children[bit ^ walk.ray.octant];
+    if (code >> 31 != 0u) {
+        walk.leaf_kind = kind_triangle;
+        walk.leaf = code;
+        walk.left = leaf_triangles(code);
+    } else if (code >> 30 == 0u) {
+        push_children(walk);
+        walk.next = code;
+#if GLINT_INSTANCES
+    } else if (code >> 29 == 3u) {
+        enter_instance(walk, code & 0x1fffffffu);
+#endif
+    } else {
+        walk.leaf_kind = kind_quadric;
+        walk.leaf = settings.plane_count + (code & 0x00ffffffu);
+        walk.left = ((code >> 24) & 31u) + 1u;
+    }
+}
+
+void visit_node(inout Walk walk, float from, float to) {
+    walk.node = walk.next;
+    walk.next = invalid_index;
+    walk.children = children_met(walk.node, walk.ray, from, to);
+#if GLINT_COUNT
+    ++steps_to_nodes;
+#endif
+}
+
+/// The leaf's next shape, from its last to its first.
+bool test_shape(inout Walk walk, Hit after, float limit, inout Hit hit) {
+    --walk.left;
+#if GLINT_COUNT
+    ++steps_to_shapes;
+#endif
+    if (walk.leaf_kind == kind_triangle)
+        return test_triangle(walk.ray, walk.leaf, walk.left, walk.instance, limit, hit);
+    dvec3 origin = dvec3(walk.origin);
+    dvec3 direction = dvec3(walk.direction);
+    if (walk.leaf_kind == kind_plane) return test_plane(walk.left, origin, direction, limit, hit);
+    return test_quadric(walk.leaf + walk.left, origin, direction, after, limit, hit);
+}
 
 /// The least hit with 0 < t <= limit that follows `after`; with `any` the first that is found.
 Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
@@ -247,87 +340,25 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
     steps_to_shapes = 0u;
 #endif
     if (!traceable(origin, direction)) return best;
-    SpaceRay ray = space_ray(origin, direction, settings.max_coordinate, settings.instance_slack);
+    Walk walk = walk_of(origin, direction);
     float from = max(after.t, 0.0f);
-    uint stack[GLINT_STACK];
-    int waiting = 0;
-    uint instance = none;
-    uint node = 0u;
-    uint met = 0u;                     // children of `node` that are still to be entered
-    uint next = settings.tree_root;  // the node to visit now, or none
-    uint left = settings.plane_count;     // shapes of the leaf that are still to be tested
-    uint leaf = kind_plane;            // their kind
-    uint leaf_at = 0u;
     for (;;) {
         ++turns;
-        if (left == 0u) {
-            if (next == none) {
-                if (met == 0u) {
-                    if (waiting == 0) break;
-                    uint entry = stack[--waiting];
-                    if (entry == leave_instance) {
-                        instance = none;
-                        ray = space_ray(origin, direction, settings.max_coordinate, settings.instance_slack);
-                        continue;
-                    }
-                    node = entry >> 8;
-                    met = entry & 255u;
+        if (walk.left == 0u) {
+            if (walk.next == invalid_index) {
+                if (walk.children == 0u) {
+                    if (walk_waiting == 0) break;
+                    pop_children(walk);
                 }
-                uint place = uint(findLSB(met));
-                met &= met - 1u;
-                uint slot = place ^ ray.octant;
-                uint code = nodes[6u * node + 1u + slot / 4u][slot % 4u];
-                if (code >> 31 != 0u) {
-                    leaf = kind_triangle;
-                    leaf_at = code;
-                    left = ((code >> 28) & 7u) + 1u;
-                } else if (code >> 30 == 0u) {
-                    if (met != 0u) stack[waiting++] = node << 8 | met;
-                    next = code;
-#if GLINT_INSTANCES
-                } else if (code >> 29 == 3u) {
-                    if (met != 0u) stack[waiting++] = node << 8 | met;
-                    stack[waiting++] = leave_instance;
-                    met = 0u;
-                    instance = code & 0x1fffffffu;
-                    vec3 local_origin, local_direction;
-                    to_instance(instance, origin, direction, local_origin, local_direction);
-                    uint at = settings.first_instance + 26u * instance;
-                    ray = space_ray(local_origin, local_direction, float(shapes[at + 25u]), 0.0f);
-                    if (traceable(local_origin, local_direction)) next = uint(shapes[at + 24u]);
-#endif
-                } else {
-                    leaf = kind_sphere;
-                    leaf_at = code & 0x00ffffffu;
-                    left = ((code >> 24) & 31u) + 1u;
-                }
+                if (walk.children != 0u) enter_child(walk);
             }
-            if (next != none) {
-                node = next;
-                next = none;
-                met = children_met(node, ray, from, best.t);
-#if GLINT_COUNT
-                ++steps_to_nodes;
-#endif
-            }
+            if (walk.next != invalid_index) visit_node(walk, from, best.t);
         }
-        if (left > 0u) {
-            --left;
-#if GLINT_COUNT
-            ++steps_to_shapes;
-#endif
-            Hit hit;
-            bool found;
-            if (leaf == kind_triangle)
-                found = test_triangle(ray, leaf_at, left, instance, best.t, hit);
-            else if (leaf == kind_plane)
-                found = test_plane(leaf_at + left, dvec3(origin), dvec3(direction), best.t, hit);
-            else
-                found = test_quadric(leaf_at + left, dvec3(origin), dvec3(direction), after, best.t, hit);
-            if (found && follows(after, hit) && (best.kind == kind_none || precedes(hit, best))) {
-                best = hit;
-                if (any) break;
-            }
+        Hit hit;
+        if (walk.left > 0u && test_shape(walk, after, best.t, hit) && follows(after, hit) &&
+            (best.kind == kind_none || precedes(hit, best))) {
+            best = hit;
+            if (any) break;
         }
     }
     return best;

@@ -1,4 +1,4 @@
-// Where slots are: in the buffers, and in the picture.
+// Where a slot is: in the buffers, and in the picture.
 
 uint slot_field(uint slot, uint field) { return work_counters + field * settings.slot_count + slot; }
 
@@ -7,6 +7,6 @@ uvec2 slot_pixel(uint slot) {
     uint square = slot / square_slots;
     uint columns = settings.tile_width / square_width;
     uvec2 corner = square_width * uvec2(square % columns, square / columns);
-    uvec2 place = corner + uvec2(slot % square_width, slot % square_slots / square_width);
-    return uvec2(settings.tile_x, settings.tile_y) + settings.pixel_step * place;
+    uvec2 in_tile = corner + uvec2(slot % square_width, slot % square_slots / square_width);
+    return uvec2(settings.tile_x, settings.tile_y) + settings.pixel_step * in_tile;
 }
