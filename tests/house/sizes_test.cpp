@@ -27,35 +27,16 @@ const std::vector<Language>& languages() {
     return table;
 }
 
-/// A function that may be longer than the limits, with the reason.
-struct Exemption {
-    std::string path;
-    std::string name; ///< its beginning
-    std::string reason;
-};
-
-const std::vector<Exemption>& exemptions() {
-    static const std::vector<Exemption> table = {};
-    return table;
-}
-
 struct Located {
     std::string path;
     Function function;
 };
 
-bool is_exempt(const Located& located) {
-    return std::any_of(exemptions().begin(), exemptions().end(), [&](const Exemption& e) {
-        return located.path == e.path && located.function.name.compare(0, e.name.size(), e.name) == 0;
-    });
-}
-
-/// All functions of a language but the exempt ones, longest first.
+/// All functions of a language, longest first.
 std::vector<Located> all_functions(const Language& language) {
     std::vector<Located> all;
     for (const Source& source : sources_under(language.folders, language.extensions))
-        for (const Function& function : functions_of(source.text))
-            if (const Located located{source.path, function}; !is_exempt(located)) all.push_back(located);
+        for (const Function& function : functions_of(source.text)) all.push_back({source.path, function});
     std::stable_sort(all.begin(), all.end(), [](const Located& a, const Located& b) {
         return a.function.lines() > b.function.lines();
     });
