@@ -6,7 +6,7 @@
 
 #include "glint/formats.h"
 #include "render/camera_sampler.h"
-#include "render/whitted.h"
+#include "render/estimators/whitted.h"
 
 #include <fmt/format.h>
 
@@ -70,7 +70,7 @@ class Square {
 std::vector<Batch> batches_of(const FrozenScene& scene) {
     const RenderSettings& settings = scene.description.render;
     const CameraSampler sampler(scene.description);
-    WhittedTracer tracer(scene);
+    Whitted tracer(scene);
     Square square(scene);
     std::vector<Batch> all;
     for (int y = 0; y < settings.height; y += block)
@@ -81,7 +81,7 @@ std::vector<Batch> batches_of(const FrozenScene& scene) {
                 if (px >= settings.width || py >= settings.height) continue;
                 const CameraSample sample = sampler.centre({px, py});
                 RayTree tree;
-                tracer.trace(sample.origin, sample.direction, &tree);
+                tracer.trace(sample, &tree);
                 square.add(tree);
             }
             square.move_to(all);

@@ -3,8 +3,8 @@
 #include "imaging/pixel_sum.h"
 #include "parallel/task_pool.h"
 #include "render/camera_sampler.h"
+#include "render/estimators/whitted.h"
 #include "render/explain_parts.h"
-#include "render/whitted.h"
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,8 @@ namespace glint {
 struct Explainer::State {
     State(const Scene& whole, const CancelFlag* stop)
         : scene(whole), settings(whole.render_settings()), sampler(whole.frozen().description),
-          parts(whole.frozen()), cancel(stop), tracer(whole.frozen(), stop) {}
+          parts(whole.frozen()), cancel(stop),
+          estimator(whole.frozen(), whole.frozen().description.whitted, stop) {}
 
     ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
         const bool with_rays = i < limits.samples;
@@ -24,7 +25,7 @@ struct Explainer::State {
         out.dx = film.dx;
         out.dy = film.dy;
         out.weight = film.weight;
-        const Terms terms = tracer.trace(camera.origin, camera.direction, with_rays ? &tree : nullptr);
+        const Terms terms = estimator.trace(camera, with_rays ? &tree : nullptr).terms;
         stop_if_cancelled(cancel);
         out.terms = terms.value;
         out.radiance = terms.sum();
@@ -37,7 +38,7 @@ struct Explainer::State {
     const CameraSampler sampler;
     const ExplainedScene parts;
     const CancelFlag* cancel;
-    WhittedTracer tracer;
+    Whitted estimator;
     RayTree tree;
 };
 

@@ -14,11 +14,13 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     const int px = static_cast<int>(x);
     const int py = static_cast<int>(y);
     const PinholeCamera camera = camera_of(scene.description());
-    const vec3 direction =
+    CameraSample sample;
+    sample.origin = camera.eye;
+    sample.direction =
         pinhole_direction(camera, px, py, static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5));
 
     RayTree tree;
-    WhittedTracer(scene.frozen(), first_hit_settings(scene.frozen())).trace(camera.eye, direction, &tree);
+    Whitted(scene.frozen(), first_hit_settings(scene.frozen())).trace(sample, &tree);
     const RayNode& node = tree.nodes.front();
     if (!node.hit) return std::nullopt;
     Pick found;

@@ -4,6 +4,7 @@
 #include "glint/explanation.h"
 #include "math/vec.h"
 #include "render/camera_sample.h"
+#include "shading/whitted_steps.shared.h"
 #include "trace/world.h"
 
 #include <cstdint>
@@ -60,6 +61,7 @@ struct RayNode {
     std::vector<ShadowNode> shadows; ///< parallel to lights
     float index_before = 1;          ///< indices of refraction on the two sides, where the ray goes through
     float index_after = 1;
+    Refraction refraction{}; ///< at the surface of a transparent solid
     bool total_reflection = false;
     float local_weight = 1; ///< of ambient, diffuse, highlight and clamp
     float reflected_weight = 0;

@@ -1,4 +1,4 @@
-// Shading for every SIMD target, as many flights at once as floats fit into a vector.
+// Shading for every SIMD target: as many paths at once as a vector holds floats.
 
 #include "render/shade_batch.h"
 
@@ -22,38 +22,38 @@ using namespace lanes;
 using lanes::real;
 using lanes::vec3;
 
-HWY_INLINE vec3 load(const Flights::Vectors& from, std::size_t i) {
+HWY_INLINE vec3 load(const PathStates::Vectors& from, std::size_t i) {
     return {lanes::load(&from[0][i]), lanes::load(&from[1][i]), lanes::load(&from[2][i])};
 }
-HWY_INLINE real load(const Flights::Numbers& from, std::size_t i) { return lanes::load(&from[i]); }
-HWY_INLINE void store(const vec3& x, Flights::Vectors& to, std::size_t i) {
+HWY_INLINE real load(const PathStates::Numbers& from, std::size_t i) { return lanes::load(&from[i]); }
+HWY_INLINE void store(const vec3& x, PathStates::Vectors& to, std::size_t i) {
     lanes::store(x.x, &to[0][i]);
     lanes::store(x.y, &to[1][i]);
     lanes::store(x.z, &to[2][i]);
 }
-HWY_INLINE void store(real x, Flights::Numbers& to, std::size_t i) { lanes::store(x, &to[i]); }
+HWY_INLINE void store(real x, PathStates::Numbers& to, std::size_t i) { lanes::store(x, &to[i]); }
 
-HWY_INLINE Flights::Vectors& row(Flights& flights, Term term) {
-    return flights.terms[static_cast<std::size_t>(term)];
+HWY_INLINE PathStates::Vectors& row(PathStates& states, Term term) {
+    return states.terms[static_cast<std::size_t>(term)];
 }
 
-HWY_INLINE void add(const vec3& x, Flights::Vectors& to, std::size_t i) { store(load(to, i) + x, to, i); }
+HWY_INLINE void add(const vec3& x, PathStates::Vectors& to, std::size_t i) { store(load(to, i) + x, to, i); }
 
-HWY_INLINE LocalTerms local_terms(Flights& f, std::size_t i) {
-    return {load(row(f, Term::ambient), i), load(row(f, Term::diffuse), i), load(row(f, Term::highlight), i),
-            load(row(f, Term::clamp), i)};
+HWY_INLINE LocalTerms local_terms(PathStates& states, std::size_t i) {
+    return {load(row(states, Term::ambient), i), load(row(states, Term::diffuse), i),
+            load(row(states, Term::highlight), i), load(row(states, Term::clamp), i)};
 }
-HWY_INLINE void store(const LocalTerms& local, Flights& f, std::size_t i) {
-    store(local.ambient, row(f, Term::ambient), i);
-    store(local.diffuse, row(f, Term::diffuse), i);
-    store(local.highlight, row(f, Term::highlight), i);
-    store(local.clamp, row(f, Term::clamp), i);
+HWY_INLINE void store(const LocalTerms& local, PathStates& states, std::size_t i) {
+    store(local.ambient, row(states, Term::ambient), i);
+    store(local.diffuse, row(states, Term::diffuse), i);
+    store(local.highlight, row(states, Term::highlight), i);
+    store(local.clamp, row(states, Term::clamp), i);
 }
 
-/// Calls use(i) for the first flight of every vector.
+/// Calls use(i) for the first path of every vector.
 template <class Use>
-HWY_INLINE void for_vectors(Level level, Use&& use) {
-    for (std::size_t i = level.first; i < level.first + level.count; i += lane_count) use(i);
+HWY_INLINE void for_vectors(Wave wave, Use&& use) {
+    for (std::size_t i = wave.first; i < wave.first + wave.count; i += lane_count) use(i);
 }
 
 /// One number of each path's material.
@@ -100,33 +100,33 @@ HWY_INLINE MaterialRecord broadcast(const glint::MaterialRecord& of) {
 }
 
 /// Neighbours mostly lie on one material.
-HWY_INLINE MaterialRecord materials_of(const Flights& flights, std::size_t i) {
-    const glint::MaterialRecord* const* of = &flights.materials[i];
+HWY_INLINE MaterialRecord materials_of(const PathStates& states, std::size_t i) {
+    const glint::MaterialRecord* const* of = &states.materials[i];
     bool one = true;
     for (std::size_t k = 1; k < lane_count; ++k) one &= of[k] == of[0];
     return one ? broadcast(**of) : gather(of);
 }
 
 /// What set_up() noted of the materials.
-HWY_INLINE MaterialRecord noted_materials(const Flights& f, std::size_t i) {
+HWY_INLINE MaterialRecord noted_materials(const PathStates& states, std::size_t i) {
     MaterialRecord m;
-    m.diffuse = load(f.diffuse, i);
-    m.highlight = load(f.highlight, i);
-    m.shininess = load(f.shininess, i);
-    m.reflectivity = load(f.reflectivity, i);
-    m.transparency = load(f.transparency, i);
+    m.diffuse = load(states.diffuse, i);
+    m.highlight = load(states.highlight, i);
+    m.shininess = load(states.shininess, i);
+    m.reflectivity = load(states.reflectivity, i);
+    m.transparency = load(states.transparency, i);
     return m;
 }
 
-HWY_INLINE SurfaceRecord surfaces_of(const Flights& f, std::size_t i) {
+HWY_INLINE SurfaceRecord surfaces_of(const PathStates& states, std::size_t i) {
     SurfaceRecord s;
-    s.p = load(f.p, i);
-    s.p_error = load(f.p_error, i);
-    s.v = load(f.v, i);
-    s.n_g = load(f.n_g, i);
-    s.n = load(f.n, i);
-    s.color = load(f.color, i);
-    s.lit_side = load(f.lit_side, i);
+    s.p = load(states.p, i);
+    s.p_error = load(states.p_error, i);
+    s.v = load(states.v, i);
+    s.n_g = load(states.n_g, i);
+    s.n = load(states.n, i);
+    s.color = load(states.color, i);
+    s.lit_side = load(states.lit_side, i);
     return s;
 }
 
@@ -172,116 +172,117 @@ HWY_INLINE vec3 directions_of(const Ray* rays) {
 }
 
 /// The share of the light that passes what the shadow rays met.
-HWY_INLINE real shadow_factor(const Flights& flights, std::size_t i) {
+HWY_INLINE real passing_light(const PathStates& states, std::size_t i) {
     const hn::Rebind<std::uint8_t, RealTag> bytes;
-    const integer blocked = hn::PromoteTo(IntegerTag(), hn::LoadU(bytes, &flights.blocked[i]));
-    return pick(real(blocked) == 0.0f, 1.0f, load(flights.through, i));
+    const integer blocked = hn::PromoteTo(IntegerTag(), hn::LoadU(bytes, &states.blocked[i]));
+    return pick(real(blocked) == 0.0f, 1.0f, load(states.passing, i));
 }
 
 } // namespace
 
 // What the dispatcher calls: anonymous functions cannot be exported.
-void set_up(const FrozenScene&, Level level, Flights& f) {
-    for_vectors(level, [&](std::size_t i) {
-        const vec3 direction = directions_of(&f.rays[i]);
-        const vec3 n = load(f.n, i);
+void set_up(Wave wave, PathStates& states) {
+    for_vectors(wave, [&](std::size_t i) {
+        const vec3 direction = directions_of(&states.rays[i]);
+        const vec3 n = load(states.n, i);
         const truth entering = dot(n, direction) < 0.0f;
         const vec3 n_g = pick(entering, n, -n);
-        store(n_g, f.n_g, i);
-        store(n_g, f.n, i);
-        store(-direction, f.v, i);
-        store(pick(entering, 1.0f, 0.0f), f.entering, i);
-        store(real(1.0f), f.lit_side, i);
-        const MaterialRecord m = materials_of(f, i);
-        store(m.color, f.color, i);
-        store(m.diffuse, f.diffuse, i);
-        store(m.highlight, f.highlight, i);
-        store(m.shininess, f.shininess, i);
-        store(m.reflectivity, f.reflectivity, i);
-        store(m.transparency, f.transparency, i);
+        store(n_g, states.n_g, i);
+        store(n_g, states.n, i);
+        store(-direction, states.v, i);
+        store(pick(entering, 1.0f, 0.0f), states.entering, i);
+        store(real(1.0f), states.lit_side, i);
+        const MaterialRecord m = materials_of(states, i);
+        store(m.color, states.color, i);
+        store(m.diffuse, states.diffuse, i);
+        store(m.highlight, states.highlight, i);
+        store(m.shininess, states.shininess, i);
+        store(m.reflectivity, states.reflectivity, i);
+        store(m.transparency, states.transparency, i);
     });
 }
 
-void start_terms(const FrozenScene& scene, Level level, Flights& f) {
-    for_vectors(level, [&](std::size_t i) {
-        const MaterialRecord m = materials_of(f, i);
-        for (Flights::Vectors& term : f.terms) store(vec3(0.0f), term, i);
-        const LocalTerms local = ambient_terms(vec3(scene.ambient), surfaces_of(f, i), m);
-        store(local.ambient, row(f, Term::ambient), i);
-        store(m.emission, row(f, Term::emission), i);
+void start_terms(const glm::vec3& ambient_light, Wave wave, PathStates& states) {
+    for_vectors(wave, [&](std::size_t i) {
+        const MaterialRecord m = materials_of(states, i);
+        for (PathStates::Vectors& term : states.terms) store(vec3(0.0f), term, i);
+        const LocalTerms local = ambient_terms(vec3(ambient_light), surfaces_of(states, i), m);
+        store(local.ambient, row(states, Term::ambient), i);
+        store(m.emission, row(states, Term::emission), i);
     });
 }
 
-std::size_t aim(const LightRecord& light, Level level, Flights& f) {
+std::size_t spawn_shadow_rays(const LightRecord& light, Wave wave, PathStates& states) {
     std::size_t count = 0;
-    for_vectors(level, [&](std::size_t i) {
-        const SurfaceRecord s = surfaces_of(f, i);
+    for_vectors(wave, [&](std::size_t i) {
+        const SurfaceRecord s = surfaces_of(states, i);
         const LightArrival arrival = light_arrival(light, s);
-        const truth reached = is_worth_shadow_ray(noted_materials(f, i), arrival);
-        store(arrival.direction, f.to_light, i);
-        store(pick(reached, arrival.arriving, vec3(0.0f)), f.arriving, i);
+        const truth reached = is_worth_shadow_ray(noted_materials(states, i), arrival);
+        store(arrival.direction, states.to_light, i);
+        store(pick(reached, arrival.arriving, vec3(0.0f)), states.arriving, i);
         count += hn::CountTrue(RealTag(), reached.m);
 
         SpawnedRay ray = shadow_ray(light, s, arrival);
         ray.tmax = pick(reached, ray.tmax, -1.0f);
         const RayGroups rays(ray);
-        for (std::size_t k = 0; k < lane_count; ++k) rays.copy(k, f.shadow_rays[i + k]);
+        for (std::size_t k = 0; k < lane_count; ++k) rays.copy(k, states.shadow_rays[i + k]);
     });
     return count;
 }
 
-void add_light(const WhittedModes& modes, Level level, Flights& f) {
-    for_vectors(level, [&](std::size_t i) {
+void add_light(const WhittedModes& modes, Wave wave, PathStates& states) {
+    for_vectors(wave, [&](std::size_t i) {
         LightArrival arrival;
-        arrival.direction = load(f.to_light, i);
-        arrival.arriving = load(f.arriving, i);
-        const ShownLight shown =
-            shown_light(modes, surfaces_of(f, i), noted_materials(f, i), arrival, shadow_factor(f, i));
-        add(shown.diffuse, row(f, Term::diffuse), i);
-        add(shown.highlight, row(f, Term::highlight), i);
+        arrival.direction = load(states.to_light, i);
+        arrival.arriving = load(states.arriving, i);
+        const ShownLight shown = shown_light(modes, surfaces_of(states, i), noted_materials(states, i),
+                                             arrival, passing_light(states, i));
+        add(shown.diffuse, row(states, Term::diffuse), i);
+        add(shown.highlight, row(states, Term::highlight), i);
     });
 }
 
-void limit_terms(const WhittedModes& modes, Level level, Flights& f) {
+void limit_terms(const WhittedModes& modes, Wave wave, PathStates& states) {
     if (modes.clamp == 0) return;
-    for_vectors(level, [&](std::size_t i) { store(limited_terms(modes, local_terms(f, i)), f, i); });
+    for_vectors(wave, [&](std::size_t i) { store(limited_terms(modes, local_terms(states, i)), states, i); });
 }
 
-std::size_t reflect(const WhittedModes& modes, Level level, std::size_t next, Flights& f) {
+std::size_t spawn_reflected(const WhittedModes& modes, Wave wave, std::size_t next, PathStates& states) {
     const std::size_t first = next;
-    for_vectors(level, [&](std::size_t i) {
-        const MaterialRecord m = noted_materials(f, i);
+    for_vectors(wave, [&](std::size_t i) {
+        const MaterialRecord m = noted_materials(states, i);
         const truth mirror = m.reflectivity > 0.0f && !(m.transparency > 0.0f);
         if (!any(mirror)) return;
-        store(weighted_terms(local_terms(f, i), pick(mirror, local_weight(modes, m), 1.0f)), f, i);
-        const RayGroups rays(reflected_ray(surfaces_of(f, i)));
+        store(weighted_terms(local_terms(states, i), pick(mirror, local_weight(modes, m), 1.0f)), states, i);
+        const RayGroups rays(reflected_ray(surfaces_of(states, i)));
         // Each is written behind the last; what does not go on is written over.
         alignas(64) float goes_on[lane_count];
         lanes::store(pick(mirror, 1.0f, 0.0f), goes_on);
         for (std::size_t k = 0; k < lane_count; ++k) {
-            rays.copy(k, f.rays[next]);
-            f.media[next] = f.media[i + k];
-            f.parents[next] = static_cast<std::uint32_t>(i + k);
-            f.branches[next] = Term::reflection;
-            f.weights[next] = f.reflectivity[i + k];
+            rays.copy(k, states.rays[next]);
+            states.interiors[next] = states.interiors[i + k];
+            states.parents[next] = static_cast<std::uint32_t>(i + k);
+            states.parent_terms[next] = Term::reflection;
+            states.parent_weights[next] = states.reflectivity[i + k];
             next += goes_on[k] != 0.0f ? 1 : 0;
         }
     });
     return next - first;
 }
 
-void sum_terms(Level level, Flights& f) {
-    for_vectors(level, [&](std::size_t i) {
-        vec3 sum = load(f.terms[0], i);
-        for (std::size_t term = 1; term < term_count; ++term) sum = sum + load(f.terms[term], i);
-        store(sum, f.sums, i);
+void sum_terms(Wave wave, PathStates& states) {
+    for_vectors(wave, [&](std::size_t i) {
+        vec3 sum = load(states.terms[0], i);
+        for (std::size_t term = 1; term < term_count; ++term) sum = sum + load(states.terms[term], i);
+        store(sum, states.sums, i);
     });
 }
 
-void bring(Level level, Flights& f) {
-    for (std::size_t i = level.first; i < level.first + level.count; ++i)
+void add_to_parents(Wave wave, PathStates& states) {
+    for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis)
-            row(f, f.branches[i])[axis][f.parents[i]] = f.sums[axis][i] * f.weights[i];
+            row(states, states.parent_terms[i])[axis][states.parents[i]] =
+                states.sums[axis][i] * states.parent_weights[i];
 }
 
 } // namespace HWY_NAMESPACE
@@ -293,8 +294,8 @@ namespace glint {
 
 #define GLINT_SHADE_KERNELS(CHOOSE)                                                                          \
     {                                                                                                        \
-        CHOOSE(set_up), CHOOSE(start_terms), CHOOSE(aim), CHOOSE(add_light), CHOOSE(limit_terms),            \
-            CHOOSE(reflect), CHOOSE(sum_terms), CHOOSE(bring)                                                \
+        CHOOSE(set_up), CHOOSE(start_terms), CHOOSE(spawn_shadow_rays), CHOOSE(add_light),                   \
+            CHOOSE(limit_terms), CHOOSE(spawn_reflected), CHOOSE(sum_terms), CHOOSE(add_to_parents)          \
     }
 const std::array<ShadeKernels, kernel_targets> shade_kernels{
     {GLINT_SHADE_KERNELS(HWY_CHOOSE_FALLBACK), GLINT_SHADE_KERNELS(HWY_CHOOSE_SSE4),

@@ -1,8 +1,7 @@
 #pragma once
-// The steps of shading for many flights at once, as compiled for each SIMD target: the steps of
-// shading/whitted_steps.shared.h on vectors of flights. WhittedTracer has the same steps for one ray.
+// The steps of shading/whitted_steps.shared.h for many paths at once, compiled for each SIMD target.
 
-#include "render/flights.h"
+#include "render/estimators/path_states.h"
 #include "trace/kernel_table.h"
 
 #include <array>
@@ -11,22 +10,25 @@
 namespace glint {
 
 struct ShadeKernels {
-    /// From World::surfaces(): turns normals to the viewer, notes what shading needs of the materials.
-    void (*set_up)(const FrozenScene& scene, Level level, Flights& flights);
-    /// The terms without lights.
-    void (*start_terms)(const FrozenScene& scene, Level level, Flights& flights);
-    /// What arrives from a light, and the shadow rays; how many may meet something.
-    std::size_t (*aim)(const LightRecord& light, Level level, Flights& flights);
+    /// After World::surfaces(): turns normals toward the viewer, copies what shading needs of the materials.
+    void (*set_up)(Wave wave, PathStates& states);
+    /// Sets the terms without lights.
+    void (*start_terms)(const vec3& ambient_light, Wave wave, PathStates& states);
+    /// Sets what arrives from a light, and the shadow rays. Returns how many are sent; the others can meet
+    /// nothing.
+    std::size_t (*spawn_shadow_rays)(const LightRecord& light, Wave wave, PathStates& states);
     /// Adds the light that passes.
-    void (*add_light)(const WhittedModes& modes, Level level, Flights& flights);
-    /// Limits the terms where the scene says so.
-    void (*limit_terms)(const WhittedModes& modes, Level level, Flights& flights);
-    /// Mirror rays of opaque surfaces: weighs the local terms, writes the rays from `next` on; how many.
-    std::size_t (*reflect)(const WhittedModes& modes, Level level, std::size_t next, Flights& flights);
-    /// Adds the terms up.
-    void (*sum_terms)(Level level, Flights& flights);
-    /// Hands each flight's sum to its parent.
-    void (*bring)(Level level, Flights& flights);
+    void (*add_light)(const WhittedModes& modes, Wave wave, PathStates& states);
+    /// Limits the local terms where the model clamps.
+    void (*limit_terms)(const WhittedModes& modes, Wave wave, PathStates& states);
+    /// Weighs the local terms of opaque mirrors and writes their reflected rays from `next` on; returns how
+    /// many.
+    std::size_t (*spawn_reflected)(const WhittedModes& modes, Wave wave, std::size_t next,
+                                   PathStates& states);
+    /// Sets the sums of the terms.
+    void (*sum_terms)(Wave wave, PathStates& states);
+    /// Sets the terms of the parents that the wave's sums are.
+    void (*add_to_parents)(Wave wave, PathStates& states);
 };
 extern const std::array<ShadeKernels, kernel_targets> shade_kernels;
 

@@ -146,6 +146,13 @@ Mat4 rotation(unsigned number) {
     return m;
 }
 
+CameraSample camera_ray(const vec3& origin, const vec3& direction) {
+    CameraSample sample;
+    sample.origin = origin;
+    sample.direction = direction;
+    return sample;
+}
+
 Look look(SceneDescription scene, const Vec3& eye, const Vec3& direction) {
     CameraDescription camera;
     camera.eye = eye;
@@ -155,8 +162,8 @@ Look look(SceneDescription scene, const Vec3& eye, const Vec3& direction) {
     FreezeOptions one_thread;
     one_thread.threads = 1;
     Look result{freeze(scene, one_thread), {}, {}, vec3(0.0f), {}};
-    WhittedTracer tracer(result.scene.frozen());
-    result.terms = tracer.trace(vec3(eye), vec3(glm::normalize(direction)), &result.tree);
+    Whitted tracer(result.scene.frozen());
+    result.terms = tracer.trace(camera_ray(vec3(eye), vec3(glm::normalize(direction))), &result.tree).terms;
     result.light = result.terms.sum();
     result.counts = tracer.counts();
     return result;

@@ -3,7 +3,7 @@
 
 #include "glint/render.h"
 #include "glint/scene.h"
-#include "render/whitted.h"
+#include "render/estimators/estimator.h"
 
 #include <memory>
 #include <string>
@@ -47,6 +47,9 @@ Mesh box_mesh(const Vec3& center, const Vec3& size);
 
 /// A rotation drawn by number, of any axis and angle.
 Mat4 rotation(unsigned number);
+
+/// A camera sample of a ray alone.
+CameraSample camera_ray(const vec3& origin, const vec3& direction);
 
 /// One ray with all that it met. The camera is put at its origin, so that media around it are found.
 struct Look {

@@ -216,12 +216,12 @@ TEST(Shadow, NoSurfaceShadowsItself) {
         add(scene, gem, matte());
         add_light(scene, Vec3(0.3, -9, 2) * size, size * size);
         const Scene frozen = freeze(scene);
-        WhittedTracer tracer(frozen.frozen());
+        Whitted tracer(frozen.frozen());
         int lit = 0;
         for (int i = 0; i < 4000; ++i) {
             const Vec3 d = Vec3(0.9 * std::sin(1.7 * i), 6, -1 + 0.5 * std::sin(2.9 * i));
             RayTree tree;
-            tracer.trace(vec3(scene.camera->eye), vec3(glm::normalize(d)), &tree);
+            tracer.trace(camera_ray(vec3(scene.camera->eye), vec3(glm::normalize(d))), &tree);
             const RayNode& node = tree.nodes.at(0);
             if (!node.hit || node.lights.at(0).arriving.x <= 0) continue;
             EXPECT_EQ(node.lights.at(0).shadow, 1) << size << " " << i;

@@ -18,7 +18,7 @@ class RayTreeOf : public testing::TestWithParam<Exhibit> {
     template <class Check>
     void for_rays(const Check& check) {
         const Scene scene = freeze(GetParam().scene);
-        WhittedTracer tracer(scene.frozen());
+        Whitted tracer(scene.frozen());
         const CameraDescription& c = scene.camera();
         const PinholeCamera camera =
             pinhole_camera(c.eye, c.direction, c.up, c.fov, FovAxis::y, 97, 83);
@@ -31,36 +31,31 @@ INSTANTIATE_TEST_SUITE_P(Gallery, RayTreeOf, testing::ValuesIn(gallery()),
                          [](const auto& exhibit) { return exhibit.param.name; });
 
 TEST_P(RayTreeOf, RecordingChangesNoBit) {
-    for_rays([](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
+    for_rays([](const vec3& origin, const vec3& direction, Whitted& tracer) {
         RayTree tree;
-        const Terms recorded = tracer.trace(origin, direction, &tree);
-        const Terms plain = tracer.trace(origin, direction);
+        const Terms recorded = tracer.trace(camera_ray(origin, direction), &tree).terms;
+        const Terms plain = tracer.trace(camera_ray(origin, direction)).terms;
         EXPECT_EQ(recorded.value, plain.value);
         EXPECT_EQ(tree.nodes.at(0).terms.value, plain.value);
         EXPECT_EQ(tree.nodes.at(0).radiance, plain.sum());
     });
 }
 
-TEST_P(RayTreeOf, ABatchBringsWhatItsRaysBringAlone) {
+TEST_P(RayTreeOf, AWavefrontHasTheBitsOfSingleRays) {
     std::vector<CameraSample> samples;
-    std::vector<Terms> alone;
-    std::vector<bool> covered;
-    for_rays([&](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
-        bool hit = false;
-        alone.push_back(tracer.trace(origin, direction, nullptr, &hit));
-        covered.push_back(hit);
-        samples.emplace_back();
-        samples.back().origin = origin;
-        samples.back().direction = direction;
+    std::vector<Channels> single;
+    for_rays([&](const vec3& origin, const vec3& direction, Whitted& tracer) {
+        samples.push_back(camera_ray(origin, direction));
+        single.push_back(tracer.trace(samples.back()));
     });
     const Scene scene = freeze(GetParam().scene);
-    WhittedTracer tracer(scene.frozen());
+    WhittedWavefront tracer(scene.frozen(), scene.frozen().description.whitted);
     std::vector<Channels> out(samples.size());
     tracer.estimate(samples, out);
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        EXPECT_EQ(out[i].terms.value, alone[i].value) << "ray " << i;
-        EXPECT_EQ(out[i].radiance, alone[i].sum()) << "ray " << i;
-        EXPECT_EQ(out[i].covered, covered[i]) << "ray " << i;
+        EXPECT_EQ(out[i].terms.value, single[i].terms.value) << "ray " << i;
+        EXPECT_EQ(out[i].radiance, single[i].radiance) << "ray " << i;
+        EXPECT_EQ(out[i].covered, single[i].covered) << "ray " << i;
     }
 }
 
@@ -89,9 +84,9 @@ Terms recombined(const RayTree& tree, const RayNode& node, const WhittedSettings
 
 TEST_P(RayTreeOf, NodesRecombineToThePixelBitForBit) {
     const WhittedSettings& settings = GetParam().scene.whitted;
-    for_rays([&](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
+    for_rays([&](const vec3& origin, const vec3& direction, Whitted& tracer) {
         RayTree tree;
-        tracer.trace(origin, direction, &tree);
+        tracer.trace(camera_ray(origin, direction), &tree);
         for (const RayNode& node : tree.nodes) {
             EXPECT_EQ(recombined(tree, node, settings).value, node.terms.value);
             EXPECT_EQ(node.terms.sum(), node.radiance);
@@ -101,9 +96,9 @@ TEST_P(RayTreeOf, NodesRecombineToThePixelBitForBit) {
 
 TEST_P(RayTreeOf, ParentsStandBeforeTheirChildrenOneBounceApart) {
     const WhittedSettings& settings = GetParam().scene.whitted;
-    for_rays([&](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
+    for_rays([&](const vec3& origin, const vec3& direction, Whitted& tracer) {
         RayTree tree;
-        tracer.trace(origin, direction, &tree);
+        tracer.trace(camera_ray(origin, direction), &tree);
         EXPECT_EQ(tree.nodes.at(0).parent, -1);
         EXPECT_EQ(tree.nodes.at(0).origin, origin);
         EXPECT_EQ(tree.nodes.at(0).direction, direction);
@@ -121,9 +116,9 @@ TEST_P(RayTreeOf, ParentsStandBeforeTheirChildrenOneBounceApart) {
 }
 
 TEST_P(RayTreeOf, EveryRayGoesToTheSideOfItsKind) {
-    for_rays([](const vec3& origin, const vec3& direction, WhittedTracer& tracer) {
+    for_rays([](const vec3& origin, const vec3& direction, Whitted& tracer) {
         RayTree tree;
-        tracer.trace(origin, direction, &tree);
+        tracer.trace(camera_ray(origin, direction), &tree);
         for (const RayNode& node : tree.nodes) {
             EXPECT_NEAR(dot(node.direction, node.direction), 1, 1e-6);
             if (!node.hit) continue;

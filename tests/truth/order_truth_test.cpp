@@ -36,13 +36,13 @@ void shuffle(std::vector<T>& items, unsigned seed) {
 int ties(const SceneDescription& scene) {
     const Scene frozen = freeze(scene);
     const World& world = frozen.frozen().world;
-    WhittedTracer tracer(frozen.frozen());
+    Whitted tracer(frozen.frozen());
     int count = 0;
     for (int i = 0; i < 400; ++i) {
         RayTree tree;
         const Vec3 aside = Vec3(rotation(static_cast<unsigned>(i))[0]) * 0.25;
-        tracer.trace(vec3(scene.camera->eye),
-                     vec3(glm::normalize(glm::normalize(scene.camera->direction) + aside)), &tree);
+        const Vec3 direction = glm::normalize(glm::normalize(scene.camera->direction) + aside);
+        tracer.trace(camera_ray(vec3(scene.camera->eye), vec3(direction)), &tree);
         for (const RayNode& node : tree.nodes) {
             Ray ray;
             ray.origin = node.origin;

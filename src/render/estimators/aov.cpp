@@ -16,7 +16,7 @@ WhittedSettings first_hit_settings(const FrozenScene& scene) {
 
 AovEstimator::AovEstimator(const FrozenScene& scene, Aspect aov, const CancelFlag* cancel,
                            const KernelChoice& kernel)
-    : scene_(scene), aov_(aov), tracer_(scene, first_hit_settings(scene), cancel, kernel) {}
+    : scene_(scene), aov_(aov), first_hits_(scene, first_hit_settings(scene), cancel, kernel) {}
 
 void AovEstimator::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool /*terms*/) {
     for (std::size_t i = 0; i < samples.size(); ++i)
@@ -33,7 +33,7 @@ vec3 AovEstimator::measure_cost(const CameraSample& sample) {
 }
 
 vec3 AovEstimator::measure(const CameraSample& sample) {
-    tracer_.trace(sample.origin, sample.direction, &tree_);
+    first_hits_.trace(sample, &tree_);
     if (tree_.nodes.empty()) return vec3(0.0f); // cancelled
     const RayNode& node = tree_.nodes.front();
     float hidden = 0;

@@ -3,7 +3,7 @@
 
 #include "glint/render.h"
 #include "render/camera_sample.h"
-#include "render/whitted.h"
+#include "render/estimators/whitted.h"
 
 #include <span>
 
@@ -19,7 +19,7 @@ class AovEstimator {
 
     /// Radiance is the AOV. There are no terms.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = false);
-    const RayCounts& counts() const { return aov_ == Aspect::cost ? cost_counts_ : tracer_.counts(); }
+    const RayCounts& counts() const { return aov_ == Aspect::cost ? cost_counts_ : first_hits_.counts(); }
 
   private:
     vec3 measure(const CameraSample& sample);
@@ -27,7 +27,7 @@ class AovEstimator {
 
     const FrozenScene& scene_;
     Aspect aov_;
-    WhittedTracer tracer_;
+    Whitted first_hits_;
     RayTree tree_;
     RayCounts cost_counts_;
 };

@@ -5,7 +5,9 @@ namespace glint {
 Estimator make_estimator(const FrozenScene& scene, Aspect show, const CancelFlag* cancel,
                          const KernelChoice& kernel) {
     if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
-    return WhittedTracer(scene, cancel, kernel);
+    const WhittedSettings& settings = scene.description.whitted;
+    if (kernel.kernel == Kernel::scalar) return Whitted(scene, settings, cancel, kernel);
+    return WhittedWavefront(scene, settings, cancel, kernel);
 }
 
 void estimate(Estimator& estimator, std::span<const CameraSample> samples, std::span<Channels> out,

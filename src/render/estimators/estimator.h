@@ -4,7 +4,8 @@
 #include "render/aspect.h"
 #include "render/camera_sample.h"
 #include "render/estimators/aov.h"
-#include "render/whitted.h"
+#include "render/estimators/whitted.h"
+#include "render/estimators/whitted_wavefront.h"
 
 #include <span>
 #include <variant>
@@ -12,9 +13,10 @@
 namespace glint {
 
 /// Measures camera samples. Holds scratch memory: one for each thread.
-using Estimator = std::variant<WhittedTracer, AovEstimator>;
+using Estimator = std::variant<Whitted, WhittedWavefront, AovEstimator>;
 
-/// The estimator of what a picture shows; of light, by the scene's integrator. It refers to the scene.
+/// The estimator of what a picture shows; of light, by the scene's integrator, one ray after another with
+/// Kernel::scalar. It refers to the scene.
 Estimator make_estimator(const FrozenScene& scene, Aspect show, const CancelFlag* cancel,
                          const KernelChoice& kernel);
 

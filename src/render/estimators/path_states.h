@@ -1,0 +1,67 @@
+#pragma once
+// The paths of a wavefront as a structure of arrays: what belongs to path i is element i of every row, so
+// that vectors of paths can be shaded at once (render/shade_batch.h).
+
+#include "render/camera_sample.h"
+#include "render/interior_list.h"
+#include "scene/frozen.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glint {
+
+struct PathStates {
+    /// Ray trees of glass can grow without end: what has no room here is followed by recursion.
+    static constexpr std::size_t capacity = 4096;
+    /// Waves begin at a multiple of this. No vector has more lanes.
+    static constexpr std::size_t alignment = 16;
+
+    /// Elements behind the last path, for the last vector to touch. The odd size also keeps rows from
+    /// beginning at equal offsets of pages, where processors take a load from one row to depend on a store to
+    /// another.
+    static constexpr std::size_t padding = 72;
+    static_assert(padding >= alignment);
+
+    template <class T>
+    using Row = std::array<T, capacity + padding>;
+    using Numbers = Row<float>;
+    using Vectors = std::array<Numbers, 3>; ///< x, y, z
+
+    Row<Ray> rays;
+    Row<Hit> hits;
+    Row<const InteriorList*> interiors;   ///< around the ray's origin, then where it arrives
+    Row<const MaterialRecord*> materials; ///< never null
+    Row<std::uint32_t> parents;           ///< the path that this is a branch of
+    Row<Term> parent_terms;               ///< the term of the parent that it adds to
+    Numbers parent_weights;               ///< its share there
+    std::array<Vectors, term_count> terms;
+    Vectors sums; ///< of the terms
+
+    // The surface: p, p_error, n as in SurfacePoint, then toward the viewer as in SurfaceRecord.
+    Row<std::uint8_t> located; ///< by World::surfaces(), else by surface_interaction()
+    Vectors p, p_error, n_g, n, v, color;
+    Numbers entering; ///< 1 or 0
+    Numbers lit_side, diffuse, highlight, shininess, reflectivity, transparency;
+
+    // One light: its direction, what arrives before shadows (0 where no shadow ray is sent), the shadow ray,
+    // whether that is blocked, and the share of blocked light that passes all the same.
+    Vectors to_light, arriving;
+    Row<Ray> shadow_rays;
+    Row<std::uint8_t> blocked;
+    Numbers passing;
+};
+
+/// Paths first … first + count − 1: those of one depth.
+struct Wave {
+    std::size_t first = 0;
+    std::size_t count = 0;
+
+    /// Where the next wave begins.
+    std::size_t end() const {
+        return (first + count + PathStates::alignment - 1) / PathStates::alignment * PathStates::alignment;
+    }
+};
+
+} // namespace glint

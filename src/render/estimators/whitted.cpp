@@ -1,0 +1,215 @@
+#include "render/estimators/whitted.h"
+
+#include "render/ray_recorder.h"
+
+#include <optional>
+
+namespace glint {
+namespace {
+
+Ray ray_of(const SpawnedRay& spawned) {
+    Ray ray;
+    ray.origin = spawned.origin;
+    ray.direction = spawned.direction;
+    ray.tmax = spawned.tmax;
+    return ray;
+}
+
+} // namespace
+
+Whitted::Whitted(const FrozenScene& scene, const WhittedSettings& settings, const CancelFlag* cancel,
+                 const KernelChoice& kernel)
+    : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
+      kernel_(kernel) {}
+
+void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
+    for (std::size_t i = 0; i < samples.size(); ++i) out[i] = trace(samples[i]);
+}
+
+Channels Whitted::trace(const CameraSample& sample, RayTree* record) {
+    std::optional<RayRecorder> recorder;
+    if (record != nullptr) recorder.emplace(*record);
+    recorder_ = record != nullptr ? &*recorder : nullptr;
+    ++counts_.primary;
+    Path path;
+    path.origin = sample.origin;
+    path.direction = sample.direction;
+    path.interior = start();
+    const Channels out = radiance(path);
+    recorder_ = nullptr;
+    return out;
+}
+
+const InteriorList* Whitted::start() {
+    arena_.clear();
+    const InteriorList* interior = nullptr;
+    for (const std::uint32_t object : scene_.camera_media)
+        interior = entered(interior, object, scene_, arena_);
+    return interior;
+}
+
+Channels Whitted::radiance(Path path) {
+    Channels out;
+    // A tree can have 2^max_depth rays: cancelling must reach into it.
+    if (cancelled()) return out;
+    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.origin, path.direction);
+
+    // Find the closest surface that no solid of higher rank hides.
+    Ray ray;
+    ray.origin = path.origin;
+    ray.direction = path.direction;
+    Hit hit = scene_.world.closest(ray, kernel_);
+    skip_hidden(ray, hit, path.interior);
+    out.covered = static_cast<bool>(hit);
+
+    if (!hit) {
+        // The background shows, but not to a ray that never leaves a solid.
+        if (path.interior == nullptr) out.terms[Term::emission] = scene_.background;
+        if (recorder_ != nullptr) recorder_->miss(path.interior);
+    } else {
+        const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
+        if (recorder_ != nullptr) recorder_->hit(hit, at, path.interior);
+
+        // Add up the light that arrives from the lights.
+        LocalTerms local = local_light(path, at);
+        out.terms[Term::emission] = at.material->emission;
+
+        // Follow the mirror and the refracted ray.
+        if (bounces(path, at)) {
+            local = weighted_terms(local, local_weight(modes_, *at.material));
+            follow_bounce(path, at, out.terms);
+        }
+        out.terms[Term::ambient] = local.ambient;
+        out.terms[Term::diffuse] = local.diffuse;
+        out.terms[Term::highlight] = local.highlight;
+        out.terms[Term::clamp] = local.clamp;
+
+        // Absorb what comes back through the medium.
+        absorb(path.interior, hit.t, out.terms);
+    }
+    out.radiance = out.terms.sum();
+    if (recorder_ != nullptr) recorder_->end_ray(out);
+    return out;
+}
+
+void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interior) {
+    while (hit && is_hidden(interior, hit.object, scene_)) {
+        if (recorder_ != nullptr) recorder_->skip_hidden(hit);
+        cross(ray, hit, interior);
+        hit = scene_.world.next(ray, hit);
+    }
+}
+
+/// The list behind a surface that a ray goes through unbent.
+void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interior) {
+    if (is_dielectric(hit.object, scene_))
+        interior = crossed(interior, hit.object, enters(scene_, ray, hit), scene_, arena_);
+}
+
+LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) {
+    LocalTerms local = ambient_terms(scene_.ambient, at.surface, *at.material);
+    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
+        const LightArrival arrival = light_arrival(scene_.lights[i], at.surface);
+        if (recorder_ != nullptr) recorder_->begin_light(i, arrival);
+        if (!is_worth_shadow_ray(*at.material, arrival)) continue;
+        const float passing = light_passing(scene_.lights[i], arrival, path, at);
+        const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
+        local.diffuse = local.diffuse + shown.diffuse;
+        local.highlight = local.highlight + shown.highlight;
+        if (recorder_ != nullptr) recorder_->end_light(passing, shown);
+    }
+    return limited_terms(modes_, local);
+}
+
+/// The share of a light that reaches a surface.
+float Whitted::light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
+                             const SurfaceInteraction& at) {
+    const Ray shadow = ray_of(shadow_ray(light, at.surface, arrival));
+    ++counts_.shadow;
+    if (recorder_ != nullptr) recorder_->shadow_ray(shadow);
+    if (!scene_.world.occluded(shadow, kernel_)) return 1.0f;
+    return light_past_blockers(shadow, at, path.interior);
+}
+
+float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& at,
+                                   const InteriorList* interior) {
+    // Light on a back that is lit as stored arrives on the other side of the surface.
+    if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
+        interior = crossed(interior, at.object, at.entering, scene_, arena_);
+    const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
+    // Where nothing can pass, the recorder alone wants to know what blocks.
+    if (!may_pass && recorder_ == nullptr) return 0.0f;
+    const float passing = walk_shadow(shadow, interior);
+    return may_pass ? passing : 0.0f;
+}
+
+// Every visible surface takes its share. A recorder gets those behind the first opaque one too.
+float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
+    blockers_.clear();
+    scene_.world.crossings(shadow, blockers_);
+    float passing = 1.0f;
+    for (const Hit& hit : blockers_) {
+        const bool hidden = is_hidden(interior, hit.object, scene_);
+        const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
+        if (recorder_ != nullptr) recorder_->blocker({hit.object, hit.t, transparency, hidden});
+        if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
+        if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
+        cross(shadow, hit, interior);
+    }
+    return passing;
+}
+
+bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
+    const bool goes_on = has_bounces(*at.material);
+    if (goes_on && path.depth < max_depth_) return true;
+    if (recorder_ != nullptr) recorder_->end_at(goes_on ? RayEnd::depth_limit : RayEnd::matte);
+    return false;
+}
+
+void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms) {
+    const Bounce bounce = bounce_at(path, at);
+    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), bounce);
+    const Split& split = bounce.split;
+    if (split.reflected > 0.0f)
+        terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
+    if (split.refracted > 0.0f)
+        terms[Term::transmission] = radiance(refracted_path(path, at, bounce)).radiance * split.refracted;
+}
+
+Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
+    Bounce bounce;
+    bounce.interior = path.interior;
+    if (!is_dielectric(at.object, scene_)) {
+        bounce.split = split_at_sheet(at.surface, *at.material);
+        return bounce;
+    }
+    bounce.interior = crossed(path.interior, at.object, at.entering, scene_, arena_);
+    bounce.index_before = refractive_index(path.interior, scene_);
+    bounce.index_after = refractive_index(bounce.interior, scene_);
+    bounce.refraction = refraction_at(at.surface, bounce.index_before / bounce.index_after);
+    bounce.split = split_at_solid(*at.material, bounce.refraction, bounce.index_before, bounce.index_after);
+    return bounce;
+}
+
+Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
+    ++counts_.reflected;
+    const SpawnedRay ray = reflected_ray(at.surface);
+    return {ray.origin, ray.direction, path.interior, path.depth + 1, RayKind::reflected};
+}
+
+Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
+    ++counts_.refracted;
+    const SpawnedRay ray = spawn_ray(at.surface, bounce.split.direction);
+    return {ray.origin, ray.direction, bounce.interior, path.depth + 1, RayKind::refracted};
+}
+
+void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {
+    if (interior == nullptr) return;
+    const vec3& sigma = scene_.materials[scene_.objects[interior->object].material].absorption;
+    if (sigma == vec3(0.0f)) return;
+    const vec3 left_over = transmittance(sigma, distance);
+    for (vec3& value : terms.value) value = value * left_over;
+    if (recorder_ != nullptr) recorder_->absorb(left_over);
+}
+
+} // namespace glint

@@ -1,0 +1,84 @@
+#pragma once
+// Whitted's recursive ray tracing: a camera ray in, the light along it out, term by term. One ray after
+// another; the page to read first. whitted_wavefront.h has the same for many rays at once. T. Whitted, "An
+// Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
+
+#include "glint/render.h"
+#include "render/camera_sample.h"
+#include "render/interior_list.h"
+#include "render/ray_tree.h"
+#include "render/surface_interaction.h"
+#include "scene/frozen.h"
+
+#include <span>
+#include <vector>
+
+namespace glint {
+
+class RayRecorder;
+
+/// Holds scratch memory: one for each thread. The scene must outlive it.
+class Whitted {
+  public:
+    /// A ray on its way.
+    struct Path {
+        vec3 origin{0.0f};
+        vec3 direction{0.0f}; ///< unit
+        const InteriorList* interior = nullptr;
+        int depth = 0; ///< bounces so far
+        RayKind kind = RayKind::primary;
+    };
+
+    /// `settings` stand for those of the scene's description.
+    Whitted(const FrozenScene& scene, const WhittedSettings& settings, const CancelFlag* cancel = nullptr,
+            const KernelChoice& kernel = {});
+    explicit Whitted(const FrozenScene& scene) : Whitted(scene, scene.description.whitted) {}
+
+    /// `out` has an element for each sample. Terms are set whether asked for or not. Incomplete where
+    /// `cancel` was set.
+    void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
+    /// One sample. `record`, if given, receives its ray tree; the arithmetic is the same with and without.
+    Channels trace(const CameraSample& sample, RayTree* record = nullptr);
+
+    const RayCounts& counts() const { return counts_; }
+
+    // The steps of single rays, for the rays that a wavefront does not shade in vectors.
+
+    /// Starts a camera ray, or a batch of them: invalidates all lists, returns that of the solids around the
+    /// eye.
+    const InteriorList* start();
+    /// Takes the next hit as long as it lies hidden inside a solid of higher rank; `interior` follows.
+    void skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interior);
+    /// The share of a light that passes what its shadow ray meets, of which something is known to be there.
+    float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
+    /// Where the light goes on from a surface, and its shares.
+    Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
+    Path reflected_path(const Path& path, const SurfaceInteraction& at);
+    Path refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
+    /// Follows the branches of a bounce to their ends and sets the terms that they bring.
+    void follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms);
+    /// Takes from light what the medium around the ray absorbs over a distance.
+    void absorb(const InteriorList* interior, float distance, Terms& terms);
+
+  private:
+    Channels radiance(Path path);
+    LocalTerms local_light(const Path& path, const SurfaceInteraction& at);
+    float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
+                        const SurfaceInteraction& at);
+    float walk_shadow(const Ray& shadow, const InteriorList* interior);
+    bool bounces(const Path& path, const SurfaceInteraction& at);
+    void cross(const Ray& ray, const Hit& hit, const InteriorList*& interior);
+    bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
+
+    const FrozenScene& scene_;
+    const WhittedModes modes_;
+    const int max_depth_;
+    const CancelFlag* cancel_;
+    const KernelChoice kernel_;
+    InteriorArena arena_;
+    std::vector<Hit> blockers_;
+    RayCounts counts_;
+    RayRecorder* recorder_ = nullptr;
+};
+
+} // namespace glint

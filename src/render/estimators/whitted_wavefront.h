@@ -1,0 +1,70 @@
+#pragma once
+// Whitted's ray tracing of many camera rays at once, breadth first: each wave holds the paths of one depth.
+// Its rays are traced together, then light by light its shadow rays, and shaded in vectors
+// (render/shade_batch.h). Results have the bits of Whitted, which shades what is rare: glass, and branches
+// that have no room in PathStates.
+
+#include "render/estimators/path_states.h"
+#include "render/estimators/whitted.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace glint {
+
+struct ShadeKernels;
+
+/// Holds scratch memory: one for each thread. The scene must outlive it.
+class WhittedWavefront {
+  public:
+    /// `settings` stand for those of the scene's description.
+    WhittedWavefront(const FrozenScene& scene, const WhittedSettings& settings,
+                     const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
+
+    /// `out` has an element for each sample, whose terms are set where `terms` asks for them. Unchanged where
+    /// `cancel` was set.
+    void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
+
+    RayCounts counts() const { return counts_ + single_.counts(); }
+
+  private:
+    void estimate_batch(std::span<const CameraSample> samples, std::span<Channels> out, bool terms);
+    void start(std::span<const CameraSample> samples);
+    void finish(std::span<Channels> out, bool terms);
+    void find_hits(Wave wave);
+    void choose_materials(Wave wave);
+    void locate_surfaces(Wave wave);
+    bool needs_attributes(std::uint32_t object) const;
+    void put_surface(std::size_t i);
+    void add_light(const LightRecord& light, Wave wave);
+    void pass_blockers(Wave wave);
+    Wave spawn(Wave wave, int depth);
+    void spawn_at_glass(std::size_t i, int depth, Wave& next);
+    void spawn(const Whitted::Path& path, std::size_t parent, Term term, float weight, Wave& next);
+    void branch_by_recursion(std::size_t i, int depth);
+    void weigh_local_terms(std::size_t i);
+    void add_up();
+    void absorb(Wave wave);
+
+    Whitted::Path path_at(std::size_t i, int depth) const;
+    SurfaceInteraction surface_at(std::size_t i) const;
+    Terms terms_at(std::size_t i) const;
+    void put_terms(const Terms& terms, std::size_t i);
+
+    const FrozenScene& scene_;
+    const WhittedModes modes_;
+    const int max_depth_;
+    const CancelFlag* cancel_;
+    const KernelChoice kernel_;
+    const ShadeKernels& shade_;
+    Whitted single_;
+    RayCounts counts_;            ///< beside those of single_
+    MaterialRecord background_{}; ///< what is seen where nothing is hit
+    MaterialRecord darkness_{};   ///< and where nothing is hit from inside a solid
+    std::unique_ptr<PathStates> states_;
+    std::vector<Wave> waves_;
+    World::Scratch scratch_;
+};
+
+} // namespace glint

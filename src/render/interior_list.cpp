@@ -1,0 +1,39 @@
+#include "render/interior_list.h"
+
+namespace glint {
+
+bool is_dielectric(std::uint32_t object, const FrozenScene& scene) {
+    const FrozenObject& o = scene.objects[object];
+    return o.solid && scene.materials[o.material].transparency > 0.0f;
+}
+
+const InteriorList* entered(const InteriorList* list, std::uint32_t object, const FrozenScene& scene,
+                            InteriorArena& arena) {
+    if (list == nullptr || scene.objects[list->object].rank <= scene.objects[object].rank)
+        return arena.push(object, list);
+    return arena.push(list->object, entered(list->rest, object, scene, arena));
+}
+
+const InteriorList* left(const InteriorList* list, std::uint32_t object, InteriorArena& arena) {
+    if (list == nullptr) return nullptr;
+    if (list->object == object) return list->rest;
+    const InteriorList* rest = left(list->rest, object, arena);
+    return rest == list->rest ? list : arena.push(list->object, rest);
+}
+
+const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
+                            const FrozenScene& scene, InteriorArena& arena) {
+    return entering ? entered(list, object, scene, arena) : left(list, object, arena);
+}
+
+bool is_hidden(const InteriorList* list, std::uint32_t object, const FrozenScene& scene) {
+    if (list == nullptr || !scene.objects[object].solid) return false;
+    return scene.objects[list->object].rank > scene.objects[object].rank;
+}
+
+float refractive_index(const InteriorList* list, const FrozenScene& scene) {
+    if (list == nullptr) return scene.index_outside;
+    return scene.materials[scene.objects[list->object].material].index;
+}
+
+} // namespace glint

@@ -1,0 +1,61 @@
+#pragma once
+// Nested dielectrics: the transparent solids around a ray, highest rank first. The first owns the space;
+// surfaces of the others inside it are skipped. C. M. Schmidt and B. Budge, "Simple Nested Dielectrics in Ray
+// Traced Images", Journal of Graphics Tools 7 (2), 2002.
+
+#include "scene/frozen.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace glint {
+
+/// Immutable, so that the branches of a ray tree can share lists. Null: no solid is around the ray.
+struct InteriorList {
+    std::uint32_t object = 0;
+    const InteriorList* rest = nullptr;
+};
+
+/// Memory for the lists of one ray tree; clear() invalidates them all.
+class InteriorArena {
+  public:
+    const InteriorList* push(std::uint32_t object, const InteriorList* rest) {
+        if (used_ == blocks_.size() * block_size) blocks_.push_back(std::make_unique<Block>());
+        InteriorList& cell = (*blocks_[used_ / block_size])[used_ % block_size];
+        ++used_;
+        cell = InteriorList{object, rest};
+        return &cell;
+    }
+    void clear() { used_ = 0; }
+
+  private:
+    static constexpr std::size_t block_size = 64;
+    using Block = std::array<InteriorList, block_size>;
+    std::vector<std::unique_ptr<Block>> blocks_;
+    std::size_t used_ = 0;
+};
+
+/// Is the object a transparent solid? No other can be in a list.
+bool is_dielectric(std::uint32_t object, const FrozenScene& scene);
+
+/// The list with `object` added at its rank.
+const InteriorList* entered(const InteriorList* list, std::uint32_t object, const FrozenScene& scene,
+                            InteriorArena& arena);
+
+/// The list without one entry of `object`; the same list if it has none.
+const InteriorList* left(const InteriorList* list, std::uint32_t object, InteriorArena& arena);
+
+/// The list behind a surface of `object`: entered() where `entering`, else left().
+const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
+                            const FrozenScene& scene, InteriorArena& arena);
+
+/// Is a surface of `object` hidden inside a transparent solid of higher rank?
+bool is_hidden(const InteriorList* list, std::uint32_t object, const FrozenScene& scene);
+
+/// The index of refraction of the space that the list stands for.
+float refractive_index(const InteriorList* list, const FrozenScene& scene);
+
+} // namespace glint
