@@ -1,7 +1,7 @@
 #include "render/explain_parts.h"
 
 #include "math/trig.h"
-#include "shading/whitted.shared.h"
+#include "shading/whitted_steps.shared.h"
 
 namespace glint {
 namespace {
@@ -9,11 +9,12 @@ namespace {
 const char* const wrong_side = "the smooth normal would send the ray through the surface: the geometric one "
                                "serves instead";
 
-class Bounce {
+class BounceSteps {
   public:
-    Bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& out)
+    BounceSteps(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& out)
         : material_(scene.material(node.hit.object)), tree_(tree), node_(node), out_(out),
-          v_(-node.direction), solid_(scene.scene.objects[node.hit.object].solid) {}
+          v_(-node.direction), solid_(scene.scene.objects[node.hit.object].solid),
+          refraction_(node.refraction) {}
 
     void explain() {
         if (material_.transparency > 0.0f && solid_) refraction();
@@ -35,41 +36,26 @@ class Bounce {
     void refraction() {
         const float n_1 = node_.index_before;
         const float n_2 = node_.index_after;
-        eta_ = n_1 / n_2;
-        bent_by_shading_normal_ = uses_shading_normal();
-        normal_ = bent_by_shading_normal_ ? node_.shading_normal : node_.geometric_normal;
-        cosine_ = dot(normal_, v_);
-        discriminant_ = snell_discriminant(cosine_, eta_);
-        const std::string n = bent_by_shading_normal_ ? "n" : "n_g";
+        const bool by_shading_normal = refraction_.n == node_.shading_normal;
+        const std::string n = by_shading_normal ? "n" : "n_g";
         step({"n₁", "", n_1, "refraction", "index of refraction before", "2.4"});
         step({"n₂", "", n_2, "refraction", "index of refraction behind", "2.4"});
-        step({"η", "n₁ / n₂", eta_, "refraction", "ratio of the indices", "2.4"});
-        step({"cosθ₁", n + "·v", cosine_, "refraction", "angle before, as its cosine", "2.4",
-              bent_by_shading_normal_ ? "" : wrong_side});
+        step({"η", "n₁ / n₂", refraction_.eta, "refraction", "ratio of the indices", "2.4"});
+        step({"cosθ₁", n + "·v", refraction_.cosine, "refraction", "angle before, as its cosine", "2.4",
+              by_shading_normal ? "" : wrong_side});
         angles();
-        step({"Δ", "1 − η² · max(0, 1 − cosθ₁²)", discriminant_, "refraction", "what stands under the root",
-              "2.4",
+        step({"Δ", "1 − η² · max(0, 1 − cosθ₁²)", refraction_.discriminant, "refraction",
+              "what stands under the root", "2.4",
               node_.total_reflection ? "below 0: no refracted ray, all of the light goes back inside" : ""});
         if (node_.refracted >= 0) direction(n);
         if (fresnel()) reflectance();
     }
 
-    /// The normal that the tracer took, read off what it did.
-    bool uses_shading_normal() const {
-        const vec3& n = node_.shading_normal;
-        if (n == node_.geometric_normal) return true;
-        const float cosine = dot(n, v_);
-        const float discriminant = snell_discriminant(cosine, eta_);
-        if (!(cosine > 0.0f) || (discriminant < 0.0f) != node_.total_reflection) return false;
-        if (node_.refracted < 0) return true;
-        return refracted_direction(v_, n, eta_, discriminant) == child(node_.refracted).direction;
-    }
-
     void angles() {
-        const float sine_1 = sqrt(max(0.0f, 1.0f - cosine_ * cosine_));
-        const float sine_2 = eta_ * sine_1;
+        const float sine_1 = sqrt(max(0.0f, 1.0f - refraction_.cosine * refraction_.cosine));
+        const float sine_2 = refraction_.eta * sine_1;
         out_.crosses = true;
-        out_.degrees_before = static_cast<float>(acos_degrees(cosine_));
+        out_.degrees_before = static_cast<float>(acos_degrees(refraction_.cosine));
         out_.degrees_after = node_.total_reflection ? 90.0f : static_cast<float>(asin_degrees(sine_2));
         step({"θ₁", "arccos(cosθ₁)", out_.degrees_before, "refraction", "angle before, degrees"});
         step({"sinθ₁", "√(max(0, 1 − cosθ₁²))", sine_1, "refraction", "its sine"});
@@ -89,24 +75,23 @@ class Bounce {
 
     void direction(const std::string& n) {
         const vec3& t = child(node_.refracted).direction;
-        if (eta_ == 1.0f)
+        if (refraction_.eta == 1.0f)
             return step({"T", "−v", t, "refraction", "refracted direction", "2.4", "equal indices"});
         step({"T", "normalize(" + n + " · (η · (" + n + "·v) − √(Δ)) − v · η)", t, "refraction",
               "refracted direction", "2.4"});
     }
 
     void reflectance() {
-        const float c_1 = cosine_;
-        const float c_2 = sqrt(discriminant_);
+        const float c_1 = refraction_.cosine;
+        const float c_2 = sqrt(refraction_.discriminant);
         const float n_1 = node_.index_before;
         const float n_2 = node_.index_after;
         const char* ours = "ours: the report has no Fresnel; Born and Wolf, section 1.5.2";
         step({"cosθ₂", "√(Δ)", c_2, "refraction", "angle behind, as its cosine"});
-        step({"r_s", "(n₁ · cosθ₁ − n₂ · cosθ₂) / (n₁ · cosθ₁ + n₂ · cosθ₂)",
-              (n_1 * c_1 - n_2 * c_2) / (n_1 * c_1 + n_2 * c_2), "refraction",
-              "light swinging across the plane of incidence"});
-        step({"r_p", "(n₂ · cosθ₁ − n₁ · cosθ₂) / (n₂ · cosθ₁ + n₁ · cosθ₂)",
-              (n_2 * c_1 - n_1 * c_2) / (n_2 * c_1 + n_1 * c_2), "refraction", "and within it"});
+        step({"r_s", "(n₁ · cosθ₁ − n₂ · cosθ₂) / (n₁ · cosθ₁ + n₂ · cosθ₂)", fresnel_s(c_1, c_2, n_1, n_2),
+              "refraction", "light swinging across the plane of incidence"});
+        step({"r_p", "(n₂ · cosθ₁ − n₁ · cosθ₂) / (n₂ · cosθ₁ + n₁ · cosθ₂)", fresnel_p(c_1, c_2, n_1, n_2),
+              "refraction", "and within it"});
         step({"F", "0.5 · (r_s² + r_p²)", fresnel_reflectance(c_1, c_2, n_1, n_2), "refraction",
               "Fresnel: the share that is reflected", "", ours});
     }
@@ -170,18 +155,14 @@ class Bounce {
     ExplainedRay& out_;
     const vec3 v_;
     const bool solid_;
-    float eta_ = 1;
-    bool bent_by_shading_normal_ = true;
-    vec3 normal_{0.0f};
-    float cosine_ = 0;
-    float discriminant_ = 0;
+    const Refraction& refraction_;
 };
 
 } // namespace
 
 void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node,
                     ExplainedRay& ray) {
-    Bounce(scene, tree, node, ray).explain();
+    BounceSteps(scene, tree, node, ray).explain();
 }
 
 } // namespace glint

@@ -1,7 +1,7 @@
 #include "render/explain_parts.h"
 
 #include "math/trig.h"
-#include "shading/whitted.shared.h"
+#include "shading/whitted_steps.shared.h"
 
 namespace glint {
 namespace {
@@ -76,7 +76,7 @@ class Arrival {
             return step({"f", inside ? "1" : "0", falloff_, "light", "falloff of the spot", "",
                          inside ? "inside the inner cone" : "outside the outer cone"});
         }
-        const float u = (cosine - light_.cos_outer) / (light_.cos_inner - light_.cos_outer);
+        const float u = spot_ramp(cosine, light_.cos_outer, light_.cos_inner);
         step({"u", "(cosα − cosα₂) / (cosα₁ − cosα₂)", u, "light", "way from the outer to the inner cone"});
         step({"f", "u² · (3 − 2 · u)", falloff_, "light", "falloff of the spot", "",
               "ours: the report has no spots"});
@@ -119,14 +119,14 @@ class Shown {
 
   private:
     void step(Step s) { out_.steps.push_back(std::move(s)); }
-    bool opaque() const { return scene_.settings.shadows == Shadows::opaque; }
+    bool opaque() const { return scene_.modes.opaque_shadows != 0; }
 
     void list_blockers(const ShadowNode& shadow) {
         out_.asked = shadow.asked;
         out_.shadow_origin = shadow.origin;
         const float length = sqrt(dot(shadow.direction, shadow.direction));
         for (const BlockerNode& b : shadow.blockers) {
-            const float share = b.passed_over ? 1.0f : opaque() ? 0.0f : b.transparency;
+            const float share = b.passed_over ? 1.0f : shadow_transmittance(scene_.modes, b.transparency);
             out_.blockers.push_back({b.object, scene_.label(b.object), scene_.material_name(b.object),
                                      b.t * length, b.transparency, share, b.passed_over});
         }
@@ -176,23 +176,17 @@ class Shown {
         const std::string normal = node_.lit_side < 0.0f ? "n′" : "n";
         const vec3 v = -node_.direction;
         const vec3 l = record_.direction;
-        const bool blinn = scene_.settings.highlight_model == HighlightModel::blinn;
-        float cosine = 0;
-        if (blinn) {
-            const vec3 sum = l + v;
-            const float squared = dot(sum, sum);
-            cosine = squared > 0.0f ? dot(n, sum) / sqrt(squared) : 0.0f;
-            step({"cosδ", squared > 0.0f ? normal + "·(l + v) / |l + v|" : "0", cosine, "highlight",
+        const float cosine = highlight_cosine(scene_.modes, n, l, v);
+        if (scene_.modes.highlight == highlight_blinn) {
+            const bool opposite = !(dot(l + v, l + v) > 0.0f);
+            step({"cosδ", opposite ? "0" : normal + "·(l + v) / |l + v|", cosine, "highlight",
                   "n·h, h the halfway vector", "2.5"});
         } else {
-            const vec3 mirrored = n * (2.0f * dot(n, l)) - l;
-            cosine = dot(v, mirrored);
-            step({"R_l", normal + " · (2 · (" + normal + "·l)) − l", mirrored, "highlight",
+            step({"R_l", normal + " · (2 · (" + normal + "·l)) − l", mirror_direction(l, n), "highlight",
                   "mirror direction of the light", "2.5"});
             step({"cosδ", "v·R_l", cosine, "highlight", "v·R, Phong's cosine", "2.5"});
         }
-        const float m = material_.shininess;
-        const float lobe = blinn ? blinn_lobe(n, l, v, m) : phong_lobe(n, l, v, m);
+        const float lobe = lobe_of(cosine, material_.shininess);
         step(
             {"lobe", "min(1, max(0, cosδ))^m", lobe, "highlight", "how near to the mirror direction", "2.5"});
         step(

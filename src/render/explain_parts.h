@@ -1,6 +1,6 @@
 #pragma once
 // The parts of explain(): from a recorded ray tree to steps with formulas. Every result is the recorded one,
-// or comes from the function of shading/whitted.shared.h that the tracer called, with the recorded numbers.
+// or comes from the functions of shading/ that the estimator called, with the recorded numbers.
 
 #include "glint/explain.h"
 #include "render/ray_tree.h"
@@ -23,6 +23,7 @@ struct ExplainedScene {
 
     const FrozenScene& scene;
     const WhittedSettings& settings;
+    const WhittedModes modes;                 ///< of the settings
     std::vector<std::uint32_t> light_numbers; ///< by FrozenScene::lights: index in SceneDescription::lights
 };
 

@@ -1,7 +1,8 @@
 #include "render/explain_parts.h"
 
 #include "glint/names.h"
-#include "shading/whitted.shared.h"
+#include "shading/light_gain.h"
+#include "shading/whitted_steps.shared.h"
 
 #include <algorithm>
 
@@ -122,51 +123,59 @@ class RayWorking {
 
     void sum_lights() {
         const MaterialRecord& m = material();
-        if (m.ambient > 0.0f) {
-            const vec3 whole = ambient_term(scene_.scene.ambient, node_.color, m.ambient);
-            ambient_ = clamps() ? limit_to_range(whole) : whole;
-            step({"a", ambient_ == whole ? "A ⊙ c · k_a" : "min(4194304, A ⊙ c · k_a)", ambient_, "ambient",
-                  "ambient light", "2.2",
-                  "ambient stands for indirect light, which the model omits; the report prints a sum"});
-            join(local_, "a");
+        LocalTerms whole{};
+        whole.ambient = ambient_term(scene_.scene.ambient, node_.color, m.ambient);
+        for (const ExplainedLight& light : out_.lights) {
+            whole.diffuse = whole.diffuse + light.diffuse;
+            whole.highlight = whole.highlight + light.highlight;
         }
-        if (m.diffuse > 0.0f) {
-            diffuse_ = sum("ΣD", "D", "diffuse", "diffuse light of all lights", &ExplainedLight::diffuse);
-            join(local_, "ΣD");
-        }
+        limited_ = limited_terms(scene_.modes, whole);
+        if (m.ambient > 0.0f)
+            add_local("a", limited("A ⊙ c · k_a", whole.ambient, limited_.ambient), limited_.ambient,
+                      "ambient", "ambient light", "2.2",
+                      "ambient stands for indirect light, which the model omits; the report prints a sum");
+        if (m.diffuse > 0.0f)
+            add_local("ΣD", sum("D", "diffuse", &ExplainedLight::diffuse), limited_.diffuse, "diffuse",
+                      "diffuse light of all lights");
         if (m.highlight > 0.0f) {
-            highlight_ = sum("ΣH", "H", "highlight", "highlights of all lights", &ExplainedLight::highlight);
-            join(local_, "ΣH");
+            const std::string formula = sum("H", "highlight", &ExplainedLight::highlight);
+            add_local("ΣH", limited(formula, whole.highlight, limited_.highlight), limited_.highlight,
+                      "highlight", "highlights of all lights");
         }
+    }
+
+    /// A formula as it stands, or limited to the range that the clamp can take back.
+    static std::string limited(const std::string& formula, const vec3& before, const vec3& after) {
+        return after == before ? formula : "min(4194304, " + formula + ")";
+    }
+
+    void add_local(const char* symbol, std::string formula, const vec3& value, const char* topic,
+                   const char* meaning, const char* section = "", const char* note = "") {
+        step({symbol, std::move(formula), value, topic, meaning, section, note});
+        join(local_, symbol);
     }
 
     static void join(std::string& sum, const char* term) {
         sum += (sum.empty() ? "" : " + ") + std::string(term);
     }
 
-    /// One line for what each light gives, one for the sum.
-    vec3 sum(const char* symbol, const char* part, const char* topic, const char* meaning,
-             vec3 ExplainedLight::*value) {
+    /// Adds a line for what each light gives; returns the formula of the sum.
+    std::string sum(const char* part, const char* topic, vec3 ExplainedLight::*value) {
         std::string formula;
-        vec3 total(0.0f);
         for (const ExplainedLight& light : out_.lights) {
             const std::string name = numbered(part, light.light + 1);
             step({name, "", light.*value, topic, "what this light gives"});
             join(formula, name.c_str());
-            total = total + light.*value;
         }
-        step({symbol, formula.empty() ? "0" : formula, total, topic, meaning});
-        return total;
+        return formula.empty() ? "0" : formula;
     }
 
     void clamp() {
-        const vec3 before = (ambient_ + diffuse_) + highlight_;
-        const vec3 after = limit_to_one(before);
+        const vec3 before = local_sum(limited_);
         step({"S₀", local_, before, "clamp", "local light before the clamp"});
-        step({"S", "min(1, S₀)", after, "clamp", "local light after the clamp", "",
+        step({"S", "min(1, S₀)", limit_to_one(before), "clamp", "local light after the clamp", "",
               "clamp = true: as the report's program, 1 a channel"});
-        clamp_ = after - before;
-        step({"C", "S − S₀", clamp_, "clamp", "what the clamp takes"});
+        step({"C", "S − S₀", limited_.clamp, "clamp", "what the clamp takes"});
     }
 
     void absorb() {
@@ -223,9 +232,8 @@ class RayWorking {
     void weigh_gain() {
         const MaterialRecord& m = material();
         const bool balanced = scene_.settings.energy == Energy::balanced;
-        const float kept = local_weight(m.reflectivity, m.transparency, balanced);
         const float brightest = std::max({node_.color.x, node_.color.y, node_.color.z});
-        out_.gain = kept * brightest * m.diffuse + m.reflectivity + m.transparency;
+        out_.gain = light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
         step({"gain", std::string(balanced ? "max(0, (1 − τ) − ρ)" : "(1 − τ)") + " · max(c) · k_d + ρ + τ",
               out_.gain, "gain", "light that can leave for each light that arrives", "",
               out_.gain > 1.0000001f
@@ -237,10 +245,7 @@ class RayWorking {
     const RayTree& tree_;
     const RayNode& node_;
     ExplainedRay& out_;
-    vec3 ambient_{0.0f};
-    vec3 diffuse_{0.0f};
-    vec3 highlight_{0.0f};
-    vec3 clamp_{0.0f};
+    LocalTerms limited_{};
     std::string local_; ///< the local terms there are
     std::string sum_;   ///< all terms there are
 };
@@ -255,7 +260,7 @@ std::string numbered(const char* symbol, std::size_t number) {
 }
 
 ExplainedScene::ExplainedScene(const FrozenScene& frozen)
-    : scene(frozen), settings(frozen.description.whitted) {
+    : scene(frozen), settings(frozen.description.whitted), modes(whitted_modes(settings)) {
     const std::vector<Light>& lights = frozen.description.lights;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);

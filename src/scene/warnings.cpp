@@ -4,6 +4,7 @@
 #include "scene/validate.h"
 
 #include "math/random.shared.h"
+#include "shading/light_gain.h"
 
 #include <glm/vector_relational.hpp>
 
@@ -88,12 +89,11 @@ class Watcher {
                  "move it out if that is not meant");
     }
 
-    // More light leaves than arrives: (1 − τ) max(c) k_d + ρ + τ > 1.
+    // More light leaves than arrives.
     void watch_gain(const Material& m) {
         const double brightest = std::max({m.color.x, m.color.y, m.color.z});
         const bool balanced = description_.whitted.energy == Energy::balanced;
-        const double kept = balanced ? 1 - m.transparency - m.reflectivity : 1 - m.transparency;
-        const double gain = kept * brightest * m.diffuse + m.reflectivity + m.transparency;
+        const double gain = light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
         if (gain <= 1.0000001) return;
         char number[32];
         std::snprintf(number, sizeof number, "%.2f", gain);
