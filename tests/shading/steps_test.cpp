@@ -1,5 +1,6 @@
 // The steps of a bounce for one ray (shading/whitted_steps.shared.h).
 
+#include "shading/light_gain.h"
 #include "shading/whitted_steps.shared.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,18 @@ TEST(LocalWeight, LeavesRoomForTheMirrorRayWhereEnergyIsBalanced) {
     EXPECT_EQ(local_weight(modes, m), 0.75f);
     modes.balanced = 1;
     EXPECT_EQ(local_weight(modes, m), 0.25f);
+}
+
+TEST(LightGain, WeighsDiffuseLightLikeTheEstimator) {
+    for (const bool balanced : {false, true})
+        for (const float reflectivity : {0.0f, 0.3f, 0.7f})
+            for (const float transparency : {0.0f, 0.2f, 0.3f, 0.5f}) {
+                const float weight = local_weight(reflectivity, transparency, balanced);
+                EXPECT_EQ(light_gain(0.8f, 0.9f, reflectivity, transparency, balanced),
+                          weight * 0.8f * 0.9f + reflectivity + transparency);
+            }
+    EXPECT_DOUBLE_EQ(light_gain(1.0, 1.0, 0.5, 0.0, false), 1.5);
+    EXPECT_DOUBLE_EQ(light_gain(1.0, 1.0, 0.5, 0.0, true), 1);
 }
 
 TEST(RefractionStep, FallsBackToTheGeometricNormal) {
