@@ -38,7 +38,7 @@ class InteriorArena {
     std::size_t used_ = 0;
 };
 
-/// Is the object a transparent solid? No other can be in a list.
+/// True for transparent solids; only those can be in a list.
 bool is_dielectric(std::uint32_t object, const FrozenScene& scene);
 
 /// The list with `object` added at its rank.
@@ -52,7 +52,7 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, Interio
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
                             const FrozenScene& scene, InteriorArena& arena);
 
-/// Is a surface of `object` hidden inside a transparent solid of higher rank?
+/// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
 bool is_hidden(const InteriorList* list, std::uint32_t object, const FrozenScene& scene);
 
 /// The index of refraction of the space that the list stands for.

@@ -21,7 +21,7 @@ struct SurfaceInteraction {
 /// normal of the mesh's vertices.
 SurfaceInteraction surface_interaction(const FrozenScene& scene, const Ray& ray, const Hit& hit);
 
-/// Does the ray come from the outer side of what it hits?
+/// True if the ray comes from the outer side of the object that it hits.
 bool enters(const FrozenScene& scene, const Ray& ray, const Hit& hit);
 
 /// How light goes on from a surface.

@@ -10,8 +10,8 @@
 // (render/estimators/), vectors of them, the GPU and the explanation of a pixel. Tracing the rays between the
 // steps is the caller's.
 //
-// Glass is shaded by single rays only: what stands under "Refraction" is left out where rays are vectors, and
-// their scheduler hands the surfaces that light passes through to the functions for one ray.
+// Glass is shaded by single rays only: the functions under "Refraction" are not compiled for vectors, whose
+// caller hands the surfaces that light passes through to the code for one ray.
 //
 // Symbols as in shading/whitted.shared.h.
 
@@ -21,7 +21,7 @@ GLINT_FN truth is_dark(vec3 light) { return light.x == 0.0f && light.y == 0.0f &
 
 // ── Rays that leave a surface
 
-/// tmax of a ray that ends nowhere.
+/// tmax of a ray without an end.
 GLINT_FN real infinite_t() { return intBitsToFloat(0x7f800000); }
 
 struct SpawnedRay {
@@ -63,7 +63,7 @@ GLINT_FN LightArrival light_arrival(GLINT_IN(LightRecord) light, GLINT_IN(Surfac
     return arrival;
 }
 
-/// Is the light worth a shadow ray: does any arrive, and does the material show it?
+/// True where light arrives and the material shows it: only then is a shadow ray sent.
 GLINT_FN truth is_worth_shadow_ray(GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
     return (m.diffuse > 0.0f || m.highlight > 0.0f) && !is_dark(arrival.arriving);
 }
@@ -164,7 +164,8 @@ GLINT_FN LocalTerms weighted_terms(GLINT_IN(LocalTerms) local, real weight) {
 
 // ── Light that arrives along mirror and refracted rays
 
-/// Does light go on from the surface? Then the local terms weigh local_weight(), else 1.
+/// True where the surface reflects or transmits. Where its bounces are followed, the local terms weigh
+/// local_weight(), else 1.
 GLINT_FN truth has_bounces(GLINT_IN(MaterialRecord) m) {
     return m.reflectivity > 0.0f || m.transparency > 0.0f;
 }

@@ -47,9 +47,9 @@ class Whitted {
     /// Starts a camera ray, or a batch of them: invalidates all lists, returns that of the solids around the
     /// eye.
     const InteriorList* start();
-    /// Takes the next hit as long as it lies hidden inside a solid of higher rank; `interior` follows.
+    /// Replaces a hit that lies inside a solid of higher rank by the next that does not; updates `interior`.
     void skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interior);
-    /// The share of a light that passes what its shadow ray meets, of which something is known to be there.
+    /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
     /// Where the light goes on from a surface, and its shares.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);

@@ -112,7 +112,7 @@ void WhittedWavefront::locate_surfaces(Wave wave) {
     shade_.start_terms(scene_.ambient, wave, s);
 }
 
-/// Has the object's surface more to it than its shape and material tell?
+/// True for objects whose surfaces have more than shape and material: vertex attributes, lit as stored.
 bool WhittedWavefront::needs_attributes(std::uint32_t object) const {
     return scene_.objects[object].attributes != no_attributes || scene_.objects[object].lit_as_stored;
 }
