@@ -164,16 +164,17 @@ std::string App::statistics() const {
 }
 
 bool App::is_finished() const {
-    const auto frame = bench_.frame(0);
+    const auto frame = bench_.frame();
     // A change takes a moment to reach the pictures.
     return frame && frame->reached.finished && !bench_.status().busy && now() - last_change_ > 0.25 &&
            frame->width == bench_.session().width() && frame->height == bench_.session().height();
 }
 
 void App::draw_pictures() {
-    for (int place = 0; place < picture_places; ++place) {
-        const auto frame = bench_.frame(place);
-        std::uint64_t& held = canvas_numbers_[static_cast<std::size_t>(place)];
+    for (const ViewSlot slot : view_slots) {
+        const int place = static_cast<int>(slot);
+        const auto frame = bench_.frame(slot);
+        std::uint64_t& held = canvas_numbers_[slot];
         if (!frame) canvas_.drop(place);
         if (!frame || held == frame->number) continue;
         if (frame->on_device)
@@ -184,8 +185,8 @@ void App::draw_pictures() {
         if (place == 0) time_picture();
     }
     const WindowSize size = window_.size();
-    if (!bench_.frame(0)) return;
-    const bool both = is_comparing() && bench_.frame(1);
+    if (!bench_.frame()) return;
+    const bool both = is_comparing() && bench_.frame(ViewSlot::reference);
     if (both && state_.compare == CompareMode::wipe) {
         Area left = picture_;
         left.width *= state_.wipe;
@@ -296,7 +297,7 @@ void App::move_camera(double seconds) {
     if (bench_.description() == nullptr) return;
     if (!movement.is_none()) move(movement);
     if (state_.turntable) {
-        bench_.session().aim();
+        bench_.session().pick_orbit_target();
         bench_.session().move([&](CameraControl& c) { c.turn(seconds, state_.turns_a_minute); });
         last_change_ = last_move_ = now();
     }
@@ -306,7 +307,7 @@ void App::move_camera(double seconds) {
 /// What is seen follows the hand, so the eye goes the other way.
 void App::move(const Movement& m) {
     constexpr double radians = 6.2831853 / turn_in_heights;
-    if (m.turn_right != 0 || m.turn_up != 0) bench_.session().aim();
+    if (m.turn_right != 0 || m.turn_up != 0) bench_.session().pick_orbit_target();
     bench_.session().move([&](CameraControl& c) {
         if (m.turn_right != 0 || m.turn_up != 0) c.orbit(-m.turn_right * radians, -m.turn_up * radians);
         if (m.move_right != 0 || m.move_up != 0) c.pan(-m.move_right, -m.move_up);
@@ -354,7 +355,7 @@ void App::tell_picture() {
     map.state("finished", is_finished());
     const Vec3 eye = bench_.session().camera().camera().eye;
     map.state("camera.eye", fmt::format("{:.6g} {:.6g} {:.6g}", eye.x, eye.y, eye.z));
-    const auto frame = bench_.frame(0);
+    const auto frame = bench_.frame();
     if (!frame) return;
     map.state("samples", static_cast<double>(frame->reached.samples));
     map.state("drawn_by", frame->device.empty() ? "CPU" : frame->device);

@@ -29,7 +29,7 @@ double now();
 
 /// The pixel that is explained, seen from where the camera was when it was clicked.
 struct ExplainedPixel {
-    int place = 0; ///< which picture's: 1 is A
+    ViewSlot slot = ViewSlot::main;
     int x = 0;
     int y = 0;
     std::shared_ptr<const PixelAnswer> answer; ///< none: it is still to come
@@ -93,18 +93,18 @@ class App {
     void perform_on_camera(Action action);
     void show(Aspect aspect);
     void set_backend(bool gpu);
-    PainterMaker gpu_maker();
+    BackendFactory gpu_maker();
     void use(Kernel kernel);
     // The pixel that is explained (app_pixel.cpp).
     void explain_at(const PicturePlace& where);
-    void explain(int place, int x, int y);
+    void explain(ViewSlot slot, int x, int y);
     void let_go();
     void follow_explained();
     void draw_pixel_tab();
     void tell_pixel();
     void mark_picked();
-    int place_at(const PicturePlace& where) const;
-    Area seen_part(int place) const;
+    ViewSlot slot_at(const PicturePlace& where) const;
+    Area seen_part(ViewSlot slot) const;
     bool is_where_it_was() const;
     std::string compare_with_gpu();
     const std::string& command_line();
@@ -149,7 +149,7 @@ class App {
     FrameTimes frame_times_;
     FrameTimes moving_times_; ///< of frames while the camera moved
     FrameTimes picture_times_;
-    std::array<std::uint64_t, picture_places> canvas_numbers_{};
+    PerView<std::uint64_t> canvas_numbers_;
     std::string hash_; ///< of the picture, for the map
     std::uint64_t hashed_number_ = 0;
     ThemeChoice theme_; ///< to be put on between frames

@@ -203,7 +203,7 @@ void App::show_at(double frame) {
 void App::show(Aspect aspect) {
     state_.show = aspect;
     if (bench_.session().show() == aspect) return;
-    for (int place = 0; place < picture_places; ++place) bench_.session().set_show(aspect, place);
+    for (const ViewSlot slot : view_slots) bench_.session().set_show(aspect, slot);
     last_change_ = now();
 }
 
@@ -211,23 +211,23 @@ void App::set_backend(bool gpu) {
     state_.gpu = gpu;
     if (on_gpu_ == gpu) return;
     on_gpu_ = gpu;
-    bench_.session().set_backend(gpu ? gpu_maker() : PainterMaker());
+    bench_.session().set_backend(gpu ? gpu_maker() : BackendFactory());
     last_change_ = now();
 }
 
 /// What cannot be had is told where other faults of the graphics card are: by the renderer.
-PainterMaker App::gpu_maker() {
+BackendFactory App::gpu_maker() {
     try {
         if (!side_) side_.emplace(window_);
     } catch (const Error& error) {
-        return [error]() -> std::unique_ptr<Painter> { throw error; };
+        return [error]() -> std::unique_ptr<Backend> { throw error; };
     }
-    return [side = &*side_] { return gpu_painter(side->enter()); };
+    return [side = &*side_] { return gpu_backend(side->enter()); };
 }
 
 /// Says once why the CPU draws though the graphics card was asked to.
 void App::tell_faults() {
-    const auto frame = bench_.frame(0);
+    const auto frame = bench_.frame();
     if (!frame || frame->why_cpu == why_cpu_) return;
     why_cpu_ = frame->why_cpu;
     if (why_cpu_.empty()) return;
@@ -246,7 +246,7 @@ void App::save_picture() {
     save_when_finished_ = false;
     guarded([&] {
         const std::string file = free_name(stem_of(bench_.file()), ".png");
-        write_picture(file, image_of(*bench_.frame(0)),
+        write_picture(file, image_of(*bench_.frame()),
                       {.view = state_.view, .alpha = {}, .layers = {}, .metadata = {}});
         saved_ = file;
         notice("Saved " + file);

@@ -22,7 +22,7 @@ std::string rate(double a_second) {
 }
 
 /// "800 × 600 · 3 of 16 samples · 12.3 Mrays/s".
-std::string status_text(const Frame& frame, int spp) {
+std::string status_text(const RenderedFrame& frame, int spp) {
     const Refinement& reached = frame.reached;
     std::string text = fmt::format("{} \u00d7 {}", frame.width, frame.height);
     if (reached.finished)
@@ -59,7 +59,7 @@ std::string cut_to(std::string text, float width) {
 }
 
 /// "CPU: auto kernel, AVX2, 2 threads", or the graphics card.
-std::string machine_text(const Frame* frame, Kernel kernel, int threads) {
+std::string machine_text(const RenderedFrame* frame, Kernel kernel, int threads) {
     if (frame != nullptr && !frame->device.empty()) return "GPU: " + frame->device;
     const char* target = is_available(SimdTarget::avx512) ? "AVX-512"
                          : is_available(SimdTarget::avx2) ? "AVX2"
@@ -164,7 +164,7 @@ void App::draw_status() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(14 * ui_.theme.scale, padding));
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::Begin("status", nullptr, fixed_part);
-    const auto frame = bench_.frame(0);
+    const auto frame = bench_.frame();
     const char* hint = "?  keys";
     const std::string machine = machine_text(frame.get(), state_.kernel, arguments_.threads);
     const float gap = 24 * ui_.theme.scale;

@@ -23,19 +23,21 @@ const ExplainedRay& chosen_ray(const Explanation& explanation, const PixelChoice
 } // namespace
 
 /// Which of the two pictures is seen there.
-int App::place_at(const PicturePlace& where) const {
-    if (!is_comparing() || !bench_.frame(1)) return 0;
-    if (state_.compare == CompareMode::side_by_side) return where.picture == 1 ? 1 : 0;
-    return where.across < state_.wipe ? 1 : 0;
+ViewSlot App::slot_at(const PicturePlace& where) const {
+    if (!is_comparing() || !bench_.frame(ViewSlot::reference)) return ViewSlot::main;
+    if (state_.compare == CompareMode::side_by_side)
+        return where.picture == 1 ? ViewSlot::reference : ViewSlot::main;
+    return where.across < state_.wipe ? ViewSlot::reference : ViewSlot::main;
 }
 
 /// Where a picture can be seen; less than its area where the other one hides it.
-Area App::seen_part(int place) const {
-    Area part = place == 1 && state_.compare == CompareMode::side_by_side ? reference_ : picture_;
+Area App::seen_part(ViewSlot slot) const {
+    Area part =
+        slot == ViewSlot::reference && state_.compare == CompareMode::side_by_side ? reference_ : picture_;
     if (!is_comparing() || state_.compare != CompareMode::wipe) return part;
     const float left = part.width * state_.wipe;
-    if (place == 0) part.x += left;
-    part.width = place == 1 ? left : part.width - left;
+    if (slot == ViewSlot::main) part.x += left;
+    part.width = slot == ViewSlot::reference ? left : part.width - left;
     return part;
 }
 
@@ -43,16 +45,16 @@ void App::explain_at(const PicturePlace& where) {
     Session& session = bench_.session();
     const int x = std::clamp(static_cast<int>(where.across * session.width()), 0, session.width() - 1);
     const int y = std::clamp(static_cast<int>(where.down * session.height()), 0, session.height() - 1);
-    explain(place_at(where), x, y);
+    explain(slot_at(where), x, y);
     state_.panel = true;
     state_.tab = Tab::pixel;
     state_.turn_to_tab = true;
 }
 
-void App::explain(int place, int x, int y) {
-    bench_.session().explain(place, x, y);
+void App::explain(ViewSlot slot, int x, int y) {
+    bench_.session().explain(slot, x, y);
     pixel_.emplace();
-    pixel_->place = place;
+    pixel_->slot = slot;
     pixel_->x = x;
     pixel_->y = y;
 }
@@ -98,7 +100,7 @@ bool App::is_where_it_was() const {
 
 /// What the graphics card makes of the pixel, once its picture is finished.
 std::string App::compare_with_gpu() {
-    const auto frame = bench_.frame(pixel_->place);
+    const auto frame = bench_.frame(pixel_->slot);
     if (!frame || frame->device.empty()) return "";
     const PixelQuestion& asked = pixel_->answer->question;
     const bool is_its_picture = frame->on_device && frame->width == asked.width &&
@@ -121,19 +123,19 @@ std::string App::compare_with_gpu() {
 const std::string& App::command_line() {
     ExplainedPixel& p = *pixel_;
     if (p.command_of != p.answer || p.command_time != last_change_)
-        p.command = explain_command(bench_.shown_file(p.place), p.answer->question).line;
+        p.command = explain_command(bench_.shown_file(p.slot), p.answer->question).line;
     p.command_of = p.answer;
     p.command_time = last_change_;
     return p.command;
 }
 
 void App::copy_command() {
-    const ShownFile shown = bench_.shown_file(pixel_->place);
+    const ShownFile shown = bench_.shown_file(pixel_->slot);
     ExplainCommand command = explain_command(shown, pixel_->answer->question);
     check(command, shown);
     ImGui::SetClipboardText(command.line.c_str());
-    notice(command.lacks.empty() ? "The command is copied"
-                                 : "Copied, but it prints another pixel: " + command.lacks);
+    notice(command.limitation.empty() ? "The command is copied"
+                                      : "Copied, but it prints another pixel: " + command.limitation);
 }
 
 void App::draw_pixel_tab() {
@@ -143,7 +145,7 @@ void App::draw_pixel_tab() {
     }
     const bool is_long = pixel_->busy_since > 0 && now() - pixel_->busy_since > silent_seconds;
     PixelRemarks remarks;
-    if (is_comparing()) remarks.picture = pixel_->place == 1 ? "A" : "B";
+    if (is_comparing()) remarks.picture = pixel_->slot == ViewSlot::reference ? "A" : "B";
     if (!pixel_->answer) {
         pixel_heading(ui_, pixel_->x, pixel_->y, remarks.picture);
         if (is_long) quiet_text(ui_, "Explaining \u2026");
@@ -158,7 +160,7 @@ void App::draw_pixel_tab() {
     if (wish == PixelWish::explain_here) {
         const Session& session = bench_.session();
         const PixelQuestion& asked = pixel_->answer->question;
-        return explain(pixel_->place, std::min(asked.x, session.width() - 1),
+        return explain(pixel_->slot, std::min(asked.x, session.width() - 1),
                        std::min(asked.y, session.height() - 1));
     }
     mark_picked();
@@ -189,9 +191,10 @@ void App::draw_explained() {
         pixel_->lines = ray_lines(sample, bench_.extent());
         pixel_->lines_of_sample = pixel_->choice.sample;
     }
-    const int place = pixel_->place;
-    const Area& area = place == 1 && state_.compare == CompareMode::side_by_side ? reference_ : picture_;
-    const Area part = seen_part(place);
+    const ViewSlot slot = pixel_->slot;
+    const Area& area =
+        slot == ViewSlot::reference && state_.compare == CompareMode::side_by_side ? reference_ : picture_;
+    const Area part = seen_part(slot);
     const int width = explanation.width;
     const int height = explanation.height;
     const Projection projection(bench_.session().camera().camera(), width, height);
@@ -210,7 +213,7 @@ void App::tell_pixel() {
     if (!pixel_) return;
     UiMap& map = ui_.map;
     map.state("explaining", bench_.is_explaining());
-    map.state("pixel.picture", pixel_->place == 1 ? "A" : "B");
+    map.state("pixel.picture", pixel_->slot == ViewSlot::reference ? "A" : "B");
     map.state("pixel.x", static_cast<double>(pixel_->x));
     map.state("pixel.y", static_cast<double>(pixel_->y));
     map.state("pixel.material", picked_.material);

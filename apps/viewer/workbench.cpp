@@ -1,3 +1,4 @@
+// Edits of the document, undo, and what the session reports.
 #include "workbench.h"
 
 #include "object_names.h"
@@ -14,7 +15,7 @@
 namespace glint::viewer {
 namespace {
 
-constexpr std::size_t most_undo = 200;
+constexpr std::size_t max_undo = 200;
 
 SessionOptions session_options(const Arguments& arguments, std::function<void()> wake) {
     SessionOptions options;
@@ -24,13 +25,13 @@ SessionOptions session_options(const Arguments& arguments, std::function<void()>
     return options;
 }
 
-/// The threads of a session come from one that gives way: on a small machine the window stays quick while
-/// pictures are made.
+/// The session's threads inherit a lower priority from the one that creates them, so that the window stays
+/// responsive on machines with few cores.
 std::unique_ptr<Session> begin_session(SessionOptions options) {
-    constexpr int politeness = 5;
+    constexpr int nice_level = 5;
     return std::async(std::launch::async,
                       [&options] {
-                          setpriority(PRIO_PROCESS, 0, politeness);
+                          setpriority(PRIO_PROCESS, 0, nice_level);
                           return std::make_unique<Session>(std::move(options));
                       })
         .get();
@@ -38,8 +39,8 @@ std::unique_ptr<Session> begin_session(SessionOptions options) {
 
 bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
 
-/// A staged mesh as a scene that has no file yet.
-SceneDocument staged_document(SceneDescription description, const std::string& mesh) {
+/// The preview scene of a mesh as a document that has no file yet.
+SceneDocument preview_document(SceneDescription description, const std::string& mesh) {
     for (Object& object : description.objects)
         if (auto* shape = std::get_if<MeshShape>(&object.shape))
             shape->file = std::filesystem::path(mesh).filename().string();
@@ -74,13 +75,12 @@ bool Workbench::update() {
             status.problems.size() != status_.problems.size() ||
             (!status.problems.empty() && status.problems.front().message != status_.problems.front().message);
     status_ = status;
-    for (int place = 0; place < picture_places; ++place) {
-        auto& held = frames_[static_cast<std::size_t>(place)];
-        const auto latest = session_->frame(place);
-        news |= latest != held;
-        held = latest;
+    for (const ViewSlot slot : view_slots) {
+        const auto latest = session_->frame(slot);
+        news |= latest != frames_[slot];
+        frames_[slot] = latest;
     }
-    // In this order: what was answered in between is taken the next time.
+    // In this order: an answer that arrives in between is taken the next time.
     const bool explaining = session_->is_explaining();
     const auto explained = session_->explained();
     news |= explaining != explaining_ || explained != explained_;
@@ -90,15 +90,15 @@ bool Workbench::update() {
 }
 
 void Workbench::take_scene(const SessionScene& scene) {
-    const bool another = !shown_ || shown_->path != scene.path;
-    if (another) {
+    const bool is_another_file = !shown_ || shown_->path != scene.path;
+    if (is_another_file) {
         kept_.reset();
         session_->compare({});
         document_.reset();
         keys_ = {};
-        written_.reset();
-        at_.reset();
-        staged_saved_ = false;
+        parsed_.reset();
+        frame_.reset();
+        is_mesh_saved_ = false;
     }
     shown_ = scene;
     description_ = scene.scene.description();
@@ -107,12 +107,12 @@ void Workbench::take_scene(const SessionScene& scene) {
     take_document(scene);
 }
 
-/// The file's text, with the changes made here put in again.
+/// Reads the file as a document and applies the unsaved changes to it again.
 void Workbench::take_document(const SessionScene& scene) {
     try {
         if (!is_scene_file(scene.path)) {
             if (document_) return;
-            document_ = staged_document(description_, scene.path);
+            document_ = preview_document(description_, scene.path);
             read_document();
             return;
         }
@@ -121,7 +121,7 @@ void Workbench::take_document(const SessionScene& scene) {
         if (document_ && document_->text() == fresh.text()) return;
         const bool edited = document_ && document_->changed();
         const std::string text = SceneDocument::open(scene.path).text();
-        // The file is as it was: what was changed here is put in again, and can still be undone.
+        // The file has not changed: unsaved changes are kept, with their undo steps.
         if (edited && document_->is_saved_as(text)) return show_document();
         if (edited) {
             document_->rebase(text);
@@ -143,25 +143,25 @@ void Workbench::take_document(const SessionScene& scene) {
 void Workbench::read_document() {
     LoadOptions options = load_;
     options.load_meshes = false;
-    // They are in the document.
+    // The document contains them.
     options.overrides.clear();
-    written_ = parse_scene(document_->text(), document_->name(), options);
+    parsed_ = parse_scene(document_->text(), document_->name(), options);
     keys_ = FileKeys(*document_);
 }
 
 void Workbench::show_document() {
     read_document();
-    description_ = animation() != nullptr && at_ ? scene_at(*written_, *at_) : written_->description;
+    description_ = animation() != nullptr && frame_ ? scene_at(*parsed_, *frame_) : parsed_->description;
     session_->edit(description_);
 }
 
 const Animation* Workbench::animation() const {
-    return written_ && written_->animation.scene ? &written_->animation : nullptr;
+    return parsed_ && parsed_->animation.scene ? &parsed_->animation : nullptr;
 }
 
 void Workbench::show_at(double frame) {
-    at_ = frame;
-    description_ = scene_at(*written_, frame);
+    frame_ = frame;
+    description_ = scene_at(*parsed_, frame);
     session_->edit(description_);
     const auto moves_camera = [](const std::string& key) { return key.rfind("camera.", 0) == 0; };
     const std::vector<std::string>& keys = animation()->keys;
@@ -170,7 +170,7 @@ void Workbench::show_at(double frame) {
 }
 
 std::vector<std::string> Workbench::animated() const {
-    if (animation() == nullptr || !at_) return {};
+    if (animation() == nullptr || !frame_) return {};
     std::vector<std::string> keys = animation()->keys;
     for (std::string& key : keys) key = named_key(description_, key);
     return keys;
@@ -196,14 +196,14 @@ void Workbench::edit(const std::vector<Edit>& edits, bool same_gesture) {
         return;
     }
     if (!same_gesture || undo_.empty()) undo_.push_back(before);
-    if (undo_.size() > most_undo) undo_.erase(undo_.begin());
+    if (undo_.size() > max_undo) undo_.erase(undo_.begin());
     redo_.clear();
 }
 
 void Workbench::step(std::vector<SceneDocument>& from, std::vector<SceneDocument>& to) {
     if (from.empty()) return;
     to.push_back(*document_);
-    // The file may have been saved in between.
+    // The file may have been saved since that step.
     from.back().take_saved(*document_);
     document_ = std::move(from.back());
     from.pop_back();
@@ -216,12 +216,12 @@ void Workbench::redo() { step(redo_, undo_); }
 
 std::string Workbench::save() {
     const std::string name = document_->name();
-    if (!is_scene_file(shown_->path) && !staged_saved_) {
+    if (!is_scene_file(shown_->path) && !is_mesh_saved_) {
         if (std::filesystem::exists(name))
             throw Error(ErrorKind::output,
                         name + " exists already: move it away, or open it instead of the mesh");
         document_->save_as(name);
-        staged_saved_ = true;
+        is_mesh_saved_ = true;
     } else {
         document_->save();
     }
@@ -229,7 +229,7 @@ std::string Workbench::save() {
 }
 
 void Workbench::keep() {
-    kept_ = shown_file(0);
+    kept_ = shown_file(ViewSlot::main);
     if (session_->is_comparing()) session_->compare(kept_->description);
 }
 
@@ -239,10 +239,10 @@ void Workbench::compare(bool on) {
         session_->compare(on ? std::optional(kept_->description) : std::nullopt);
 }
 
-ShownFile Workbench::shown_file(int place) const {
-    if (place == 1) return kept_.value_or(ShownFile());
-    ShownFile shown{staged_saved_ ? document_->name() : file_, load_, document_, {}, at_, description_};
-    if (animation() != nullptr) shown.moving = animation()->keys;
+ShownFile Workbench::shown_file(ViewSlot slot) const {
+    if (slot == ViewSlot::reference) return kept_.value_or(ShownFile());
+    ShownFile shown{is_mesh_saved_ ? document_->name() : file_, load_, document_, {}, frame_, description_};
+    if (animation() != nullptr) shown.animated = animation()->keys;
     return shown;
 }
 

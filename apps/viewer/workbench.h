@@ -1,5 +1,6 @@
 #pragma once
-// The scene file under work: its document with the changes made to it, over the session that shows it.
+// The scene file being edited: its document with unsaved changes, undo and redo, and the session that shows
+// it.
 
 #include "arguments.h"
 #include "file_keys.h"
@@ -9,7 +10,6 @@
 
 #include "glint/document.h"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,66 +18,66 @@
 
 namespace glint::viewer {
 
-/// For the thread of the window. No call waits for reading, freezing or rendering.
+/// For the window's thread. No call waits for reading, building or rendering.
 class Workbench {
   public:
-    /// `wake` is called by other threads when there is something new.
+    /// `wake` is called on other threads when there is something new.
     Workbench(const Arguments& arguments, std::function<void()> wake);
 
     void open(const std::string& file);
-    /// Takes what the session has got since the last call; true if there is anything new to be seen.
+    /// Takes over the session's news since the last call; true if there is anything new to show.
     bool update();
 
     Session& session() { return *session_; }
     const Session& session() const { return *session_; }
-    /// What is shown, with the changes made here; none before the first scene.
+    /// The scene shown, with unsaved changes; null before the first one.
     const SceneDescription* description() const { return shown_ ? &description_ : nullptr; }
-    /// As the session has it. Only where there is a description.
+    /// The same as the session has it. Requires description().
     const SessionScene& shown() const { return *shown_; }
     const LoadStatus& status() const { return status_; }
-    /// What is wrong with the file, or with a change that was not taken; empty where all is well.
+    /// Errors of the file, or of a refused change; empty if there are none.
     const std::vector<Diagnostic>& problems() const;
-    std::shared_ptr<const Frame> frame(int place) const { return frames_[static_cast<std::size_t>(place)]; }
-    /// What the session has explained, and whether it still does.
+    /// The latest picture of a view, as of update(); null before there is any.
+    std::shared_ptr<const RenderedFrame> frame(ViewSlot slot = ViewSlot::main) const { return frames_[slot]; }
+    /// The explanation of a pixel, as of update(), and whether a new one is under way.
     std::shared_ptr<const PixelAnswer> explained() const { return explained_; }
     bool is_explaining() const { return explaining_; }
-    /// What the file says, with the changes made here.
+    /// The keys of the document.
     const FileKeys& keys() const { return keys_; }
-    /// About how large the scene is.
+    /// Diagonal of the bounding box, or 10 without one.
     double extent() const { return extent_; }
     /// The file that was opened, scene or mesh.
     const std::string& file() const { return file_; }
 
-    /// How the scene moves; null where it does not.
+    /// Null if nothing is animated.
     const Animation* animation() const;
-    /// Shows a frame of the animation; those between whole ones too.
+    /// Shows a frame of the animation, also fractional ones.
     void show_at(double frame);
-    /// The key paths whose values come from the frame that is shown, objects by their names; none until one
-    /// is.
+    /// The key paths that the frame shown sets, with the names of objects; empty before show_at().
     std::vector<std::string> animated() const;
-    /// The frame shown; the first until another was asked for. Only where there is an animation.
-    double frame_shown() const { return at_.value_or(animation()->first); }
+    /// The frame shown, the first one before show_at(). Requires animation().
+    double frame_shown() const { return frame_.value_or(animation()->first); }
 
-    /// Sets values; one step of undo() where `same_gesture` is false.
+    /// Sets values. A new step of undo() unless `same_gesture`.
     void edit(const std::vector<Edit>& edits, bool same_gesture);
     void undo();
     void redo();
     bool is_changed() const { return document_ && document_->changed(); }
-    /// Writes the scene and returns the file's name. A mesh gets a new scene beside it. Throws Error.
+    /// Writes the scene and returns the file's name; for a mesh, a new scene file beside it. Throws Error.
     std::string save();
 
-    /// What is shown becomes A, which later changes are compared with.
+    /// Keeps the scene as it is now for the reference view.
     void keep();
     bool has_kept() const { return kept_.has_value(); }
-    /// What a picture shows: the changed file, or A.
-    ShownFile shown_file(int place) const;
-    /// Is A rendered too?
+    /// What a view shows: the file with unsaved changes, or what was kept.
+    ShownFile shown_file(ViewSlot slot) const;
+    /// Renders the reference view, if anything was kept.
     void compare(bool on);
 
   private:
     void take_scene(const SessionScene& scene);
     void take_document(const SessionScene& scene);
-    /// Shows what the document says now.
+    /// Shows the document as it is now.
     void show_document();
     void read_document();
     void step(std::vector<SceneDocument>& from, std::vector<SceneDocument>& to);
@@ -86,17 +86,17 @@ class Workbench {
     std::string file_;
     std::optional<SessionScene> shown_;
     SceneDescription description_;
-    std::optional<LoadedScene> written_; ///< what the document says, without meshes
-    std::optional<double> at_;           ///< the frame of the animation; none: the scene as its tables say
+    std::optional<LoadedScene> parsed_; ///< the document without its meshes
+    std::optional<double> frame_;       ///< of the animation; none: the scene without animation
     std::optional<SceneDocument> document_;
     FileKeys keys_; ///< of that document
     std::vector<SceneDocument> undo_;
     std::vector<SceneDocument> redo_;
-    bool staged_saved_ = false; ///< the mesh has become a scene file
+    bool is_mesh_saved_ = false; ///< the opened mesh has been saved as a scene file
     std::optional<ShownFile> kept_;
-    std::vector<Diagnostic> refused_; ///< why the last change was not taken
+    std::vector<Diagnostic> refused_; ///< errors of the last change, if it was refused
     LoadStatus status_;
-    std::array<std::shared_ptr<const Frame>, picture_places> frames_;
+    PerView<std::shared_ptr<const RenderedFrame>> frames_;
     std::shared_ptr<const PixelAnswer> explained_;
     bool explaining_ = false;
     double extent_ = 1;

@@ -1,5 +1,5 @@
-// Who draws: the CPU or a graphics card, and what becomes of pictures when that changes. The card is one of
-// the tests' own, so that faults come when they are wanted, and no driver's threads hide ours.
+// Switching between CPU and GPU, and the fall-back after faults of the GPU. The GPU is simulated, so that
+// faults occur on demand and a driver's threads do not hide ours.
 
 #include "session/renderer.h"
 
@@ -15,45 +15,45 @@
 namespace glint::viewer {
 namespace {
 
-/// A card that fails when it is told to.
+/// A simulated GPU that fails on demand.
 struct Card {
     std::atomic<int> made{0};
     std::atomic<int> alive{0};
     std::atomic<int> on_other_threads{0};
     std::atomic<bool> is_there{true};
-    std::atomic<bool> is_lost{false};     ///< in advance()
-    std::atomic<bool> is_full{false};     ///< in start()
-    std::atomic<bool> cannot_show{false}; ///< in show()
+    std::atomic<bool> is_lost{false};     ///< advance() fails
+    std::atomic<bool> is_full{false};     ///< start() fails
+    std::atomic<bool> cannot_show{false}; ///< copy_to() fails
 
     void fail_if(bool so, const char* why) const {
         if (so) throw Error(ErrorKind::device, why);
     }
-    PainterMaker maker();
+    BackendFactory maker();
 };
 
-class CardPainter : public Painter {
+class CardBackend : public Backend {
   public:
-    explicit CardPainter(Card& card) : card_(card), thread_(std::this_thread::get_id()), picture_(1) {
+    explicit CardBackend(Card& card) : card_(card), thread_(std::this_thread::get_id()), picture_(1) {
         ++card_.made;
         ++card_.alive;
     }
-    ~CardPainter() override {
-        look_at_thread();
+    ~CardBackend() override {
+        check_thread();
         --card_.alive;
     }
 
     void start(const Scene& scene, const ProgressiveOptions& options) override {
-        look_at_thread();
+        check_thread();
         card_.fail_if(card_.is_full, "the card is full");
         picture_.start(scene, options);
     }
     bool advance(double seconds) override {
-        look_at_thread();
+        check_thread();
         card_.fail_if(card_.is_lost, "the card is lost\nand this is its log");
         return picture_.advance(seconds);
     }
     const Refinement& reached() const override { return picture_.reached(); }
-    void show(Frame& frame) override {
+    void copy_to(RenderedFrame& frame) override {
         card_.fail_if(card_.cannot_show, "the card has no room for pictures");
         frame.image = picture_.image();
         frame.width = frame.image.width;
@@ -62,7 +62,7 @@ class CardPainter : public Painter {
     std::string device() const override { return "card"; }
 
   private:
-    void look_at_thread() const {
+    void check_thread() const {
         if (std::this_thread::get_id() != thread_) ++card_.on_other_threads;
     }
 
@@ -71,10 +71,10 @@ class CardPainter : public Painter {
     Progressive picture_;
 };
 
-PainterMaker Card::maker() {
-    return [this]() -> std::unique_ptr<Painter> {
+BackendFactory Card::maker() {
+    return [this]() -> std::unique_ptr<Backend> {
         fail_if(!is_there, "there is no card");
-        return std::make_unique<CardPainter>(*this);
+        return std::make_unique<CardBackend>(*this);
     };
 }
 
@@ -98,13 +98,13 @@ class Backend : public testing::Test {
 
     void show(const SceneDescription& description) {
         scene = freeze(description);
-        renderer.set_view(scene->camera(), 48, 36);
-        renderer.set_scene(0, *scene);
+        renderer.set_camera(scene->camera(), 48, 36);
+        renderer.set_scene(ViewSlot::main, *scene);
     }
-    std::shared_ptr<const Frame> finished(const std::string& device) const {
-        std::shared_ptr<const Frame> frame;
+    std::shared_ptr<const RenderedFrame> finished(const std::string& device) const {
+        std::shared_ptr<const RenderedFrame> frame;
         EXPECT_TRUE(comes_true([&] {
-            frame = renderer.latest(0);
+            frame = renderer.latest(ViewSlot::main);
             return frame && frame->reached.finished && frame->device == device;
         })) << "not finished by "
             << (device.empty() ? "the CPU" : device);
@@ -133,7 +133,9 @@ TEST_F(Backend, TheCardDrawsWhenItIsToldTo) {
 
 TEST_F(Backend, SwitchingWhileItRendersShowsNothingButPictures) {
     show(ball(4096));
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(0) && renderer.latest(0)->reached.step == 1; }));
+    ASSERT_TRUE(comes_true([&] {
+        return renderer.latest(ViewSlot::main) && renderer.latest(ViewSlot::main)->reached.step == 1;
+    }));
     std::atomic<bool> done{false};
     std::atomic<int> black{0};
     std::atomic<int> coarse{0};
@@ -141,7 +143,7 @@ TEST_F(Backend, SwitchingWhileItRendersShowsNothingButPictures) {
     std::thread window([&] {
         std::uint64_t number = 0;
         while (!done) {
-            const auto frame = renderer.latest(0);
+            const auto frame = renderer.latest(ViewSlot::main);
             if (!frame || frame->width != 48 || frame->height != 36) ++black;
             if (frame && frame->number != number) {
                 ++frames;
@@ -153,15 +155,15 @@ TEST_F(Backend, SwitchingWhileItRendersShowsNothingButPictures) {
         }
     });
     for (int i = 0; i < 200; ++i) {
-        renderer.set_backend(i % 2 == 0 ? card.maker() : PainterMaker());
+        renderer.set_backend(i % 2 == 0 ? card.maker() : BackendFactory());
         std::this_thread::sleep_for(std::chrono::milliseconds(i % 7));
         const std::string device = i % 2 == 0 ? "card" : "";
         if (i % 25 == 24) {
-            EXPECT_TRUE(comes_true([&] { return renderer.latest(0)->device == device; }));
+            EXPECT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->device == device; }));
         }
     }
     renderer.set_backend(card.maker());
-    EXPECT_TRUE(comes_true([&] { return renderer.latest(0)->device == "card"; }));
+    EXPECT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->device == "card"; }));
     done = true;
     window.join();
     EXPECT_EQ(black, 0);
@@ -177,8 +179,8 @@ TEST_F(Backend, TheCardDrawsEveryView) {
     RenderOptions options;
     options.show = Aspect::normal;
     const Image numbers = render(with_view(*scene, scene->camera(), 48, 36), options).image;
-    renderer.set_show(0, Aspect::normal);
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(0)->show == Aspect::normal; }));
+    renderer.set_show(ViewSlot::main, Aspect::normal);
+    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->show == Aspect::normal; }));
     const auto normals = finished("card");
     EXPECT_EQ(normals->why_cpu, "");
     EXPECT_EQ(picture_hash(normals->image), picture_hash(visible(numbers, Aspect::normal, *scene)));
@@ -195,9 +197,9 @@ TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
     card.is_there = true;
     CameraDescription camera = scene->camera();
     camera.eye.x += 0.5;
-    const std::uint64_t number = renderer.latest(0)->number;
-    renderer.set_view(camera, 48, 36);
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(0)->number > number; }));
+    const std::uint64_t number = renderer.latest(ViewSlot::main)->number;
+    renderer.set_camera(camera, 48, 36);
+    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->number > number; }));
     EXPECT_EQ(finished("")->why_cpu, "there is no card");
     EXPECT_EQ(card.made, 0);
     show(ball(3));
@@ -208,7 +210,9 @@ TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
 TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
     renderer.set_backend(card.maker());
     show(ball(512)); // not finished before the card is lost
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(0) && renderer.latest(0)->device == "card"; }));
+    ASSERT_TRUE(comes_true([&] {
+        return renderer.latest(ViewSlot::main) && renderer.latest(ViewSlot::main)->device == "card";
+    }));
     card.is_lost = true;
     EXPECT_EQ(finished("")->why_cpu, "the card is lost\nand this is its log");
     EXPECT_EQ(picture_hash(finished("")->image), expected());
@@ -217,7 +221,8 @@ TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
     for (std::atomic<bool>* fault : {&card.is_full, &card.cannot_show}) {
         *fault = true;
         renderer.set_backend(card.maker());
-        ASSERT_TRUE(comes_true([&] { return !renderer.latest(0)->why_cpu.empty() && card.alive == 0; }));
+        ASSERT_TRUE(
+            comes_true([&] { return !renderer.latest(ViewSlot::main)->why_cpu.empty() && card.alive == 0; }));
         EXPECT_EQ(picture_hash(finished("")->image), expected());
         *fault = false;
         renderer.set_backend(card.maker());
@@ -245,12 +250,12 @@ TEST_F(Backend, AFaultMakesNothingCoarserThanItWas) {
         if (!same_view) show(ball(3));
         // The card's picture of the scene before may be there already.
         ASSERT_TRUE(comes_true([&] { return picture_hash(finished("card")->image) == expected(); }));
-        std::uint64_t number = renderer.latest(0)->number;
+        std::uint64_t number = renderer.latest(ViewSlot::main)->number;
         card.cannot_show = true;
         renderer.set_tone(same_view ? View::raw : View::srgb);
         int coarse = 0;
         EXPECT_TRUE(comes_true([&] {
-            const auto frame = renderer.latest(0);
+            const auto frame = renderer.latest(ViewSlot::main);
             if (frame->number != number) coarse += frame->reached.step > 1;
             number = frame->number;
             return frame->reached.finished && frame->device.empty();
@@ -262,19 +267,43 @@ TEST_F(Backend, AFaultMakesNothingCoarserThanItWas) {
     }
 }
 
-TEST_F(Backend, BothPlacesAreDrawnByTheCard) {
+TEST_F(Backend, TheCardRendersBothViews) {
     renderer.set_backend(card.maker());
     show(ball(2));
-    renderer.set_scene(1, freeze(ball(3)));
+    renderer.set_scene(ViewSlot::reference, freeze(ball(3)));
     finished("card");
     ASSERT_TRUE(comes_true([&] {
-        const auto frame = renderer.latest(1);
+        const auto frame = renderer.latest(ViewSlot::reference);
         return frame && frame->reached.finished && frame->device == "card";
     }));
     EXPECT_EQ(card.made, 2);
-    renderer.set_scene(1, std::nullopt);
+    renderer.set_scene(ViewSlot::reference, std::nullopt);
     renderer.set_backend({});
     finished("");
+}
+
+TEST_F(Backend, ARemovedSceneLeavesNoFrameBehind) {
+    show(ball(4096));
+    const Scene other = freeze(ball(4096));
+    for (int i = 0; i < 20; ++i) {
+        renderer.set_scene(ViewSlot::reference, other);
+        ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::reference) != nullptr; }));
+        renderer.set_scene(ViewSlot::reference, std::nullopt);
+        // Frames of the first pass after it come from the newer request.
+        const std::uint64_t number = renderer.latest(ViewSlot::main)->number;
+        ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->number > number + 2; }));
+        ASSERT_EQ(renderer.latest(ViewSlot::reference), nullptr);
+    }
+}
+
+TEST_F(Backend, WithoutAnySceneNothingIsRendered) {
+    show(ball(4096));
+    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main) != nullptr; }));
+    renderer.set_scene(ViewSlot::main, std::nullopt);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_EQ(renderer.latest(ViewSlot::main), nullptr);
+    show(ball(2));
+    EXPECT_EQ(picture_hash(finished("")->image), expected());
 }
 
 } // namespace

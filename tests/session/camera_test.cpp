@@ -172,8 +172,8 @@ TEST(FrameTimes, SharesAreThoseOfTheSortedTimes) {
     std::sort(all.begin(), all.end());
     for (const double share : {0.01, 0.5, 0.9, 0.99, 0.999, 1.0}) {
         const double exact = all[static_cast<std::size_t>(std::ceil(share * 5000)) - 1];
-        EXPECT_GE(times.within(share), exact * (1 - 1e-12));
-        EXPECT_LE(times.within(share), std::max(exact * 1.0501, 1e-4));
+        EXPECT_GE(times.quantile(share), exact * (1 - 1e-12));
+        EXPECT_LE(times.quantile(share), std::max(exact * 1.0501, 1e-4));
     }
     EXPECT_EQ(times.longest(), all.back());
     const double within =
@@ -184,7 +184,7 @@ TEST(FrameTimes, SharesAreThoseOfTheSortedTimes) {
 
 TEST(FrameTimes, NoFramesAreNoTrouble) {
     const FrameTimes times;
-    EXPECT_EQ(times.within(0.5), 0);
+    EXPECT_EQ(times.quantile(0.5), 0);
     EXPECT_EQ(times.share_within(0.05), 1);
     EXPECT_EQ(times.summary(), "no frames");
     EXPECT_EQ(times.histogram(), "");
@@ -195,7 +195,7 @@ TEST(FrameTimes, TheSummarySaysWhatMatters) {
     for (int i = 0; i < 999; ++i) times.add(0.010);
     times.add(0.2);
     EXPECT_EQ(times.count(), 1000u);
-    EXPECT_NEAR(times.within(0.5), 0.010, 0.0005);
+    EXPECT_NEAR(times.quantile(0.5), 0.010, 0.0005);
     EXPECT_EQ(times.share_within(0.05), 0.999);
     EXPECT_NE(times.summary().find("1000 frames, median 10."), std::string::npos) << times.summary();
     EXPECT_NE(times.summary().find("longest 200.0 ms"), std::string::npos) << times.summary();

@@ -51,7 +51,7 @@ class ExplainCommandTest : public testing::Test {
         return shown;
     }
     static PixelQuestion question(const ShownFile& shown) {
-        return {0, *shown.description.camera, 80, 60, 40, 30};
+        return {ViewSlot::main, *shown.description.camera, 80, 60, 40, 30};
     }
     static ExplainCommand checked(const ShownFile& shown) {
         ExplainCommand command = explain_command(shown, question(shown));
@@ -74,7 +74,7 @@ TEST(Quoted, OnlyWhereAShellWouldTakeItApart) {
 TEST_F(ExplainCommandTest, NamesNoMoreThanThePixelWhereNothingIsChanged) {
     const ExplainCommand command = checked(shown());
     EXPECT_EQ(command.line, "glint explain " + quoted(file()) + " --size 80x60 --pixel 40,30");
-    EXPECT_EQ(command.lacks, "");
+    EXPECT_EQ(command.limitation, "");
 }
 
 TEST_F(ExplainCommandTest, CarriesChangesTheCameraAndOptions) {
@@ -84,7 +84,7 @@ TEST_F(ExplainCommandTest, CarriesChangesTheCameraAndOptions) {
     asked.camera.eye = Vec3(0.5, -6, 0);
     ExplainCommand command = explain_command(file, asked);
     check(command, file);
-    EXPECT_EQ(command.lacks, "");
+    EXPECT_EQ(command.limitation, "");
     for (const char* part : {" -D 'material.red.color=[0, 1, 0]'", " -D 'camera.eye=[0.5, -6, 0]'",
                              " -D 'camera.look_at=[0.5, 0, 0]'", " -D camera.fov=45", " --allow-outside"})
         EXPECT_NE(command.line.find(part), std::string::npos) << part << " in " << command.line;
@@ -94,20 +94,20 @@ TEST_F(ExplainCommandTest, CarriesChangesTheCameraAndOptions) {
 TEST_F(ExplainCommandTest, CarriesTheFrameButNotWhatMovesThere) {
     const ExplainCommand command =
         checked(shown({"sphere.ball.center=[9, 9, 9]", "sphere.ball.radius=2"}, 5));
-    EXPECT_EQ(command.lacks, "");
+    EXPECT_EQ(command.limitation, "");
     EXPECT_NE(command.line.find(" --frame 5"), std::string::npos) << command.line;
     EXPECT_NE(command.line.find(" -D sphere.ball.radius=2"), std::string::npos) << command.line;
     EXPECT_EQ(command.line.find("center"), std::string::npos) << command.line;
-    EXPECT_NE(checked(shown({}, 5.5)).lacks.find("between two frames"), std::string::npos);
+    EXPECT_NE(checked(shown({}, 5.5)).limitation.find("between two frames"), std::string::npos);
 }
 
 TEST_F(ExplainCommandTest, SaysWhenTheFileIsAnother) {
     const ShownFile before = shown({"sphere.ball.radius=2"});
     std::ofstream(file()) << moving_ball.substr(0, moving_ball.find("[[animate]]"))
                           << "[[light]]\ntype = \"ambient\"\n";
-    EXPECT_NE(checked(before).lacks, "");
+    EXPECT_NE(checked(before).limitation, "");
     fs::remove(file());
-    EXPECT_NE(checked(before).lacks, "");
+    EXPECT_NE(checked(before).limitation, "");
 }
 
 TEST_F(ExplainCommandTest, OfABareMeshNotEverythingCanBeCarried) {
@@ -115,11 +115,11 @@ TEST_F(ExplainCommandTest, OfABareMeshNotEverythingCanBeCarried) {
     file.file = "shape.ply";
     file.load.up = Axis::y;
     file.load.overrides = {"render.spp=2"};
-    EXPECT_NE(explain_command(file, question(file)).lacks.find("material.red.color"), std::string::npos);
+    EXPECT_NE(explain_command(file, question(file)).limitation.find("material.red.color"), std::string::npos);
     file.document = SceneDocument("[material.clay]\ncolor = [1, 1, 1]\n", "shape.toml");
     file.document->set("material.clay.color", Vec3(0, 1, 0));
     const ExplainCommand command = explain_command(file, question(file));
-    EXPECT_EQ(command.lacks, "");
+    EXPECT_EQ(command.limitation, "");
     for (const char* part :
          {" --up y", " -D render.spp=2", " -D 'material.clay.color=[0, 1, 0]'", "camera.eye"})
         EXPECT_NE(command.line.find(part), std::string::npos) << part << " in " << command.line;

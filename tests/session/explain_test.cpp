@@ -42,8 +42,8 @@ Scene endless() {
 
 class ExplainerTest : public testing::Test {
   protected:
-    PixelQuestion question(int place = 0, int x = 24, int y = 20) const {
-        return {place, red.camera(), 48, 40, x, y};
+    PixelQuestion question(ViewSlot slot = ViewSlot::main, int x = 24, int y = 20) const {
+        return {slot, red.camera(), 48, 40, x, y};
     }
     /// The answer, once nothing is left to do.
     std::shared_ptr<const PixelAnswer> answer() const {
@@ -67,12 +67,12 @@ class ExplainerTest : public testing::Test {
 TEST_F(ExplainerTest, AnswersWhatExplainAnswers) {
     explainer.ask(question());
     EXPECT_FALSE(explainer.is_busy()) << "there is no scene yet";
-    explainer.set_scene(0, red);
+    explainer.set_scene(ViewSlot::main, red);
     explainer.ask(question());
     const auto first = answer();
     ASSERT_TRUE(first);
     expect_same(*first, red);
-    explainer.ask(question(0, 20, 18));
+    explainer.ask(question(ViewSlot::main, 20, 18));
     const auto second = answer();
     ASSERT_TRUE(second);
     EXPECT_EQ(second->question.x, 20);
@@ -80,10 +80,10 @@ TEST_F(ExplainerTest, AnswersWhatExplainAnswers) {
 }
 
 TEST_F(ExplainerTest, AnswersAgainWhenTheSceneChanges) {
-    explainer.set_scene(0, red);
+    explainer.set_scene(ViewSlot::main, red);
     explainer.ask(question());
     const auto first = answer();
-    explainer.set_scene(0, green);
+    explainer.set_scene(ViewSlot::main, green);
     const auto second = answer();
     ASSERT_TRUE(second);
     EXPECT_NE(second->explanation.color, first->explanation.color);
@@ -91,21 +91,21 @@ TEST_F(ExplainerTest, AnswersAgainWhenTheSceneChanges) {
 }
 
 TEST_F(ExplainerTest, EachPictureHasItsOwnScene) {
-    explainer.set_scene(0, red);
-    explainer.set_scene(1, green);
-    explainer.ask(question(1));
+    explainer.set_scene(ViewSlot::main, red);
+    explainer.set_scene(ViewSlot::reference, green);
+    explainer.ask(question(ViewSlot::reference));
     expect_same(*answer(), green);
-    explainer.set_scene(0, green);
+    explainer.set_scene(ViewSlot::main, green);
     expect_same(*answer(), green);
-    explainer.set_scene(1, std::nullopt);
+    explainer.set_scene(ViewSlot::reference, std::nullopt);
     EXPECT_FALSE(answer()) << "the picture is gone, and what was told of it";
-    explainer.set_scene(1, red);
+    explainer.set_scene(ViewSlot::reference, red);
     EXPECT_FALSE(answer()) << "and does not come back by itself";
 }
 
 TEST_F(ExplainerTest, RaysAreKeptOfTheFirstSamplesOnly) {
     const Scene many = ball(Vec3(1, 0, 0), explained_samples + 3);
-    explainer.set_scene(0, many);
+    explainer.set_scene(ViewSlot::main, many);
     explainer.ask(question());
     const auto got = answer();
     expect_same(*got, many);
@@ -114,37 +114,37 @@ TEST_F(ExplainerTest, RaysAreKeptOfTheFirstSamplesOnly) {
 }
 
 TEST_F(ExplainerTest, WhatCannotBeExplainedIsTold) {
-    explainer.set_scene(0, red);
-    explainer.ask(question(0, 48, 0));
+    explainer.set_scene(ViewSlot::main, red);
+    explainer.ask(question(ViewSlot::main, 48, 0));
     EXPECT_NE(answer()->fault.find("not in the picture"), std::string::npos);
 }
 
 TEST_F(ExplainerTest, ANewerQuestionOvertakesWhatTakesLong) {
-    explainer.set_scene(0, endless());
-    explainer.set_scene(1, green);
+    explainer.set_scene(ViewSlot::main, endless());
+    explainer.set_scene(ViewSlot::reference, green);
     for (int i = 0; i < 20; ++i) {
-        explainer.ask(question(0, 20 + i % 4));
+        explainer.ask(question(ViewSlot::main, 20 + i % 4));
         std::this_thread::sleep_for(std::chrono::milliseconds(i % 3));
     }
-    explainer.ask(question(1));
+    explainer.ask(question(ViewSlot::reference));
     const auto got = answer();
     ASSERT_TRUE(got);
-    EXPECT_EQ(got->question.place, 1);
+    EXPECT_EQ(got->question.slot, ViewSlot::reference);
     expect_same(*got, green);
-    explainer.ask(question(0));
+    explainer.ask(question(ViewSlot::main));
     explainer.forget();
     EXPECT_FALSE(answer());
 }
 
 TEST_F(ExplainerTest, ManyChangesEndInTheLastOne) {
-    explainer.set_scene(0, red);
+    explainer.set_scene(ViewSlot::main, red);
     explainer.ask(question());
     for (int i = 0; i < 50; ++i) {
-        explainer.set_scene(0, i % 2 == 0 ? green : red);
+        explainer.set_scene(ViewSlot::main, i % 2 == 0 ? green : red);
         if (i % 5 == 0) explainer.latest();
         if (i % 7 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    explainer.set_scene(0, green);
+    explainer.set_scene(ViewSlot::main, green);
     expect_same(*answer(), green);
 }
 
@@ -155,8 +155,8 @@ TEST(SessionExplainer, EndsAtOnceWhileItExplains) {
         Clock::time_point begin;
         {
             SessionExplainer explainer{{}};
-            explainer.set_scene(0, scene);
-            explainer.ask({0, scene.camera(), 4096, 4096, 2048, 2048});
+            explainer.set_scene(ViewSlot::main, scene);
+            explainer.ask({ViewSlot::main, scene.camera(), 4096, 4096, 2048, 2048});
             std::this_thread::sleep_for(std::chrono::milliseconds(delay));
             EXPECT_TRUE(explainer.is_busy());
             begin = Clock::now();

@@ -1,12 +1,12 @@
 #pragma once
-// Waiting for what other threads do.
+// Waiting for other threads.
 
 #include <chrono>
 #include <thread>
 
 namespace glint::viewer {
 
-/// Waits until it is so; false where it never becomes so.
+/// Waits until the condition holds; false after a time limit.
 template <class Condition>
 bool comes_true(const Condition& condition) {
     const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);

@@ -60,23 +60,23 @@ class SessionTest : public testing::Test {
         return options;
     }
 
-    static bool finished(const Session& session, int place = 0) {
+    static bool finished(const Session& session, ViewSlot slot = ViewSlot::main) {
         return comes_true([&] {
-            const auto frame = session.frame(place);
+            const auto frame = session.frame(slot);
             return frame && frame->reached.finished;
         });
     }
     /// The picture that the session must come to.
-    static std::string expected(const Session& session, int place = 0) {
+    static std::string expected(const Session& session, ViewSlot slot = ViewSlot::main) {
         RenderOptions how;
-        how.show = session.show(place);
-        const Scene scene = session.view(place).value();
+        how.show = session.show(slot);
+        const Scene scene = session.scene_in_view(slot).value();
         return picture_hash(visible(render(scene, how).image, how.show, scene));
     }
-    static bool shows_what_it_should(const Session& session, int place = 0) {
-        const std::string wanted = expected(session, place);
+    static bool shows_what_it_should(const Session& session, ViewSlot slot = ViewSlot::main) {
+        const std::string wanted = expected(session, slot);
         return comes_true([&] {
-            const auto frame = session.frame(place);
+            const auto frame = session.frame(slot);
             return frame && frame->reached.finished && picture_hash(frame->image) == wanted;
         });
     }
@@ -114,18 +114,18 @@ TEST_F(SessionTest, TurnsAroundWhatThePicturesMiddleShows) {
     };
     expect_target(Vec3(0, -1, 0));
     session.move([](CameraControl& c) { c.fly(0, 0, 0.4); });
-    session.aim();
+    session.pick_orbit_target();
     expect_target(Vec3(0, -1, 0));
     // Turning and zooming keep what is turned around, though other parts of the ball come before it.
     session.move([](CameraControl& c) { c.orbit(1.5, 0); });
-    session.aim();
+    session.pick_orbit_target();
     expect_target(Vec3(0, -1, 0));
     session.move([](CameraControl& c) { c.zoom(1); });
-    session.aim();
+    session.pick_orbit_target();
     expect_target(Vec3(0, -1, 0));
     // Nothing is seen beside the ball: the distance stays.
     session.move([](CameraControl& c) { c.reset(), c.pan(2, 0); });
-    session.aim();
+    session.pick_orbit_target();
     EXPECT_NEAR(session.camera().target_distance(), 5, 1e-5);
 }
 
@@ -156,7 +156,7 @@ TEST_F(SessionTest, EditsOfMaterialsLightsAndObjectsShow) {
     ASSERT_TRUE(
         comes_true([&] { return session.scene()->scene.description().materials[0].transparency == 0.75; }));
     EXPECT_TRUE(shows_what_it_should(session));
-    EXPECT_EQ(std::get<SphereShape>(session.view()->description().objects[0].shape).radius, 1.5);
+    EXPECT_EQ(std::get<SphereShape>(session.scene_in_view()->description().objects[0].shape).radius, 1.5);
 }
 
 TEST_F(SessionTest, AnImpossibleEditIsToldAndNothingChanges) {
@@ -233,14 +233,14 @@ TEST_F(SessionTest, ComparingShowsBothFromTheSameCamera) {
     SceneDescription other = session.scene()->scene.description();
     other.materials[0].color = Vec3(0, 1, 0);
     session.compare(other);
-    session.set_show(Aspect::diffuse, 1);
-    ASSERT_TRUE(comes_true([&] { return session.view(1).has_value(); }));
+    session.set_show(Aspect::diffuse, ViewSlot::reference);
+    ASSERT_TRUE(comes_true([&] { return session.scene_in_view(ViewSlot::reference).has_value(); }));
     session.move([](CameraControl& c) { c.zoom(2); });
-    EXPECT_TRUE(shows_what_it_should(session, 0));
-    EXPECT_TRUE(shows_what_it_should(session, 1));
-    EXPECT_EQ(session.frame(0)->camera.eye, session.frame(1)->camera.eye);
+    EXPECT_TRUE(shows_what_it_should(session, ViewSlot::main));
+    EXPECT_TRUE(shows_what_it_should(session, ViewSlot::reference));
+    EXPECT_EQ(session.frame(ViewSlot::main)->camera.eye, session.frame(ViewSlot::reference)->camera.eye);
     session.compare(std::nullopt);
-    EXPECT_FALSE(session.frame(1));
+    EXPECT_FALSE(session.frame(ViewSlot::reference));
     EXPECT_FALSE(session.is_comparing());
 }
 
@@ -299,7 +299,7 @@ TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
             if (i % 23 == 0) session.compare(edited);
         }
         session.frame();
-        session.frame(1);
+        session.frame(ViewSlot::reference);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     saver.join();

@@ -1,3 +1,4 @@
+// Orbit, pan, zoom and flight of a camera.
 #include "camera.h"
 
 #include "glint/pick.h"
@@ -11,13 +12,13 @@ namespace glint::viewer {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-/// How near to the poles an orbit comes, radians.
+/// Angle that an orbit keeps from the poles, in radians.
 constexpr double pole_margin = 0.01;
-/// What a notch leaves of the way.
+/// Factor of the target distance for each notch of the wheel.
 constexpr double notch = 0.9;
 
-/// v turned about a unit axis.
-Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+/// Rotates v about a unit axis (Rodrigues' formula).
+Vec3 rotated(const Vec3& v, const Vec3& axis, double angle) {
     const double c = std::cos(angle);
     return v * c + glm::cross(axis, v) * std::sin(angle) + axis * (glm::dot(axis, v) * (1 - c));
 }
@@ -41,12 +42,12 @@ void CameraControl::orbit(double right, double up) {
     const Vec3 pivot = target();
     const Vec3 pole = glm::normalize(camera_.up);
     const Axes a = axes();
-    // The eye's height over the equator, which must stay between the poles.
-    const double height = std::asin(std::clamp(-glm::dot(a.ahead, pole), -1.0, 1.0));
-    const double most = std::max(pi / 2 - pole_margin, std::abs(height));
-    const double climb = std::clamp(height + up, -most, most) - height;
-    const Vec3 raised = turned(a.ahead, a.right, -climb);
-    camera_.direction = glm::normalize(turned(raised, pole, right));
+    // The eye's latitude must stay between the poles.
+    const double latitude = std::asin(std::clamp(-glm::dot(a.ahead, pole), -1.0, 1.0));
+    const double max_latitude = std::max(pi / 2 - pole_margin, std::abs(latitude));
+    const double climb = std::clamp(latitude + up, -max_latitude, max_latitude) - latitude;
+    const Vec3 raised = rotated(a.ahead, a.right, -climb);
+    camera_.direction = glm::normalize(rotated(raised, pole, right));
     camera_.eye = pivot - camera_.direction * distance_;
 }
 
@@ -54,7 +55,7 @@ void CameraControl::pan(double right, double up) {
     const Axes a = axes();
     const double height = 2 * distance_ * std::tan(camera_.fov / 2 * pi / 180);
     camera_.eye += (a.right * right + a.up * up) * height;
-    aimed_ = false;
+    has_picked_target_ = false;
 }
 
 void CameraControl::zoom(double notches) {
@@ -66,30 +67,30 @@ void CameraControl::zoom(double notches) {
 void CameraControl::fly(double right, double up, double ahead) {
     const Axes a = axes();
     camera_.eye += (a.right * right + a.up * up + a.ahead * ahead) * distance_;
-    aimed_ = false;
+    has_picked_target_ = false;
 }
 
 void CameraControl::set_fov(double degrees) { camera_.fov = std::clamp(degrees, 1.0, 170.0); }
 
-void CameraControl::turn(double seconds, double turns_a_minute) {
-    orbit(seconds * turns_a_minute * 2 * pi / 60, 0);
+void CameraControl::turn(double seconds, double turns_per_minute) {
+    orbit(seconds * turns_per_minute * 2 * pi / 60, 0);
 }
 
 void CameraControl::reset() {
     camera_ = home_;
     distance_ = home_distance_;
-    aimed_ = true;
+    has_picked_target_ = true;
 }
 
-void CameraControl::aim(double target_distance) {
+void CameraControl::set_target(double target_distance) {
     distance_ = target_distance;
-    aimed_ = true;
+    has_picked_target_ = true;
 }
 
 void CameraControl::set_camera(const CameraDescription& camera, double target_distance) {
     camera_ = camera;
     distance_ = target_distance;
-    aimed_ = false;
+    has_picked_target_ = false;
 }
 
 bool same_view(const CameraDescription& a, const CameraDescription& b) {
@@ -99,13 +100,13 @@ bool same_view(const CameraDescription& a, const CameraDescription& b) {
 
 double target_distance(const Scene& scene) {
     const RenderSettings& r = scene.render_settings();
-    if (const auto middle = pick(scene, r.width / 2.0, r.height / 2.0)) return middle->distance;
+    if (const auto hit = pick(scene, r.width / 2.0, r.height / 2.0)) return hit->distance;
     const SceneStats stats = scene.stats();
     const Vec3 direction = glm::normalize(scene.camera().direction);
     const double ahead =
         glm::dot((stats.bounds_min + stats.bounds_max) * 0.5 - scene.camera().eye, direction);
-    const bool is_something = stats.bounds_min.x <= stats.bounds_max.x;
-    return is_something && ahead > 0 ? ahead : 1;
+    const bool has_bounds = stats.bounds_min.x <= stats.bounds_max.x;
+    return has_bounds && ahead > 0 ? ahead : 1;
 }
 
 } // namespace glint::viewer

@@ -1,5 +1,5 @@
 #pragma once
-// Moving a camera by hand. The eye looks at a target; up stays up.
+// A camera moved by hand: it looks at a target that it orbits, and its up vector stays.
 
 #include "glint/scene.h"
 
@@ -8,34 +8,35 @@ namespace glint::viewer {
 class CameraControl {
   public:
     CameraControl() = default;
-    /// A camera, and how far ahead of its eye the target is. reset() comes back to it.
+    /// `target_distance`: from the eye to the orbit's target, along the camera's direction. reset() returns
+    /// to both.
     CameraControl(const CameraDescription& home, double target_distance);
 
     const CameraDescription& camera() const { return camera_; }
     Vec3 target() const;
     double target_distance() const { return distance_; }
 
-    /// Around the target, in radians: the eye goes to the right, and up as far as just before the pole. The
+    /// Moves the eye around the target, to the right and up, in radians; up to just before the poles. The
     /// distance stays.
     void orbit(double right, double up);
-    /// Along the picture; 1 is the picture's height at the target.
+    /// Moves eye and target in the picture's plane; 1 is the picture's height at the target.
     void pan(double right, double up);
-    /// So many notches of a wheel nearer to the target: a tenth of the way each, and never there.
+    /// Moves the eye towards the target by notches of a wheel, each a tenth of the remaining distance.
     void zoom(double notches);
-    /// Eye and target together, in target distances: to the right, up in the picture, ahead.
+    /// Moves eye and target, in target distances: right, up in the picture, ahead.
     void fly(double right, double up, double ahead);
-    /// The field of view in degrees, kept within 1 and 170.
+    /// The field of view in degrees, clamped to 1 … 170.
     void set_fov(double degrees);
-    /// A turntable, for so many seconds.
-    void turn(double seconds, double turns_a_minute);
-    /// To the home camera, exactly.
+    /// Orbits as on a turntable for that time.
+    void turn(double seconds, double turns_per_minute);
+    /// Back to the home camera, exactly.
     void reset();
-    /// Is the target what stood in the picture's middle when it was chosen, or what was turned around since?
-    /// Panning, flying and another camera leave it behind.
-    bool is_aimed() const { return aimed_; }
-    /// Something so far ahead becomes the target.
-    void aim(double target_distance);
-    /// To another camera, which stays away from home.
+    /// Was the target set by set_target() or reset(), with only orbiting and zooming since? Panning, flying
+    /// and another camera lose it.
+    bool has_picked_target() const { return has_picked_target_; }
+    /// The orbit's target, at this distance ahead of the eye.
+    void set_target(double target_distance);
+    /// Another camera; home stays.
     void set_camera(const CameraDescription& camera, double target_distance);
 
   private:
@@ -48,14 +49,14 @@ class CameraControl {
     CameraDescription camera_;
     double home_distance_ = 1;
     double distance_ = 1;
-    bool aimed_ = true;
+    bool has_picked_target_ = true;
 };
 
-/// Do both see the same?
+/// Do both cameras see the same?
 bool same_view(const CameraDescription& a, const CameraDescription& b);
 
-/// How far ahead a camera of the scene finds what it looks at: the first hit in the picture's middle, else
-/// the middle of everything finite, else 1.
+/// A distance for the orbit's target of a scene's camera: the first hit in the picture's middle, else the
+/// depth of the bounding box's centre if that lies ahead, else 1.
 double target_distance(const Scene& scene);
 
 } // namespace glint::viewer

@@ -1,3 +1,4 @@
+// Builds the command line from the file, its unsaved changes and the camera of the question.
 #include "explain_command.h"
 
 #include "camera.h"
@@ -15,34 +16,71 @@ namespace {
 
 bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
 
-/// A bare mesh stands on a stage of which not everything has a name for -D.
-bool is_for_a_mesh(const std::string& path) {
-    constexpr std::array<std::string_view, 5> open{"render.", "whitted.", "camera.", "material.clay.",
-                                                   "material.floor."};
-    return std::any_of(open.begin(), open.end(), [&](auto start) { return path.starts_with(start); });
+/// Of the preview scene of a bare mesh, -D can set only these tables.
+bool can_override_preview(const std::string& path) {
+    constexpr std::array<std::string_view, 5> tables{"render.", "whitted.", "camera.", "material.clay.",
+                                                     "material.floor."};
+    return std::any_of(tables.begin(), tables.end(), [&](auto table) { return path.starts_with(table); });
 }
 
 std::string path_of(const Override& change) { return change.substr(0, change.find('=')); }
 
-/// The camera of a question as values for -D. Of where it looks a file has one of two keys.
-void add_camera(const CameraDescription& camera, bool looks_at, std::vector<Override>& values) {
+/// Adds a camera as values for -D. `has_look_at`: the file has the key look_at instead of direction.
+void add_camera(const CameraDescription& camera, bool has_look_at, std::vector<Override>& values) {
     constexpr std::array axes{"y", "x", "smaller", "larger"};
     values.push_back("camera.eye=" + scene_value(camera.eye));
-    values.push_back(looks_at ? "camera.look_at=" + scene_value(camera.eye + camera.direction)
-                              : "camera.direction=" + scene_value(camera.direction));
+    values.push_back(has_look_at ? "camera.look_at=" + scene_value(camera.eye + camera.direction)
+                                 : "camera.direction=" + scene_value(camera.direction));
     values.push_back("camera.up=" + scene_value(camera.up));
     values.push_back("camera.fov=" + scene_value(camera.fov));
     values.push_back(std::string("camera.fov_axis=") + axes[static_cast<std::size_t>(camera.fov_axis)]);
 }
 
+/// Adds the unsaved changes and the camera of the question.
+void add_changes(const ShownFile& shown, const PixelQuestion& question, ExplainCommand& command) {
+    const bool is_mesh = !is_scene_file(shown.file);
+    const bool has_camera = !is_mesh && shown.document && shown.document->value("camera.eye");
+    const bool is_home =
+        has_camera && shown.description.camera && same_view(*shown.description.camera, question.camera);
+    for (const Override& change : shown.document ? shown.document->changes() : std::vector<Override>()) {
+        const std::string path = path_of(change);
+        // --frame sets animated values; -D would override them.
+        const bool is_animated =
+            std::find(shown.animated.begin(), shown.animated.end(), path) != shown.animated.end();
+        if (command.frame && is_animated) continue;
+        if (!is_home && path.starts_with("camera.")) continue;
+        if (is_mesh && !can_override_preview(path))
+            command.limitation =
+                "\"" + path + "\" of a bare mesh cannot be given: save the scene with Ctrl+S first";
+        else
+            command.load.overrides.push_back(change);
+    }
+    if (!is_home)
+        add_camera(question.camera, has_camera && shown.document->value("camera.look_at"),
+                   command.load.overrides);
+}
+
+std::string command_line(const ExplainCommand& command, const PixelQuestion& question) {
+    std::string line =
+        "glint explain " + quoted(std::filesystem::absolute(command.file).lexically_normal().string());
+    line +=
+        fmt::format(" --size {}x{} --pixel {},{}", question.width, question.height, question.x, question.y);
+    if (command.frame) line += fmt::format(" --frame {}", *command.frame);
+    if (!is_scene_file(command.file) && command.load.up)
+        line += std::string(" --up ") + (*command.load.up == Axis::y ? "y" : "z");
+    if (command.load.allow_outside) line += " --allow-outside";
+    for (const Override& value : command.load.overrides) line += " -D " + quoted(value);
+    return line;
+}
+
 } // namespace
 
-std::string quoted(const std::string& word) {
+std::string quoted(const std::string& argument) {
     constexpr std::string_view plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) return argument;
     std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return text + "'";
 }
 
@@ -52,63 +90,36 @@ ExplainCommand explain_command(const ShownFile& shown, const PixelQuestion& ques
     command.load = shown.load;
     command.load.progress = {};
     command.load.overrides.clear();
-    const bool is_mesh = !is_scene_file(shown.file);
-    // Those of a mesh's stage are in its document from the start.
-    if (is_mesh) command.load.overrides = shown.load.overrides;
+    // Those of a preview scene are in its document from the start.
+    if (!is_scene_file(shown.file)) command.load.overrides = shown.load.overrides;
     if (shown.frame) {
         command.frame = static_cast<int>(std::lround(*shown.frame));
         if (*command.frame != *shown.frame)
-            command.lacks = "it stands between two frames, and --frame takes whole ones";
+            command.limitation = "it stands between two frames, and --frame takes whole ones";
     }
-    const bool has_camera = !is_mesh && shown.document && shown.document->value("camera.eye");
-    const bool is_home =
-        has_camera && shown.description.camera && same_view(*shown.description.camera, question.camera);
-    for (const Override& change : shown.document ? shown.document->changes() : std::vector<Override>()) {
-        const std::string path = path_of(change);
-        // What moves is where the frame has it: -D would hold it still.
-        const bool moves = std::find(shown.moving.begin(), shown.moving.end(), path) != shown.moving.end();
-        if (command.frame && moves) continue;
-        if (!is_home && path.starts_with("camera.")) continue;
-        if (is_mesh && !is_for_a_mesh(path))
-            command.lacks =
-                "\"" + path + "\" of a bare mesh cannot be given: save the scene with Ctrl+S first";
-        else
-            command.load.overrides.push_back(change);
-    }
-    if (!is_home)
-        add_camera(question.camera, has_camera && shown.document->value("camera.look_at"),
-                   command.load.overrides);
-
-    command.line =
-        "glint explain " + quoted(std::filesystem::absolute(shown.file).lexically_normal().string());
-    command.line +=
-        fmt::format(" --size {}x{} --pixel {},{}", question.width, question.height, question.x, question.y);
-    if (command.frame) command.line += fmt::format(" --frame {}", *command.frame);
-    if (is_mesh && command.load.up)
-        command.line += std::string(" --up ") + (*command.load.up == Axis::y ? "y" : "z");
-    if (command.load.allow_outside) command.line += " --allow-outside";
-    for (const Override& value : command.load.overrides) command.line += " -D " + quoted(value);
+    add_changes(shown, question, command);
+    command.line = command_line(command, question);
     return command;
 }
 
 void check(ExplainCommand& command, const ShownFile& shown) {
-    // A mesh's stage cannot be had without reading the mesh.
-    if (!command.lacks.empty() || !is_scene_file(command.file)) return;
+    // The preview scene of a bare mesh depends on the mesh.
+    if (!command.limitation.empty() || !is_scene_file(command.file)) return;
     try {
         LoadOptions load = command.load;
         load.load_meshes = false;
         const LoadedScene loaded = load_scene(command.file, load);
-        SceneDescription there = command.frame ? scene_at(loaded, *command.frame) : loaded.description;
-        SceneDescription here = shown.description;
-        // These the question has.
-        here.camera = there.camera;
-        here.render.width = there.render.width;
-        here.render.height = there.render.height;
-        if (scene_text(there) != scene_text(here))
-            command.lacks =
+        const SceneDescription read = command.frame ? scene_at(loaded, *command.frame) : loaded.description;
+        SceneDescription expected = shown.description;
+        // Camera and size are those of the question.
+        expected.camera = read.camera;
+        expected.render.width = read.render.width;
+        expected.render.height = read.render.height;
+        if (scene_text(read) != scene_text(expected))
+            command.limitation =
                 "the file is not the one that the changes were made to: save it with Ctrl+S first";
     } catch (const Error& error) {
-        command.lacks = error.diagnostics().front().message;
+        command.limitation = error.diagnostics().front().message;
     }
 }
 

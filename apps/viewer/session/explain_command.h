@@ -1,5 +1,5 @@
 #pragma once
-// The command line that explains a pixel as the window does.
+// The `glint explain` command line for a pixel that the window explains.
 
 #include "explainer.h"
 
@@ -11,32 +11,33 @@
 
 namespace glint::viewer {
 
-/// What the window shows of a file: how it was read, what was changed since, and when in its animation.
+/// What the window shows: a file, how it was read, changes since, and the frame of its animation.
 struct ShownFile {
     std::string file;                      ///< scene or bare mesh
-    LoadOptions load;                      ///< as the window was told
-    std::optional<SceneDocument> document; ///< with the changes made to it
-    std::vector<std::string> moving;       ///< the key paths that an animation moves
-    std::optional<double> frame;           ///< of the animation; none: the scene as its tables say
-    SceneDescription description;          ///< what all that comes to
+    LoadOptions load;                      ///< from the window's command line
+    std::optional<SceneDocument> document; ///< with unsaved changes
+    std::vector<std::string> animated;     ///< key paths that the animation sets
+    std::optional<double> frame;           ///< of the animation; none: the scene without animation
+    SceneDescription description;          ///< the resulting scene
 };
 
 struct ExplainCommand {
-    std::string line;  ///< for a POSIX shell, in any folder
-    std::string lacks; ///< why it explains something else than the window, in a sentence; else empty
+    std::string line;       ///< for a POSIX shell, in any folder
+    std::string limitation; ///< why the command explains something else than the window; usually empty
 
-    std::string file; ///< as the window has it
-    LoadOptions load; ///< with all that -D says
+    // The same as values, for check().
+    std::string file;
+    LoadOptions load; ///< with all values of -D
     std::optional<int> frame;
 };
 
-/// Reads no file: see check().
+/// Reads no file: check() does.
 ExplainCommand explain_command(const ShownFile& shown, const PixelQuestion& question);
 
-/// Reads the file as the command will, meshes aside, and fills in `lacks` where another scene comes out.
+/// Reads the file as the command will, without meshes, and sets `limitation` if that gives another scene.
 void check(ExplainCommand& command, const ShownFile& shown);
 
-/// A word that a POSIX shell takes as it is, in quotes where that is needed.
-std::string quoted(const std::string& word);
+/// Quotes an argument for a POSIX shell if it needs quotes.
+std::string quoted(const std::string& argument);
 
 } // namespace glint::viewer

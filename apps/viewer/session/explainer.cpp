@@ -1,6 +1,5 @@
+// The explainer's thread: takes the latest question, answers it, and starts again when its scene changes.
 #include "explainer.h"
-
-#include "renderer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,62 +14,70 @@ namespace glint::viewer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
 using Seconds = std::chrono::duration<double>;
 
-/// What is quick is explained at every step of a slider; what takes longer is begun anew when that rests.
+/// Answers that take less follow every step of a slider. Slower ones wait until the slider rests: for as long
+/// as the last answer took, at most `max_delay`.
 constexpr Seconds quick(0.005);
-constexpr Seconds longest_rest(0.3);
+constexpr Seconds max_delay(0.3);
 
 } // namespace
 
 struct SessionExplainer::State {
-    explicit State(std::function<void()> told) : changed(std::move(told)) {}
+    explicit State(std::function<void()> on_answer) : changed(std::move(on_answer)) {}
 
     const std::function<void()> changed;
 
-    mutable std::mutex mutex; ///< guards what follows, up to the thread's own
-    std::condition_variable woken;
-    std::array<std::optional<Scene>, picture_places> scenes;
+    mutable std::mutex mutex;
+    std::condition_variable wake;
+    // Guarded by `mutex`.
+    PerView<std::optional<Scene>> scenes;
     std::optional<PixelQuestion> question;
     std::shared_ptr<const PixelAnswer> answer;
-    bool is_open = false; ///< the question is to be answered
-    int changes = 0;      ///< of what is asked, and when the last one was
-    Clock::time_point since;
-    Seconds last_time{0}; ///< that an answer took
+    bool is_open = false;    ///< the question needs an answer, the first one or a new one
+    int changes = 0;         ///< number of changes to what is asked
+    Clock::time_point since; ///< time of the last of them
+    Seconds answer_time{0};  ///< what the last answer took
     bool closing = false;
+
+    // Atomic. Set under `mutex` when the answer under way is not wanted any more; cleared by the thread.
     CancelFlag cancel{false};
 
-    std::vector<std::shared_ptr<const PixelAnswer>> given; ///< freed by the thread: that takes long, too
-    std::thread thread;                                    ///< last
+    // Of the explainer's thread alone. Answers are freed there: large ones take long.
+    std::vector<std::shared_ptr<const PixelAnswer>> answers;
 
-    /// Of what was answered already the scene is another: until there is news, the answer stays.
-    bool is_again() const { return answer != nullptr; }
+    std::thread thread; ///< last: uses all of the above
 
-    void open_question() {
-        is_open = question.has_value() && scenes[static_cast<std::size_t>(question->place)].has_value();
-        ++changes;
-        since = Clock::now();
-        if (!is_again() || last_time > quick) cancel = true;
-        woken.notify_one();
-    }
+    // With `mutex` held.
+    bool is_repeat() const { return answer != nullptr; }
+    bool waits_for_rest() const { return is_repeat() && answer_time > quick; }
+    void open_question();
+    bool wait(std::unique_lock<std::mutex>& lock);
 
     void run();
-    bool wait(std::unique_lock<std::mutex>& lock);
-    std::shared_ptr<const PixelAnswer> answer_to(const PixelQuestion& asked, const Scene& scene) const;
+    std::shared_ptr<const PixelAnswer> explain(const PixelQuestion& asked, const Scene& scene) const;
 };
 
-/// Waits for a question whose time has come; false at the end.
+/// Something of the question or its scene has changed.
+void SessionExplainer::State::open_question() {
+    is_open = question.has_value() && scenes[question->slot].has_value();
+    ++changes;
+    since = Clock::now();
+    if (!is_repeat() || waits_for_rest()) cancel = true;
+    wake.notify_one();
+}
+
+/// Waits for a question that is due; false at the end.
 bool SessionExplainer::State::wait(std::unique_lock<std::mutex>& lock) {
     while (!closing) {
         if (!is_open) {
-            woken.wait(lock);
+            wake.wait(lock);
             continue;
         }
-        const Seconds rest = is_again() && last_time > quick ? std::min(last_time, longest_rest) : Seconds(0);
-        const auto due = since + std::chrono::duration_cast<Clock::duration>(rest);
+        const Seconds delay = waits_for_rest() ? std::min(answer_time, max_delay) : Seconds(0);
+        const auto due = since + std::chrono::duration_cast<Clock::duration>(delay);
         if (Clock::now() >= due) return true;
-        woken.wait_until(lock, due);
+        wake.wait_until(lock, due);
     }
     return false;
 }
@@ -79,18 +86,18 @@ void SessionExplainer::State::run() {
     std::unique_lock lock(mutex);
     while (wait(lock)) {
         const PixelQuestion asked = *question;
-        const Scene scene = *scenes[static_cast<std::size_t>(asked.place)];
+        const Scene scene = *scenes[asked.slot];
         const int change = changes;
         cancel = false;
         lock.unlock();
-        std::erase_if(given, [](const auto& one) { return one.use_count() == 1; });
+        std::erase_if(answers, [](const auto& old) { return old.use_count() == 1; });
         const Clock::time_point begin = Clock::now();
-        std::shared_ptr<const PixelAnswer> made = answer_to(asked, scene);
+        std::shared_ptr<const PixelAnswer> made = explain(asked, scene);
         const Seconds time = Clock::now() - begin;
-        if (made) given.push_back(made);
+        if (made) answers.push_back(made);
         lock.lock();
         if (!made || cancel) continue;
-        last_time = time;
+        answer_time = time;
         answer = std::move(made);
         is_open = changes != change;
         lock.unlock();
@@ -99,9 +106,9 @@ void SessionExplainer::State::run() {
     }
 }
 
-/// None where it was cancelled.
-std::shared_ptr<const PixelAnswer> SessionExplainer::State::answer_to(const PixelQuestion& asked,
-                                                                      const Scene& scene) const {
+/// Null if it was cancelled.
+std::shared_ptr<const PixelAnswer> SessionExplainer::State::explain(const PixelQuestion& asked,
+                                                                    const Scene& scene) const {
     auto made = std::make_shared<PixelAnswer>();
     made->question = asked;
     try {
@@ -127,16 +134,16 @@ SessionExplainer::~SessionExplainer() {
         state_->closing = true;
         state_->cancel = true;
     }
-    state_->woken.notify_one();
+    state_->wake.notify_one();
     state_->thread.join();
 }
 
-void SessionExplainer::set_scene(int place, std::optional<Scene> scene) {
+void SessionExplainer::set_scene(ViewSlot slot, std::optional<Scene> scene) {
     const std::lock_guard lock(state_->mutex);
-    const bool is_there = scene.has_value();
-    state_->scenes[static_cast<std::size_t>(place)] = std::move(scene);
-    if (!state_->question || state_->question->place != place) return;
-    if (!is_there) {
+    const bool has_scene = scene.has_value();
+    state_->scenes[slot] = std::move(scene);
+    if (!state_->question || state_->question->slot != slot) return;
+    if (!has_scene) {
         state_->question.reset();
         state_->answer.reset();
     }

@@ -1,9 +1,10 @@
 #pragma once
 // Explains one pixel on a thread of its own, and again whenever its scene changes.
 
+#include "view_slot.h"
+
 #include "glint/explain.h"
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,12 +12,12 @@
 
 namespace glint::viewer {
 
-/// Of so many samples of a pixel the rays are kept: more would fill the memory, and nobody looks at them.
+/// Rays are kept for this many samples of a pixel: more would fill the memory, and nobody looks at them.
 inline constexpr int explained_samples = 256;
 
-/// Which pixel is to be explained: of which picture, from where, and how large that is.
+/// The pixel to explain: in which view, seen from where, and the size of that picture.
 struct PixelQuestion {
-    int place = 0; ///< as SessionRenderer has places
+    ViewSlot slot = ViewSlot::main;
     CameraDescription camera;
     int width = 0;
     int height = 0;
@@ -24,33 +25,33 @@ struct PixelQuestion {
     int y = 0;
 };
 
-/// What came of it. Nobody changes it any more.
+/// Immutable once it is published.
 struct PixelAnswer {
     PixelQuestion question;
     Explanation explanation; ///< rays of the first samples only: see explained_samples
-    std::string fault;       ///< why there is none; empty where there is
+    std::string fault;       ///< why there is no explanation; empty if there is one
 };
 
-/// All functions may be called by any thread, and none waits for rays to be traced.
+/// Thread-safe. No call waits for rays to be traced.
 class SessionExplainer {
   public:
-    /// `changed`: there is an answer; called by the explainer's thread.
+    /// `changed`: there is an answer; called on the explainer's thread.
     explicit SessionExplainer(std::function<void()> changed);
     /// Ends within milliseconds.
     ~SessionExplainer();
     SessionExplainer(const SessionExplainer&) = delete;
     SessionExplainer& operator=(const SessionExplainer&) = delete;
 
-    /// A scene for a place, or none. Its own camera and size do not count. What is explained there is
-    /// explained again, from the camera of its question; without a scene the question is dropped.
-    void set_scene(int place, std::optional<Scene> scene);
-    /// Explains that pixel in place of the one before, at once.
+    /// The scene of a view, or none. Its own camera and size are ignored. A pixel of that view is explained
+    /// again, with the camera of its question; without a scene the question is dropped.
+    void set_scene(ViewSlot slot, std::optional<Scene> scene);
+    /// Explains this pixel, at once, instead of the one before.
     void ask(const PixelQuestion& question);
     void forget();
 
-    /// The latest answer to the question asked last; none before there is any.
+    /// The latest answer to the last question; null before the first.
     std::shared_ptr<const PixelAnswer> latest() const;
-    /// Is a question to be answered, for the first time or again?
+    /// Is a question waiting for its first or its next answer?
     bool is_busy() const;
 
   private:

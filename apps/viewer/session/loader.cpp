@@ -1,8 +1,8 @@
+// The loader's thread: reads the last file asked for, looks whether it changes, builds edits.
 #include "loader.h"
 
 #include "watch.h"
 
-#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -13,14 +13,12 @@
 namespace glint::viewer {
 namespace {
 
-constexpr std::size_t places = 2;
-
-/// What is wrong with a file that something else than its content went wrong with.
+/// An error of a file that is not about its content.
 std::vector<Diagnostic> problem(const std::string& path, std::string message) {
     return {{Severity::error, {path, 0, 0, {}}, std::move(message), {}, {}}};
 }
 
-/// Meshes that were not read are those of the scene, by the name of their file.
+/// Takes the data of meshes that were not read from the scene, by file name.
 void fill_in_meshes(SceneDescription& description, const SceneDescription& known) {
     for (Object& object : description.objects) {
         auto* mesh = std::get_if<MeshShape>(&object.shape);
@@ -39,75 +37,76 @@ struct SessionLoader::State {
 
     const Options options;
 
-    mutable std::mutex mutex; ///< guards the following
-    std::condition_variable wished;
-    std::optional<std::string> to_open;
-    bool to_reload = false;
-    std::array<std::optional<SceneDescription>, places> edits;
+    /// What the thread is to do next.
+    struct Tasks {
+        std::optional<std::string> open;
+        bool reload = false;
+        PerView<std::optional<SceneDescription>> edits;
+    };
+
+    mutable std::mutex mutex;
+    std::condition_variable wake;
+    // Guarded by `mutex`.
+    Tasks waiting;
     bool closing = false;
     LoadStatus status;
 
+    // Atomic. Set under `mutex` when the file being read is not wanted any more; cleared by the thread.
     CancelFlag cancel{false};
-    std::thread thread;
 
     // Of the loader's thread alone.
-    std::string path;           ///< of the file that was asked for last
-    std::optional<Scene> scene; ///< the last good one, with what was edited
+    std::string path;           ///< of the last file asked for
+    std::optional<Scene> scene; ///< the last good one, with edits
     std::string scene_path;
     std::vector<std::string> scene_files;
     FileWatch watch;
 
-    /// One thing to do.
-    struct Task {
-        std::optional<std::string> open;
-        bool reload = false;
-        std::array<std::optional<SceneDescription>, places> edits;
-    };
+    std::thread thread; ///< last: uses all of the above
 
-    void wake(const std::function<void()>& change) {
+    void post(const std::function<void()>& change) {
         {
             const std::lock_guard lock(mutex);
             change();
         }
-        wished.notify_one();
+        wake.notify_one();
     }
     void run();
-    bool wait(Task& task);
+    bool wait(Tasks& tasks);
     void set_status(const std::function<void(LoadStatus&)>& change);
     void read(bool is_reload);
     LoadedFile read_file();
     void go_back();
-    void freeze_edit(std::size_t place, SceneDescription description);
+    FreezeOptions build_options() const;
+    void build_edit(ViewSlot slot, SceneDescription description);
     template <class Work>
     void guarded(const Work& work);
 };
 
-/// The next thing to do; false at the end.
-bool SessionLoader::State::wait(Task& task) {
+/// Waits for tasks, or until it is time to look at the files; false at the end.
+bool SessionLoader::State::wait(Tasks& tasks) {
     const auto tick = std::chrono::duration<double>(options.watch_seconds);
     std::unique_lock lock(mutex);
-    wished.wait_for(lock, tick, [&] {
-        return closing || to_open || to_reload || edits[0].has_value() || edits[1].has_value();
+    wake.wait_for(lock, tick, [&] {
+        return closing || waiting.open || waiting.reload || waiting.edits[ViewSlot::main] ||
+               waiting.edits[ViewSlot::reference];
     });
     if (closing) return false;
-    task.open = std::exchange(to_open, std::nullopt);
-    task.reload = std::exchange(to_reload, false);
-    for (std::size_t i = 0; i < places; ++i) task.edits[i] = std::exchange(edits[i], std::nullopt);
+    tasks = std::exchange(waiting, {});
     cancel = false;
     return true;
 }
 
 void SessionLoader::State::run() {
-    for (Task task; wait(task); task = {}) {
-        if (task.open) {
-            path = *task.open;
+    for (Tasks tasks; wait(tasks);) {
+        if (tasks.open) {
+            path = *tasks.open;
             watch = {};
             read(false);
-        } else if (!path.empty() && (task.reload || (options.watch && watch.has_changed()))) {
+        } else if (!path.empty() && (tasks.reload || (options.watch && watch.has_changed()))) {
             read(scene && scene_path == path);
         }
-        for (std::size_t place = 0; place < places; ++place)
-            if (task.edits[place] && scene) freeze_edit(place, std::move(*task.edits[place]));
+        for (const ViewSlot slot : view_slots)
+            if (tasks.edits[slot] && scene) build_edit(slot, std::move(*tasks.edits[slot]));
     }
 }
 
@@ -119,7 +118,7 @@ void SessionLoader::State::set_status(const std::function<void(LoadStatus&)>& ch
     if (options.changed) options.changed();
 }
 
-/// Does the work; what goes wrong becomes the status.
+/// Runs work; its errors go to the status.
 template <class Work>
 void SessionLoader::State::guarded(const Work& work) {
     std::vector<Diagnostic> problems;
@@ -144,8 +143,8 @@ void SessionLoader::State::guarded(const Work& work) {
 void SessionLoader::State::read(bool is_reload) {
     set_status([&](LoadStatus& s) { s = {true, path, {"reading " + path, 0}, {}}; });
     guarded([&] {
-        // What changes from now on is seen, even while it is read.
-        watch.look_at({path});
+        // Before reading: a change while the file is read counts too.
+        watch.watch({path});
         LoadedFile file = read_file();
         file.is_reload = is_reload;
         scene = file.scene;
@@ -154,48 +153,50 @@ void SessionLoader::State::read(bool is_reload) {
     });
 }
 
-/// To the scene before, whose file is watched again.
+/// After cancelling: back to the scene before, whose file is watched again.
 void SessionLoader::State::go_back() {
     if (!scene || path == scene_path) return;
     path = scene_path;
     watch = {};
-    watch.look_at(scene_files);
+    watch.watch(scene_files);
 }
 
 LoadedFile SessionLoader::State::read_file() {
-    const auto tell = [this](const LoadProgress& progress) {
+    const auto report = [this](const LoadProgress& progress) {
         set_status([&](LoadStatus& s) { s.progress = progress; });
     };
     LoadOptions load = options.load;
     load.cancel = &cancel;
-    load.progress = tell;
+    load.progress = report;
     LoadedScene loaded = load_scene(path, load);
-    watch.look_at(loaded.files);
-    FreezeOptions how;
-    how.threads = options.threads;
-    how.find_solids = true;
-    how.cancel = &cancel;
-    how.progress = tell;
-    LoadedFile file{path, freeze(loaded.description, how), std::move(loaded.warnings),
+    watch.watch(loaded.files);
+    FreezeOptions build = build_options();
+    build.progress = report;
+    LoadedFile file{path, freeze(loaded.description, build), std::move(loaded.warnings),
                     std::move(loaded.notes), false};
     scene_files = loaded.files;
     if (cancel) throw Error(ErrorKind::cancelled, "reading was cancelled");
-    const std::vector<Diagnostic> of_scene = warnings(file.scene);
-    file.warnings.insert(file.warnings.end(), of_scene.begin(), of_scene.end());
+    const std::vector<Diagnostic> scene_warnings = warnings(file.scene);
+    file.warnings.insert(file.warnings.end(), scene_warnings.begin(), scene_warnings.end());
     return file;
 }
 
-void SessionLoader::State::freeze_edit(std::size_t place, SceneDescription description) {
+/// Solids are found even while no material is transparent: an edit may make one so.
+FreezeOptions SessionLoader::State::build_options() const {
+    FreezeOptions build;
+    build.threads = options.threads;
+    build.find_solids = true;
+    build.cancel = &cancel;
+    return build;
+}
+
+void SessionLoader::State::build_edit(ViewSlot slot, SceneDescription description) {
     guarded([&] {
         fill_in_meshes(description, scene->description());
-        FreezeOptions how;
-        how.threads = options.threads;
-        how.find_solids = true;
-        how.cancel = &cancel;
-        Scene edited = refreeze(*scene, description, how);
-        // Further edits of objects that moved share what was just built.
-        if (place == 0) scene = edited;
-        if (options.edited) options.edited(static_cast<int>(place), std::move(edited));
+        Scene edited = refreeze(*scene, description, build_options());
+        // Later edits share the trees that were just built.
+        if (slot == ViewSlot::main) scene = edited;
+        if (options.edited) options.edited(slot, std::move(edited));
     });
 }
 
@@ -204,7 +205,7 @@ SessionLoader::SessionLoader(Options options) : state_(std::make_unique<State>(s
 }
 
 SessionLoader::~SessionLoader() {
-    state_->wake([this] {
+    state_->post([this] {
         state_->closing = true;
         state_->cancel = true;
     });
@@ -212,30 +213,29 @@ SessionLoader::~SessionLoader() {
 }
 
 void SessionLoader::open(const std::string& path) {
-    state_->wake([&] {
-        state_->to_open = path;
-        state_->to_reload = false;
-        state_->edits = {};
+    state_->post([&] {
+        state_->waiting = {};
+        state_->waiting.open = path;
         state_->cancel = true;
         state_->status = {true, path, {"reading " + path, 0}, {}};
     });
 }
 
 void SessionLoader::reload() {
-    state_->wake([this] { state_->to_reload = true; });
+    state_->post([this] { state_->waiting.reload = true; });
 }
 
 void SessionLoader::cancel() {
-    state_->wake([this] {
-        if (state_->to_open) state_->status.busy = false;
-        state_->to_open.reset();
-        state_->to_reload = false;
+    state_->post([this] {
+        if (state_->waiting.open) state_->status.busy = false;
+        state_->waiting.open.reset();
+        state_->waiting.reload = false;
         state_->cancel = true;
     });
 }
 
-void SessionLoader::edit(int place, SceneDescription description) {
-    state_->wake([&] { state_->edits[static_cast<std::size_t>(place)] = std::move(description); });
+void SessionLoader::edit(ViewSlot slot, SceneDescription description) {
+    state_->post([&] { state_->waiting.edits[slot] = std::move(description); });
 }
 
 LoadStatus SessionLoader::status() const {

@@ -1,5 +1,7 @@
 #pragma once
-// Scene files on a thread of their own: read, frozen, watched, and frozen anew with other values.
+// Loads scene files on a thread of its own, watches them, and rebuilds scenes with edited values.
+
+#include "view_slot.h"
 
 #include "glint/formats.h"
 #include "glint/scene.h"
@@ -12,53 +14,52 @@
 
 namespace glint::viewer {
 
-/// A scene file that was read and frozen.
+/// A scene file that was read and built.
 struct LoadedFile {
     std::string path;
     Scene scene;
     std::vector<Diagnostic> warnings; ///< of the files and of the scene
     std::vector<std::string> notes;
-    bool is_reload = false; ///< the same file again
+    bool is_reload = false; ///< of the file that was shown before
 };
 
-/// What the loader is about, and what became of the last file.
+/// What the loader is doing, and whether the last file could be shown.
 struct LoadStatus {
     bool busy = false;
-    std::string path; ///< of the file that is read or was read last
+    std::string path; ///< of the file being read, or the last one read
     LoadProgress progress;
-    std::vector<Diagnostic> problems; ///< why it could not be shown; empty where it is shown
+    std::vector<Diagnostic> problems; ///< why it could not be shown; empty if it is shown
 };
 
-/// All functions may be called by any thread, and none waits for reading or freezing.
+/// Thread-safe. No call waits for reading or building.
 class SessionLoader {
   public:
     struct Options {
-        LoadOptions load;  ///< cancel and progress are the loader's own
-        int threads = 0;   ///< 0: one for each core
-        bool watch = true; ///< read files again when they or their meshes change
-        double watch_seconds = 0.15;
+        LoadOptions load;            ///< its cancel and progress are replaced by the loader's
+        int threads = 0;             ///< 0: one for each core
+        bool watch = true;           ///< reload files when they or their meshes change
+        double watch_seconds = 0.15; ///< time between two looks at the files
         std::function<void(LoadedFile)> loaded;
-        /// An edit has become a scene.
-        std::function<void(int place, Scene)> edited;
-        std::function<void()> changed; ///< the status is another
+        std::function<void(ViewSlot, Scene)> edited; ///< a scene was built from an edit
+        std::function<void()> changed;               ///< the status has changed
     };
 
-    /// All calls back are made by the loader's thread.
+    /// All callbacks are called on the loader's thread.
     explicit SessionLoader(Options options);
-    /// Ends within a fraction of a second, whatever is under way.
+    /// Cancels what is under way; ends within a fraction of a second.
     ~SessionLoader();
     SessionLoader(const SessionLoader&) = delete;
     SessionLoader& operator=(const SessionLoader&) = delete;
 
-    /// Reads a file; what was being read is given up.
+    /// Reads a file instead of the one being read.
     void open(const std::string& path);
     /// Reads the last file again.
     void reload();
-    /// Gives up what is being read. The file is watched all the same.
+    /// Stops reading. The file is still watched.
     void cancel();
-    /// Freezes other values of the last good scene for a place; of several waiting for one the last counts.
-    /// Meshes without data get those that the scene has under the same name of file.
-    void edit(int place, SceneDescription description);
+    /// Builds the last good scene with other values, for one view; only the last of several waiting edits is
+    /// built. Meshes without data take that of the scene's mesh with the same file name.
+    void edit(ViewSlot slot, SceneDescription description);
 
     LoadStatus status() const;
 

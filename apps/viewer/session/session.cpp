@@ -1,6 +1,6 @@
+// The session: passes files, edits and the camera on to its loader, renderer and explainer.
 #include "session.h"
 
-#include <array>
 #include <mutex>
 #include <utility>
 
@@ -13,66 +13,70 @@ struct Session::State {
           explainer(options.changed), loader(loader_options()) {}
 
     SessionLoader::Options loader_options() {
-        SessionLoader::Options how;
-        how.load = options.load;
-        how.threads = options.threads;
-        how.watch = options.watch;
-        how.loaded = [this](LoadedFile file) { show(std::move(file)); };
-        how.edited = [this](int place, Scene edited) { show(place, std::move(edited)); };
-        how.changed = options.changed;
-        return how;
+        SessionLoader::Options result;
+        result.load = options.load;
+        result.threads = options.threads;
+        result.watch = options.watch;
+        result.loaded = [this](LoadedFile file) { show_file(std::move(file)); };
+        result.edited = [this](ViewSlot slot, Scene edited) { show_edit(slot, std::move(edited)); };
+        result.changed = options.changed;
+        return result;
     }
 
     const SessionOptions options;
 
-    mutable std::mutex mutex; ///< guards the following
+    mutable std::mutex mutex;
+    // Guarded by `mutex`.
     std::optional<SessionScene> scene;
-    std::array<std::optional<Scene>, picture_places> scenes;
-    std::array<Aspect, picture_places> show_of{};
+    PerView<std::optional<Scene>> scenes; ///< as edited
+    PerView<Aspect> show;
     Kernel kernel = Kernel::automatic;
     bool comparing = false;
     CameraControl camera;
     int width;
     int height;
 
-    // Last, so that they end first: their threads call back.
+    // Thread-safe. Last, so that they end first: their threads call back.
     SessionRenderer renderer;
     SessionExplainer explainer;
     SessionLoader loader;
 
-    /// A file was read.
-    void show(LoadedFile file) {
-        const std::lock_guard lock(mutex);
-        const bool keeps_camera = file.is_reload && scene;
-        const double distance = target_distance(file.scene);
-        CameraControl fresh(file.scene.camera(), distance);
-        if (keeps_camera) fresh.set_camera(camera.camera(), camera.target_distance());
-        camera = fresh;
-        const std::uint64_t loads = scene ? scene->loads + 1 : 1;
-        scene = SessionScene{std::move(file.path), file.scene, std::move(file.warnings),
-                             std::move(file.notes), loads};
-        comparing = comparing && keeps_camera;
-        if (!keeps_camera) explainer.forget();
-        set_scene(0, file.scene);
-        if (!comparing) set_scene(1, std::nullopt);
-        renderer.set_view(camera.camera(), width, height);
-        if (options.changed) options.changed();
-    }
+    // Called on the loader's thread.
+    void show_file(LoadedFile file);
+    void show_edit(ViewSlot slot, Scene edited);
 
-    /// Values were edited.
-    void show(int place, Scene edited) {
-        const std::lock_guard lock(mutex);
-        if (place == 1 && !comparing) return;
-        if (place == 0 && scene) scene->scene = edited;
-        set_scene(place, std::move(edited));
-    }
-
-    void set_scene(int place, std::optional<Scene> wanted) {
-        scenes[static_cast<std::size_t>(place)] = wanted;
-        explainer.set_scene(place, wanted);
-        renderer.set_scene(place, std::move(wanted));
+    /// With `mutex` held.
+    void set_scene(ViewSlot slot, std::optional<Scene> wanted) {
+        scenes[slot] = wanted;
+        explainer.set_scene(slot, wanted);
+        renderer.set_scene(slot, std::move(wanted));
     }
 };
+
+void Session::State::show_file(LoadedFile file) {
+    const std::lock_guard lock(mutex);
+    const bool keeps_camera = file.is_reload && scene;
+    const double distance = target_distance(file.scene);
+    CameraControl fresh(file.scene.camera(), distance);
+    if (keeps_camera) fresh.set_camera(camera.camera(), camera.target_distance());
+    camera = fresh;
+    const std::uint64_t loads = scene ? scene->loads + 1 : 1;
+    scene = SessionScene{std::move(file.path), file.scene, std::move(file.warnings), std::move(file.notes),
+                         loads};
+    comparing = comparing && keeps_camera;
+    if (!keeps_camera) explainer.forget();
+    set_scene(ViewSlot::main, file.scene);
+    if (!comparing) set_scene(ViewSlot::reference, std::nullopt);
+    renderer.set_camera(camera.camera(), width, height);
+    if (options.changed) options.changed();
+}
+
+void Session::State::show_edit(ViewSlot slot, Scene edited) {
+    const std::lock_guard lock(mutex);
+    if (slot == ViewSlot::reference && !comparing) return;
+    if (slot == ViewSlot::main && scene) scene->scene = edited;
+    set_scene(slot, std::move(edited));
+}
 
 Session::Session(SessionOptions options) : state_(std::make_unique<State>(std::move(options))) {}
 Session::~Session() = default;
@@ -87,15 +91,17 @@ std::optional<SessionScene> Session::scene() const {
     return state_->scene;
 }
 
-void Session::edit(SceneDescription description) { state_->loader.edit(0, std::move(description)); }
+void Session::edit(SceneDescription description) {
+    state_->loader.edit(ViewSlot::main, std::move(description));
+}
 
 void Session::compare(std::optional<SceneDescription> description) {
     {
         const std::lock_guard lock(state_->mutex);
         state_->comparing = description.has_value();
-        if (!description) state_->set_scene(1, std::nullopt);
+        if (!description) state_->set_scene(ViewSlot::reference, std::nullopt);
     }
-    if (description) state_->loader.edit(1, std::move(*description));
+    if (description) state_->loader.edit(ViewSlot::reference, std::move(*description));
 }
 
 bool Session::is_comparing() const {
@@ -103,12 +109,11 @@ bool Session::is_comparing() const {
     return state_->comparing;
 }
 
-void Session::set_show(Aspect show, int place) {
+void Session::set_show(Aspect show, ViewSlot slot) {
     const std::lock_guard lock(state_->mutex);
-    Aspect& now = state_->show_of[static_cast<std::size_t>(place)];
-    if (now == show) return;
-    now = show;
-    state_->renderer.set_show(place, show);
+    if (state_->show[slot] == show) return;
+    state_->show[slot] = show;
+    state_->renderer.set_show(slot, show);
 }
 
 void Session::set_kernel(Kernel kernel) {
@@ -125,27 +130,27 @@ Kernel Session::kernel() const {
 
 void Session::set_tone(View tone) { state_->renderer.set_tone(tone); }
 
-Aspect Session::show(int place) const {
+Aspect Session::show(ViewSlot slot) const {
     const std::lock_guard lock(state_->mutex);
-    return state_->show_of[static_cast<std::size_t>(place)];
+    return state_->show[slot];
 }
 
-void Session::set_backend(PainterMaker gpu) { state_->renderer.set_backend(std::move(gpu)); }
+void Session::set_backend(BackendFactory gpu) { state_->renderer.set_backend(std::move(gpu)); }
 
 void Session::move(const std::function<void(CameraControl&)>& change) {
     const std::lock_guard lock(state_->mutex);
     change(state_->camera);
-    state_->renderer.set_view(state_->camera.camera(), state_->width, state_->height);
+    state_->renderer.set_camera(state_->camera.camera(), state_->width, state_->height);
 }
 
-void Session::aim() {
+void Session::pick_orbit_target() {
     const std::lock_guard lock(state_->mutex);
     CameraControl& camera = state_->camera;
-    const auto& scene = state_->scenes[0];
-    if (camera.is_aimed() || !scene) return;
+    const auto& scene = state_->scenes[ViewSlot::main];
+    if (camera.has_picked_target() || !scene) return;
     const Scene seen = with_view(*scene, camera.camera(), state_->width, state_->height);
-    const auto middle = glint::pick(seen, state_->width / 2.0, state_->height / 2.0);
-    camera.aim(middle ? middle->distance : camera.target_distance());
+    const auto hit = glint::pick(seen, state_->width / 2.0, state_->height / 2.0);
+    camera.set_target(hit ? hit->distance : camera.target_distance());
 }
 
 CameraControl Session::camera() const {
@@ -158,7 +163,7 @@ void Session::resize(int width, int height) {
     if (width == state_->width && height == state_->height) return;
     state_->width = width;
     state_->height = height;
-    state_->renderer.set_view(state_->camera.camera(), width, height);
+    state_->renderer.set_camera(state_->camera.camera(), width, height);
 }
 
 int Session::width() const {
@@ -171,23 +176,25 @@ int Session::height() const {
     return state_->height;
 }
 
-std::optional<Scene> Session::view(int place) const {
+std::optional<Scene> Session::scene_in_view(ViewSlot slot) const {
     const std::lock_guard lock(state_->mutex);
-    const auto& scene = state_->scenes[static_cast<std::size_t>(place)];
+    const auto& scene = state_->scenes[slot];
     if (!scene) return std::nullopt;
     return with_view(*scene, state_->camera.camera(), state_->width, state_->height);
 }
 
 std::optional<Pick> Session::pick(double x, double y) const {
-    const std::optional<Scene> seen = view();
+    const std::optional<Scene> seen = scene_in_view();
     return seen ? glint::pick(*seen, x, y) : std::nullopt;
 }
 
-std::shared_ptr<const Frame> Session::frame(int place) const { return state_->renderer.latest(place); }
+std::shared_ptr<const RenderedFrame> Session::frame(ViewSlot slot) const {
+    return state_->renderer.latest(slot);
+}
 
-void Session::explain(int place, int x, int y) {
+void Session::explain(ViewSlot slot, int x, int y) {
     const std::lock_guard lock(state_->mutex);
-    state_->explainer.ask({place, state_->camera.camera(), state_->width, state_->height, x, y});
+    state_->explainer.ask({slot, state_->camera.camera(), state_->width, state_->height, x, y});
 }
 
 void Session::stop_explaining() { state_->explainer.forget(); }

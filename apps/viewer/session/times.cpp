@@ -1,3 +1,4 @@
+// Bins, quantiles and texts of frame times.
 #include "times.h"
 
 #include <fmt/format.h>
@@ -8,30 +9,30 @@
 namespace glint::viewer {
 namespace {
 
-constexpr double least_seconds = 1e-4;
+constexpr double min_seconds = 1e-4;
 constexpr double growth = 1.05;
 
-/// The upper end of a step.
-double end_of(std::size_t step) { return least_seconds * std::pow(growth, static_cast<double>(step)); }
+/// The upper end of a bin.
+double end_of(std::size_t bin) { return min_seconds * std::pow(growth, static_cast<double>(bin)); }
 
 std::string milliseconds(double seconds) { return fmt::format("{:.1f} ms", seconds * 1000); }
 
 } // namespace
 
 void FrameTimes::add(double seconds) {
-    std::size_t step = 0;
-    while (step + 1 < steps && end_of(step) < seconds) ++step;
-    ++counts_[step];
+    std::size_t bin = 0;
+    while (bin + 1 < bins && end_of(bin) < seconds) ++bin;
+    ++counts_[bin];
     ++count_;
     longest_ = std::max(longest_, seconds);
 }
 
-double FrameTimes::within(double share) const {
+double FrameTimes::quantile(double share) const {
     std::uint64_t sum = 0;
-    for (std::size_t step = 0; step < steps; ++step) {
-        sum += counts_[step];
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        sum += counts_[bin];
         if (count_ > 0 && static_cast<double>(sum) >= share * static_cast<double>(count_))
-            return std::min(end_of(step), longest_);
+            return std::min(end_of(bin), longest_);
     }
     return 0;
 }
@@ -39,30 +40,30 @@ double FrameTimes::within(double share) const {
 double FrameTimes::share_within(double seconds) const {
     if (count_ == 0) return 1;
     std::uint64_t sum = 0;
-    for (std::size_t step = 0; step < steps && std::min(end_of(step), longest_) <= seconds; ++step)
-        sum += counts_[step];
+    for (std::size_t bin = 0; bin < bins && std::min(end_of(bin), longest_) <= seconds; ++bin)
+        sum += counts_[bin];
     return static_cast<double>(sum) / static_cast<double>(count_);
 }
 
 std::string FrameTimes::summary() const {
     if (count_ == 0) return "no frames";
-    const double median = within(0.5);
+    const double median = quantile(0.5);
     return fmt::format("{} frames, median {} ({:.1f} a second), 99 % within {}, 99.9 % within {}, longest {}",
-                       count_, milliseconds(median), 1 / median, milliseconds(within(0.99)),
-                       milliseconds(within(0.999)), milliseconds(longest_));
+                       count_, milliseconds(median), 1 / median, milliseconds(quantile(0.99)),
+                       milliseconds(quantile(0.999)), milliseconds(longest_));
 }
 
 std::string FrameTimes::histogram() const {
-    // Eight steps a line: times grow by about a half.
-    constexpr std::size_t together = 8;
-    constexpr double widest = 50;
+    // Eight bins a line: the time grows by about a half from line to line.
+    constexpr std::size_t bins_per_line = 8;
+    constexpr double max_bar = 50;
     std::string text;
-    for (std::size_t first = 0; first < steps; first += together) {
+    for (std::size_t first = 0; first < bins; first += bins_per_line) {
         std::uint64_t sum = 0;
-        const std::size_t end = std::min(first + together, steps);
-        for (std::size_t step = first; step < end; ++step) sum += counts_[step];
+        const std::size_t end = std::min(first + bins_per_line, bins);
+        for (std::size_t bin = first; bin < end; ++bin) sum += counts_[bin];
         if (sum == 0) continue;
-        const double bar = std::ceil(widest * static_cast<double>(sum) / static_cast<double>(count_));
+        const double bar = std::ceil(max_bar * static_cast<double>(sum) / static_cast<double>(count_));
         text += fmt::format("up to {:>10} {:>8} {}\n", milliseconds(end_of(end - 1)), sum,
                             std::string(static_cast<std::size_t>(bar), '#'));
     }

@@ -1,5 +1,5 @@
 #pragma once
-// How long frames took: what --ui-stats prints.
+// A histogram of frame times, as --ui-stats prints it.
 
 #include <array>
 #include <cstddef>
@@ -8,26 +8,26 @@
 
 namespace glint::viewer {
 
-/// A histogram with steps of a twentieth, from a tenth of a millisecond to minutes.
+/// Bins grow by 5 %, from 0.1 ms to minutes.
 class FrameTimes {
   public:
     void add(double seconds);
 
     std::uint64_t count() const { return count_; }
-    /// The time that a share of the frames keeps, 0.5 for the median; the upper end of its step, at most a
-    /// twentieth too long. 0 without frames.
-    double within(double share) const;
-    /// The share of frames that took at most so long; exact at the steps' ends, else a step's worth too low.
+    /// The quantile of a share of the frames, 0.5 for the median: the upper end of its bin, at most 5 % too
+    /// long. 0 without frames.
+    double quantile(double share) const;
+    /// The share of frames that took at most `seconds`; exact at the ends of bins, else one bin too low.
     double share_within(double seconds) const;
     double longest() const { return longest_; }
     /// One line: "600 frames, median 16.7 ms (60.0 a second), 99 % within 18.4 ms, 99.9 % within …".
     std::string summary() const;
-    /// One line a filled range: time, number and a bar.
+    /// One line for each filled range: time, number and a bar.
     std::string histogram() const;
 
   private:
-    static constexpr std::size_t steps = 300;
-    std::array<std::uint64_t, steps> counts_{};
+    static constexpr std::size_t bins = 300;
+    std::array<std::uint64_t, bins> counts_{};
     std::uint64_t count_ = 0;
     double longest_ = 0;
 };

@@ -1,3 +1,4 @@
+// Snapshots of files and their comparison.
 #include "watch.h"
 
 #include <system_error>
@@ -14,7 +15,7 @@ FileWatch::Stamp FileWatch::stamp_of(const std::string& file) {
     return stamp;
 }
 
-void FileWatch::look_at(const std::vector<std::string>& files) {
+void FileWatch::watch(const std::vector<std::string>& files) {
     for (const std::string& file : files) known_.try_emplace(file, stamp_of(file));
     before_ = known_;
 }
@@ -22,10 +23,10 @@ void FileWatch::look_at(const std::vector<std::string>& files) {
 bool FileWatch::has_changed() {
     std::map<std::string, Stamp> now;
     for (const auto& [file, stamp] : known_) now[file] = stamp_of(file);
-    // What was written between the two questions may be half a file.
-    const bool at_rest = now == before_;
+    // A file that has changed since the last call may be half written.
+    const bool is_settled = now == before_;
     before_ = now;
-    if (!at_rest || now == known_) return false;
+    if (!is_settled || now == known_) return false;
     known_ = std::move(now);
     return true;
 }

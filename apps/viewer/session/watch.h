@@ -1,5 +1,5 @@
 #pragma once
-// Files that other programs may save at any moment.
+// Notices when files that are open elsewhere are saved.
 
 #include <filesystem>
 #include <map>
@@ -8,15 +8,14 @@
 
 namespace glint::viewer {
 
-/// Tells by time, size and number of files whether they were written again. Files are looked at only when
-/// asked: editors save in too many ways for the system's notices to be simpler.
+/// Compares modification time, size and existence of files when asked. File system notifications would not be
+/// simpler: editors save in too many ways.
 class FileWatch {
   public:
-    /// Watches these too from now on; those that are watched keep the state that they were seen in.
-    void look_at(const std::vector<std::string>& files);
+    /// Watches these files too, from their present state; files watched already keep the state last seen.
+    void watch(const std::vector<std::string>& files);
 
-    /// Has any file become another since it was looked at, and come to rest since the last question? Says so
-    /// once for each change.
+    /// Has a file changed since it was last seen, and not since the last call? True once for each change.
     bool has_changed();
 
   private:
@@ -29,8 +28,8 @@ class FileWatch {
     };
     static Stamp stamp_of(const std::string& file);
 
-    std::map<std::string, Stamp> known_;  ///< as they were read
-    std::map<std::string, Stamp> before_; ///< as they were at the last question
+    std::map<std::string, Stamp> known_;  ///< as last reported
+    std::map<std::string, Stamp> before_; ///< at the last call
 };
 
 } // namespace glint::viewer

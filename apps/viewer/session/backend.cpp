@@ -1,21 +1,22 @@
-#include "painter.h"
+// The two backends: Progressive and GpuProgressive behind one interface.
+#include "backend.h"
 
-#include "renderer.h"
+#include "rendered_frame.h"
 
 namespace glint::viewer {
 namespace {
 
-class CpuPainter : public Painter {
+class CpuBackend : public Backend {
   public:
-    explicit CpuPainter(int threads) : picture_(threads) {}
+    explicit CpuBackend(int threads) : picture_(threads) {}
 
     void start(const Scene& scene, const ProgressiveOptions& options) override {
         picture_.start(scene, options);
     }
     bool advance(double seconds) override { return picture_.advance(seconds); }
     const Refinement& reached() const override { return picture_.reached(); }
-    void show(Frame& frame) override {
-        frame.image = picture_.image(); // into the memory that the frame has
+    void copy_to(RenderedFrame& frame) override {
+        frame.image = picture_.image(); // copies into memory that the frame already has
         frame.width = frame.image.width;
         frame.height = frame.image.height;
     }
@@ -25,38 +26,38 @@ class CpuPainter : public Painter {
     Progressive picture_;
 };
 
-class GpuPainter : public Painter {
+class GpuBackend : public Backend {
   public:
-    explicit GpuPainter(std::shared_ptr<void> context)
+    explicit GpuBackend(std::shared_ptr<void> context)
         : context_(std::move(context)), picture_(GpuCurrentContext{}) {}
 
     void start(const Scene& scene, const ProgressiveOptions& options) override {
         picture_.start(scene, options);
-        stays_ = is_visible(options.show);
+        stays_on_device_ = is_visible(options.show);
     }
     bool advance(double seconds) override { return picture_.advance(seconds); }
     const Refinement& reached() const override { return picture_.reached(); }
-    void show(Frame& frame) override {
+    void copy_to(RenderedFrame& frame) override {
         const std::shared_ptr<const GpuPicture> picture = picture_.picture();
         frame.width = picture->width();
         frame.height = picture->height();
-        // What visible() has yet to make colours of is brought back.
-        frame.image = stays_ ? Image() : picture->read();
-        if (stays_) frame.on_device = picture;
+        // Values that visible() has yet to map to colours are read back.
+        frame.image = stays_on_device_ ? Image() : picture->read();
+        if (stays_on_device_) frame.on_device = picture;
     }
     std::string device() const override { return picture_.device().name; }
 
   private:
-    std::shared_ptr<void> context_;
+    std::shared_ptr<void> context_; // first: released last
     GpuProgressive picture_;
-    bool stays_ = true; ///< the picture, on the device
+    bool stays_on_device_ = true;
 };
 
 } // namespace
 
-std::unique_ptr<Painter> cpu_painter(int threads) { return std::make_unique<CpuPainter>(threads); }
-std::unique_ptr<Painter> gpu_painter(std::shared_ptr<void> context) {
-    return std::make_unique<GpuPainter>(std::move(context));
+std::unique_ptr<Backend> cpu_backend(int threads) { return std::make_unique<CpuBackend>(threads); }
+std::unique_ptr<Backend> gpu_backend(std::shared_ptr<void> context) {
+    return std::make_unique<GpuBackend>(std::move(context));
 }
 
 } // namespace glint::viewer

@@ -1,0 +1,53 @@
+#pragma once
+// The state machine of the renderer's thread, without threads or locks of its own.
+//
+//             | request_changed() | tone_changed()     | finish_work()        | close()
+//  -----------+-------------------+--------------------+----------------------+---------------
+//  idle       | wake: first_pass  | wake: refining     |                      | closed
+//  first_pass | wait for the pass | after the pass:    | all views finished:  | cancel: closed
+//             | first_pass again  | show again         | idle, else refining  |
+//  refining   | cancel: first_pass| after the slice:   | all views finished:  | cancel: closed
+//             |                   | show again         | idle, else refining  |
+//  closed     |                   |                    |                      |
+//
+// idle        every view is finished, or none is requested; the thread sleeps
+// first_pass  the first, coarse pass of each view. A newer request does not cancel it: while the camera
+//             moves without rest, nothing would be seen otherwise
+// refining    slices of some 40 ms that make every view better; from idle, to show it in another tone
+// closed      final; the thread ends
+
+namespace glint::viewer {
+
+class RenderStates {
+  public:
+    enum class State { idle, first_pass, refining, closed };
+
+    // Events of the renderer's owner.
+    void request_changed() { request_pending_ = true; }
+    void tone_changed() { tone_pending_ = true; }
+    void close() { state_ = State::closed; }
+
+    // The renderer's thread.
+
+    /// False: sleep until an event.
+    bool has_work() const;
+    /// The work to do next: first_pass (take the request as it is now), refining or closed. Needs has_work().
+    State begin_work();
+    /// Is every view to be shown again although it may have no better picture? Once for each change of tone.
+    bool take_tone_change();
+    /// The work is done or was cancelled.
+    void finish_work(bool views_finished);
+
+    /// Is the work under way to be given up?
+    bool must_cancel() const;
+    /// Has the request changed since the thread took it?
+    bool is_request_pending() const { return request_pending_; }
+    State state() const { return state_; }
+
+  private:
+    State state_ = State::idle;
+    bool request_pending_ = false;
+    bool tone_pending_ = false;
+};
+
+} // namespace glint::viewer

@@ -1,0 +1,77 @@
+#pragma once
+// Renders one view on the backend that is selected, and on the CPU after a fault of the GPU.
+
+#include "backend.h"
+#include "first_pass_cost.h"
+
+#include "glint/kernels.h"
+#include "glint/scene.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace glint::viewer {
+
+struct RenderedFrame;
+
+/// For one thread, the renderer's.
+class ViewRenderer {
+  public:
+    /// What the next picture shows, and how it is rendered.
+    struct Picture {
+        Scene scene; ///< with the camera and size of the view
+        Aspect show = Aspect::final;
+        Kernel kernel = Kernel::automatic;
+        BackendFactory gpu;         ///< none: the CPU renders
+        int max_step = most_coarse; ///< no frame coarser than this is shown
+    };
+
+    /// `cancel` ends start() and refine() within milliseconds and must outlive the renderer.
+    ViewRenderer(int threads, double first_picture_seconds, const CancelFlag& cancel);
+
+    /// Renders the first pass of a picture, as coarse as it must be to be shown in time.
+    void start(Picture picture);
+    /// Renders for about `seconds`, or not at all once the picture is finished.
+    void refine(double seconds);
+    /// Fills in a frame, all but its number and colours of the screen. False if there is nothing to show:
+    /// no pass is complete, or the picture is coarser than what was shown before.
+    bool copy_to(RenderedFrame& frame);
+    /// How long it took to show the first pass: the next one is as coarse as that suggests.
+    void learn_show_seconds(double seconds);
+
+    /// From here to the next start() there is nothing to render.
+    void clear() { picture_.reset(); }
+    /// Lets the next start() try the GPU again.
+    void forget_fault() { fault_.clear(); }
+    /// Destroys the backends.
+    void release();
+
+    bool has_picture() const { return picture_.has_value(); }
+    /// Also true without a picture.
+    bool is_finished() const;
+
+  private:
+    struct Device {
+        std::unique_ptr<Backend> backend; ///< none before it is needed, and after a fault
+        FirstPassCost cost;
+    };
+    Device& active() { return on_gpu_ ? gpu_ : cpu_; }
+    const Device& active() const { return on_gpu_ ? gpu_ : cpu_; }
+    bool start_on_gpu();
+    void start_on_cpu();
+    void render_first_pass(Device& device);
+    void fall_back(const std::string& fault);
+    int pixel_count() const;
+
+    int threads_;
+    const CancelFlag& cancel_;
+    Device cpu_, gpu_;
+    std::optional<Picture> picture_;
+    bool on_gpu_ = false;           ///< the backend that renders `picture_`
+    std::string fault_;             ///< why the GPU is not used; empty: it may be
+    int first_step_ = 0;            ///< of the last first pass; 0: its time says nothing about the next one's
+    double first_pass_seconds_ = 0; ///< of that pass, without showing it
+};
+
+} // namespace glint::viewer
