@@ -1,3 +1,4 @@
+// The table of options and the parser.
 #include "arguments.h"
 
 #include <fmt/format.h>
@@ -8,7 +9,7 @@
 namespace glint::viewer {
 namespace {
 
-/// One option: its spellings, what its value is called (empty: a flag), its help, and what it does.
+/// One option: its spellings, the name of its value (empty: a flag), its help, and its effect.
 struct Option {
     std::vector<std::string> names;
     std::string value;
@@ -20,12 +21,12 @@ struct Option {
     throw Error(ErrorKind::usage, fmt::format("{} \"{}\" is not valid", name, given), "expected " + expected);
 }
 
-int whole(const std::string& name, const std::string& text, int least, int most) {
+int whole(const std::string& name, const std::string& text, int min, int max) {
     int number = 0;
     const char* end = text.data() + text.size();
     const auto [stop, fault] = std::from_chars(text.data(), end, number);
-    if (fault != std::errc() || stop != end || number < least || number > most)
-        refuse(name, text, fmt::format("a whole number from {} to {}", least, most));
+    if (fault != std::errc() || stop != end || number < min || number > max)
+        refuse(name, text, fmt::format("a whole number from {} to {}", min, max));
     return number;
 }
 
@@ -34,11 +35,10 @@ struct Size {
     int height = 0;
 };
 
-Size size(const std::string& name, const std::string& text, int least, int most) {
+Size size(const std::string& name, const std::string& text, int min, int max) {
     const std::size_t cross = text.find('x');
     if (cross == std::string::npos) refuse(name, text, "WxH such as 1280x720");
-    return {whole(name, text.substr(0, cross), least, most),
-            whole(name, text.substr(cross + 1), least, most)};
+    return {whole(name, text.substr(0, cross), min, max), whole(name, text.substr(cross + 1), min, max)};
 }
 
 double scale_of(const std::string& text) {
@@ -145,38 +145,48 @@ const Option& find_option(const std::string& name) {
                 near ? fmt::format("did you mean \"--{}\"?", *near) : "see glint view --help");
 }
 
+void take_file(Arguments& parsed, const std::string& name) {
+    if (!parsed.file.empty()) throw Error(ErrorKind::usage, "more than one scene given");
+    if (name.empty()) throw Error(ErrorKind::usage, "a name is empty");
+    parsed.file = name;
+}
+
+/// Takes the option at `index` and moves on to its value, if that is an argument of its own.
+void take_option(Arguments& parsed, const std::vector<std::string>& arguments, std::size_t& index) {
+    const std::string& argument = arguments[index];
+    // --name=value and --name value are the same.
+    const std::size_t equals = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
+    const bool has_value = equals != std::string::npos;
+    const Option& option = find_option(argument.substr(0, equals));
+    std::string value = has_value ? argument.substr(equals + 1) : "";
+    if (!option.value.empty() && !has_value) {
+        if (++index == arguments.size())
+            throw Error(ErrorKind::usage, fmt::format("{} needs a value: {}", argument, option.value),
+                        option.help);
+        value = arguments[index];
+    }
+    if (option.value.empty() && has_value)
+        throw Error(ErrorKind::usage, option.names.back() + " takes no value");
+    option.take(parsed, value);
+}
+
 } // namespace
 
-Arguments parse_arguments(const std::vector<std::string>& words) {
-    Arguments arguments;
+Arguments parse_arguments(const std::vector<std::string>& arguments) {
+    Arguments parsed;
     bool only_files = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string& word = words[i];
-        if (word == "--" && !only_files) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
+        if (argument == "--" && !only_files)
             only_files = true;
-        } else if (only_files || word.size() < 2 || word.front() != '-') {
-            if (!arguments.file.empty()) throw Error(ErrorKind::usage, "more than one scene given");
-            if (word.empty()) throw Error(ErrorKind::usage, "a name is empty");
-            arguments.file = word;
-        } else {
-            // --name=value and --name value are the same.
-            const std::size_t equals = word.rfind("--", 0) == 0 ? word.find('=') : std::string::npos;
-            const Option& option = find_option(word.substr(0, equals));
-            std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
-            if (!option.value.empty() && equals == std::string::npos) {
-                if (++i == words.size())
-                    throw Error(ErrorKind::usage, fmt::format("{} needs a value: {}", word, option.value),
-                                option.help);
-                value = words[i];
-            }
-            if (option.value.empty() && equals != std::string::npos)
-                throw Error(ErrorKind::usage, option.names.back() + " takes no value");
-            option.take(arguments, value);
-        }
+        else if (only_files || argument.size() < 2 || argument.front() != '-')
+            take_file(parsed, argument);
+        else
+            take_option(parsed, arguments, i);
     }
-    if (arguments.file == "-")
+    if (parsed.file == "-")
         throw Error(ErrorKind::usage, "a window shows files, not standard input", "name a file");
-    return arguments;
+    return parsed;
 }
 
 std::string help_text() {

@@ -1,5 +1,5 @@
 #pragma once
-// The command line of glint-view. `glint view` passes its words on to it unchanged.
+// The command line of glint-view. `glint view` passes its arguments on unchanged.
 
 #include "glint/formats.h"
 
@@ -10,32 +10,32 @@
 namespace glint::viewer {
 
 enum class ThemeChoice { dark, light };
-/// Who makes the pictures; `automatic`: a graphics card where there is one.
+/// What renders; `automatic`: a graphics card if there is one.
 enum class BackendChoice { automatic, cpu, gpu };
 
-/// What the window is asked to do at its start.
+/// The options of the command line.
 struct Arguments {
-    std::string file;        ///< scene or mesh; empty: the window waits for a file to be dropped
+    std::string file;        ///< scene or mesh; empty: none, until one is dropped on the window
     LoadOptions load;        ///< overrides, up axis, files outside the scene's folder
-    int window_width = 1280; ///< of the whole window, in the units of the screen
+    int window_width = 1280; ///< of the window's content, in screen units
     int window_height = 800;
-    std::optional<int> picture_width; ///< pixels to render; none: as large as the window shows
+    std::optional<int> picture_width; ///< pixels to render; none: as many as the window shows
     std::optional<int> picture_height;
     int threads = 0; ///< 0: one for each core
     BackendChoice backend = BackendChoice::automatic;
     ThemeChoice theme = ThemeChoice::dark;
-    std::optional<double> scale; ///< of texts and widgets; none: what the screen asks for
-    std::string map_file;        ///< where widgets and state are written; empty: nowhere
-    bool statistics = false;     ///< print how long frames took
-    bool debug = false;          ///< print what OpenGL complains of
+    std::optional<double> scale; ///< of text and widgets; none: that of the screen
+    std::string map_file;        ///< file for UiMap; empty: none
+    bool statistics = false;     ///< print frame times at the end
+    bool debug = false;          ///< print OpenGL's debug messages
     bool help = false;
     bool version = false;
 };
 
-/// Takes the words apart. Every fault is an Error(usage) that says what was expected.
-Arguments parse_arguments(const std::vector<std::string>& words);
+/// Throws Error(usage), with what was expected.
+Arguments parse_arguments(const std::vector<std::string>& arguments);
 
-/// What --help prints.
+/// The text of --help.
 std::string help_text();
 
 } // namespace glint::viewer

@@ -1,6 +1,7 @@
 #pragma once
-// Pictures as OpenGL textures, drawn into the window.
+// The pictures of both views as OpenGL textures, drawn into the window.
 
+#include "session/view_slot.h"
 #include "ui_map.h"
 #include "window.h"
 
@@ -9,7 +10,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -24,39 +24,39 @@ class Canvas {
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// Puts a picture, as screen_pixels() packs it, into one of two places, 0 or 1.
-    void upload(int place, int width, int height, const std::vector<std::uint32_t>& pixels);
-    /// Shows one there that is on the graphics card already, in linear light.
-    void show(int place, std::shared_ptr<const GpuPicture> picture);
-    /// Lets go of what show() put there.
-    void drop(int place) { pictures_[static_cast<std::size_t>(place)].on_device.reset(); }
-    /// To be called when what was drawn is on its way to the screen.
+    /// Uploads a view's picture, packed by screen_pixels().
+    void upload(ViewSlot slot, int width, int height, const std::vector<std::uint32_t>& pixels);
+    /// Shows a picture that is on the graphics card already, in linear light, instead of an upload.
+    void show(ViewSlot slot, std::shared_ptr<const GpuPicture> picture);
+    /// Releases what show() holds.
+    void drop(ViewSlot slot) { pictures_[slot].on_device.reset(); }
+    /// Call after the commands of draw() have been submitted: see GpuPicture::was_drawn().
     void was_drawn() const;
 
-    /// A pixel of a picture that is on the graphics card, in linear light; (0, 0) is top left.
+    /// Reads a pixel of a picture on the graphics card, in linear light; (0, 0) is top left.
     static glm::vec3 pixel_of(const GpuPicture& picture, int x, int y);
 
-    /// Draws picture `place` over `area`, cut to `part` of it. Where a pixel of the picture covers one of the
-    /// screen or more, its edges stay sharp. `view` is for pictures of the graphics card: uploaded ones are
-    /// in the colours of the screen.
-    void draw(int place, const Area& area, const Area& part, View view, const WindowSize& window) const;
+    /// Draws a view's picture over `area`, clipped to `part` of it; magnified pixels keep sharp edges.
+    /// `view`: the tone of pictures on the graphics card. Uploaded ones are in colours of the screen.
+    void draw(ViewSlot slot, const Area& area, const Area& part, View view, const WindowSize& window) const;
 
   private:
     struct Texture {
         unsigned name = 0;
         int width = 0;
         int height = 0;
-        std::shared_ptr<const GpuPicture> on_device; ///< is shown instead, where it is there
+        std::shared_ptr<const GpuPicture> on_device; ///< shown instead of the texture, if not null
     };
     struct Program {
         explicit Program(const char* fragment_source);
         unsigned name;
-        int corners; ///< the place of that uniform
+        int corners; ///< location of the uniform
     };
-    std::array<Texture, 2> pictures_;
-    Program plain_, bent_; ///< with the picture's values as they are, and by the curve of sRGB
+    PerView<Texture> pictures_;
+    Program plain_; ///< copies values
+    Program srgb_;  ///< applies the sRGB curve
     unsigned sampler_ = 0;
-    unsigned points_ = 0; ///< an empty vertex array: the shader makes the corners
+    unsigned points_ = 0; ///< an empty vertex array: the shader computes the corners
 };
 
 } // namespace glint::viewer

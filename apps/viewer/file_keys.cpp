@@ -1,3 +1,4 @@
+// Cached lookups in the document.
 #include "file_keys.h"
 
 namespace glint::viewer {

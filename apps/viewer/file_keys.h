@@ -1,5 +1,5 @@
 #pragma once
-// What the text of the scene file says, key by key.
+// The keys of the scene file's text.
 
 #include "glint/document.h"
 
@@ -10,11 +10,11 @@
 
 namespace glint::viewer {
 
-/// Each key is looked up once: panels ask for the same ones frame after frame.
+/// Caches lookups: panels ask for the same keys in every frame.
 class FileKeys {
   public:
     FileKeys() = default;
-    /// The document must stay as it is, and where it is, as long as it is asked for.
+    /// The document must neither change nor move while this is used.
     explicit FileKeys(const SceneDocument& document) : document_(&document) {}
 
     bool has(const std::string& path) const { return document_ != nullptr && !look_up(path).text.empty(); }

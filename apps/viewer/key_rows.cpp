@@ -102,8 +102,8 @@ void KeyRows::number(const KeySpec& key, double value) {
     // The brightness of lights has no usual end.
     const double headroom = table_.name == "light" ? 2 : 1;
     Range slider;
-    slider.least = std::isfinite(key.typical.low) ? key.typical.low : key.range.low;
-    slider.most = std::isfinite(key.range.high)
+    slider.min = std::isfinite(key.typical.low) ? key.typical.low : key.range.low;
+    slider.max = std::isfinite(key.range.high)
                       ? key.range.high
                       : end_for(value * headroom, std::isfinite(key.typical.high) ? key.typical.high : 1);
     slider.format = key.unit == "degrees" ? "%.3g°" : "%.3g";

@@ -1,3 +1,4 @@
+// Fixed heights and widths, scaled for the screen.
 #include "layout.h"
 
 #include <algorithm>
@@ -21,15 +22,15 @@ Layout lay_out(const WindowSize& window, float scale, bool panel, bool timeline)
     return layout;
 }
 
-Area fit(const Area& space, double width, double height, float pixels_a_unit) {
-    const double ratio = pixels_a_unit;
-    const double share = std::min(space.width / width, space.height / height);
+Area fit(const Area& space, double width, double height, float pixels_per_unit) {
+    const double ratio = pixels_per_unit;
+    const double factor = std::min(space.width / width, space.height / height);
     const auto whole = [&](double units) {
         return static_cast<float>(std::max(1.0, std::round(units * ratio)) / ratio);
     };
     Area area;
-    area.width = whole(width * share);
-    area.height = whole(height * share);
+    area.width = whole(width * factor);
+    area.height = whole(height * factor);
     area.x = static_cast<float>(std::floor((space.x + (space.width - area.width) / 2) * ratio) / ratio);
     area.y = static_cast<float>(std::floor((space.y + (space.height - area.height) / 2) * ratio) / ratio);
     return area;

@@ -1,22 +1,23 @@
 #pragma once
-// Where the parts of the window are.
+// The areas of the window's parts.
 
 #include "ui_map.h"
 #include "window.h"
 
 namespace glint::viewer {
 
-/// The parts, none over another.
+/// They do not overlap.
 struct Layout {
     Area space;    ///< for the picture
-    Area timeline; ///< below it, empty without animation
-    Area panel;    ///< at the right, empty where it is hidden
+    Area timeline; ///< below the picture; empty without animation
+    Area panel;    ///< at the right; empty if hidden
     Area status;   ///< the line at the bottom
 };
 
+/// `panel`, `timeline`: whether they are shown.
 Layout lay_out(const WindowSize& window, float scale, bool panel, bool timeline);
 
-/// The largest area of this shape within a space, in its middle, on whole pixels.
-Area fit(const Area& space, double width, double height, float pixels_a_unit);
+/// The largest area with this aspect ratio in the middle of a space, aligned to pixels.
+Area fit(const Area& space, double width, double height, float pixels_per_unit);
 
 } // namespace glint::viewer

@@ -1,3 +1,4 @@
+// Reads the mouse from Dear ImGui and held keys from the window.
 #include "navigation.h"
 
 #include <GLFW/glfw3.h>
@@ -7,14 +8,14 @@
 
 namespace glint::viewer {
 
-/// +1, 0 or −1 by two opposite keys.
-double Navigation::held(const Window& window, int plus, int minus) const {
-    const auto flies = [&](int code) { return window.is_held(code) && !ignored_.contains(code) ? 1.0 : 0.0; };
-    return flies(plus) - flies(minus);
+/// 1, 0 or −1 from two opposite keys.
+double Navigation::axis(const Window& window, int plus, int minus) const {
+    const auto held = [&](int code) { return window.is_held(code) && !ignored_.contains(code) ? 1.0 : 0.0; };
+    return held(plus) - held(minus);
 }
 
 void Navigation::read_drag(std::span<const Area> pictures, Movement& movement) {
-    // Pictures come and go.
+    // The pressed picture may have disappeared.
     if (pressed_ && *pressed_ >= pictures.size()) pressed_.reset();
     const ImGuiIO& io = ImGui::GetIO();
     const bool left = io.MouseDown[0];
@@ -22,8 +23,8 @@ void Navigation::read_drag(std::span<const Area> pictures, Movement& movement) {
     if (!left && !other) {
         if (pressed_ && !dragging_ && io.MouseReleased[0]) {
             const Area& picture = pictures[*pressed_];
-            click_ = PicturePlace{*pressed_, (io.MousePos.x - picture.x) / picture.width,
-                                  (io.MousePos.y - picture.y) / picture.height};
+            click_ = PicturePosition{*pressed_, (io.MousePos.x - picture.x) / picture.width,
+                                     (io.MousePos.y - picture.y) / picture.height};
         }
         pressed_.reset();
         dragging_ = false;
@@ -31,7 +32,7 @@ void Navigation::read_drag(std::span<const Area> pictures, Movement& movement) {
     }
     if (!pressed_) return;
     const Area& picture = pictures[*pressed_];
-    // A hand trembles a little when it clicks.
+    // A click may move the mouse by a few pixels.
     if (ImGui::IsMouseDragging(0, 4) || ImGui::IsMouseDragging(1, 2) || ImGui::IsMouseDragging(2, 2))
         dragging_ = true;
     if (!dragging_) return;
@@ -59,14 +60,14 @@ Movement Navigation::read(const Window& window, std::span<const Area> pictures, 
     if (over) movement.nearer += io.MouseWheel;
     std::erase_if(ignored_, [&](int code) { return !window.is_held(code); });
     if (!io.WantTextInput && !io.KeyCtrl) {
-        movement.fly_ahead = held(window, GLFW_KEY_W, GLFW_KEY_S) * seconds;
-        movement.fly_right = held(window, GLFW_KEY_D, GLFW_KEY_A) * seconds;
-        movement.fly_up = held(window, GLFW_KEY_E, GLFW_KEY_Q) * seconds;
+        movement.fly_ahead = axis(window, GLFW_KEY_W, GLFW_KEY_S) * seconds;
+        movement.fly_right = axis(window, GLFW_KEY_D, GLFW_KEY_A) * seconds;
+        movement.fly_up = axis(window, GLFW_KEY_E, GLFW_KEY_Q) * seconds;
     }
     flying_ = movement.fly_ahead != 0 || movement.fly_right != 0 || movement.fly_up != 0;
     return movement;
 }
 
-std::optional<PicturePlace> Navigation::take_click() { return std::exchange(click_, std::nullopt); }
+std::optional<PicturePosition> Navigation::take_click() { return std::exchange(click_, std::nullopt); }
 
 } // namespace glint::viewer

@@ -1,5 +1,5 @@
 #pragma once
-// From the mouse and held keys to movements of the camera.
+// Turns the mouse and held keys into movements of the camera.
 
 #include "ui_map.h"
 #include "window.h"
@@ -11,13 +11,13 @@
 
 namespace glint::viewer {
 
-/// What the user did with the picture since the last frame. Distances are in shares of the picture's height.
+/// Movements asked for since the last frame. Distances are fractions of the picture's height.
 struct Movement {
     double turn_right = 0; ///< orbit
     double turn_up = 0;
-    double move_right = 0; ///< pan: what is seen moves along
+    double move_right = 0; ///< pan: the scene follows
     double move_up = 0;
-    double nearer = 0;    ///< zoom: 1 is one notch of a wheel
+    double nearer = 0;    ///< zoom, in notches of a wheel
     double fly_ahead = 0; ///< seconds of flight
     double fly_right = 0;
     double fly_up = 0;
@@ -28,39 +28,36 @@ struct Movement {
     }
 };
 
-/// A place in a picture, 0 … 1 from its left and top.
-struct PicturePlace {
-    std::size_t picture = 0; ///< which of several
-    double across = 0;
-    double down = 0;
+/// A position in one of several pictures.
+struct PicturePosition {
+    std::size_t picture = 0; ///< index of its area
+    double u = 0;            ///< 0 left, 1 right
+    double v = 0;            ///< 0 top, 1 bottom
 };
 
 class Navigation {
   public:
-    /// Reads Dear ImGui's mouse over the pictures, between begin_frame() and the end of the frame, unless a
-    /// widget has it; and the held keys, unless text is being typed.
+    /// Reads the mouse over the pictures, unless a widget uses it, and the held keys, unless text is typed.
+    /// Call within a frame of Dear ImGui. `seconds`: since the last call.
     Movement read(const Window& window, std::span<const Area> pictures, double seconds);
 
-    /// That key was pressed for something else, with Ctrl: until it is let go it does not fly, whichever of
-    /// the two is let go first.
+    /// Ignores a key until it is released: it was pressed with Ctrl, and Ctrl may be released first.
     void ignore(int code) { ignored_.insert(code); }
 
-    /// Where the mouse was pressed and let go without moving, once.
-    std::optional<PicturePlace> take_click();
-    /// Does the mouse move the camera now?
-    bool is_dragging() const { return dragging_; }
-    /// Is a key held that flies?
+    /// Where the mouse was clicked without moving; returned once.
+    std::optional<PicturePosition> take_click();
+    /// Is a key held that moves the camera?
     bool is_flying() const { return flying_; }
 
   private:
-    double held(const Window& window, int plus, int minus) const;
+    double axis(const Window& window, int plus, int minus) const;
     void read_drag(std::span<const Area> pictures, Movement& movement);
 
-    std::optional<std::size_t> pressed_; ///< a button went down over that picture
-    bool dragging_ = false;              ///< and the mouse has moved since
+    std::optional<std::size_t> pressed_; ///< picture over which a button was pressed
+    bool dragging_ = false;              ///< the mouse has moved since
     bool flying_ = false;
-    std::optional<PicturePlace> click_;
-    std::set<int> ignored_; ///< keys
+    std::optional<PicturePosition> click_;
+    std::set<int> ignored_; ///< key codes
 };
 
 } // namespace glint::viewer

@@ -1,3 +1,4 @@
+// Debug messages, counts of objects, and the context for rendering.
 #include "opengl.h"
 
 #include "window.h"
@@ -15,38 +16,39 @@
 namespace glint::viewer {
 namespace {
 
-std::atomic<int> complaints{0};
+std::atomic<int> message_count{0};
 
-void GLAPIENTRY tell(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void*) {
+void GLAPIENTRY print_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                              const void*) {
     if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
-    ++complaints;
+    ++message_count;
     std::cerr << "OpenGL: " + std::string(message) + "\n";
 }
 
 } // namespace
 
-void listen_to_opengl() {
+void print_opengl_messages() {
     if (epoxy_gl_version() < 43 && !epoxy_has_gl_extension("GL_KHR_debug")) return;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(tell, nullptr);
+    glDebugMessageCallback(print_message, nullptr);
 }
 
-int opengl_complaints() { return complaints; }
+int opengl_message_count() { return message_count; }
 
 OpenGlObjects opengl_objects() {
-    // Drivers hand out small numbers.
-    constexpr unsigned most = 4096;
+    // Drivers use small names.
+    constexpr unsigned max_name = 4096;
     OpenGlObjects found;
-    for (unsigned name = 1; name < most; ++name) {
+    for (unsigned name = 1; name < max_name; ++name) {
         found.textures += glIsTexture(name) == GL_TRUE;
         found.buffers += glIsBuffer(name) == GL_TRUE;
     }
     return found;
 }
 
-SideContext::SideContext(const Window& window) : listens_(window.listens_to_opengl()) {
-    // GLFW keeps the hints of the window: contexts that share must tell of their loss alike.
+SideContext::SideContext(const Window& window) : debug_(window.is_debugging_opengl()) {
+    // GLFW keeps the window's hints: contexts that share must have the same robustness.
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -62,7 +64,7 @@ std::shared_ptr<void> SideContext::enter() {
     std::shared_ptr<void> held = entered_.lock();
     if (held != nullptr) return held;
     glfwMakeContextCurrent(window_);
-    if (listens_) listen_to_opengl();
+    if (debug_) print_opengl_messages();
     held = std::shared_ptr<void>(window_, [](void*) { glfwMakeContextCurrent(nullptr); });
     entered_ = held;
     return held;

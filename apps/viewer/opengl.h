@@ -1,5 +1,5 @@
 #pragma once
-// Contexts of OpenGL beside the window's, and what OpenGL has to say.
+// OpenGL contexts beside the window's, and OpenGL's debug messages.
 
 #include <memory>
 
@@ -9,34 +9,35 @@ namespace glint::viewer {
 
 class Window;
 
-/// Tells standard error what OpenGL complains of in the context that is current, from now on.
-void listen_to_opengl();
-/// How often it did, in all contexts.
-int opengl_complaints();
+/// Prints the debug messages of the current context to standard error, from now on.
+void print_opengl_messages();
+/// Number of messages printed, of all contexts.
+int opengl_message_count();
 
-/// Objects of OpenGL that exist in the current context and those that share with it.
+/// OpenGL objects in the current context and those that share with it.
 struct OpenGlObjects {
     int textures = 0;
     int buffers = 0;
 };
 OpenGlObjects opengl_objects();
 
-/// A context that shares with the window's and can draw nowhere: for a thread that works on what the window
-/// draws. Made and ended on the window's thread.
+/// An invisible context that shares objects with the window's, for a thread that renders what the window
+/// shows. Created and destroyed on the window's thread.
 class SideContext {
   public:
-    /// Throws Error(device) where there is no OpenGL 4.3.
+    /// Throws Error(device) without OpenGL 4.3.
     explicit SideContext(const Window& window);
     ~SideContext();
     SideContext(const SideContext&) = delete;
     SideContext& operator=(const SideContext&) = delete;
 
-    /// Current on the calling thread, always the same one, until the last copy of what is returned is gone.
+    /// Makes the context current on the calling thread, always the same one, until the last copy of the
+    /// returned pointer is gone.
     std::shared_ptr<void> enter();
 
   private:
     GLFWwindow* window_ = nullptr;
-    bool listens_ = false;
+    bool debug_ = false;
     std::weak_ptr<void> entered_;
 };
 

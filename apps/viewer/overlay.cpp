@@ -1,3 +1,4 @@
+// Drawing with Dear ImGui's background list and small boxes.
 #include "overlay.h"
 
 #include "shortcuts.h"
@@ -11,16 +12,16 @@
 namespace glint::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags still_box = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+constexpr ImGuiWindowFlags fixed_box = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-constexpr ImGuiWindowFlags glass_box = still_box | ImGuiWindowFlags_NoInputs |
-                                       ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr ImGuiWindowFlags passive_box = fixed_box | ImGuiWindowFlags_NoInputs |
+                                         ImGuiWindowFlags_AlwaysAutoResize |
+                                         ImGuiWindowFlags_NoFocusOnAppearing;
 
 ImVec4 color_of(const Tint& tint, float alpha = 1) { return {tint.red, tint.green, tint.blue, alpha}; }
 
 /// Centres the next box in a space.
-void place_in_middle(const Area& space) {
+void center_next_box(const Area& space) {
     ImGui::SetNextWindowPos({space.x + space.width / 2, space.y + space.height / 2}, ImGuiCond_Always,
                             {0.5f, 0.5f});
 }
@@ -36,8 +37,8 @@ void add_arrow(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 col
                            {to.x - along.x + along.y * 0.6f, to.y - along.y - along.x * 0.6f}, color);
 }
 
-/// Lines that meet nothing are dashed.
-void add_stretch(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color, float thickness,
+/// Open lines are dashed.
+void add_segment(ImDrawList& draw, const ImVec2& from, const ImVec2& to, ImU32 color, float thickness,
                  bool open) {
     if (!open) {
         draw.AddLine(from, to, color, thickness);
@@ -61,48 +62,66 @@ bool begin_key_table(const char* name) {
     return true;
 }
 
-void key_rows(const char* keys, const char* what) {
+void key_row(const char* keys, const char* help) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(keys);
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", what);
+    ImGui::TextDisabled("%s", help);
+}
+
+/// "scene.toml:3:7  message", the excerpt, and the hint.
+void draw_error(Ui& ui, const Diagnostic& error) {
+    const Location& location = error.location;
+    std::string position = location.file.substr(location.file.find_last_of('/') + 1);
+    if (location.line > 0) position += fmt::format(":{}:{}", location.line, location.column);
+    ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.error));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted((position.empty() ? error.message : position + "  " + error.message).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    if (!error.excerpt.empty()) {
+        ImGui::PushFont(ui.theme.fixed);
+        ImGui::TextUnformatted(("    " + error.excerpt).c_str());
+        ImGui::PopFont();
+    }
+    if (!error.hint.empty()) quiet_text(ui, error.hint);
 }
 
 } // namespace
 
 int draw_rays(const Area& picture, const Projection& projection, int width, int height,
-              const std::vector<RayLine>& lines, const RayPlace& chosen) {
+              const std::vector<RayLine>& lines, const RayId& selected) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height}, true);
-    const auto screen = [&](const PicturePoint& p) {
+    const auto screen = [&](const PixelPoint& p) {
         return ImVec2(picture.x + static_cast<float>(p.x / width) * picture.width,
                       picture.y + static_cast<float>(p.y / height) * picture.height);
     };
-    int seen = 0;
+    int visible = 0;
     for (const RayLine& line : lines) {
         const auto ends = projection.line(line.from, line.to);
         if (!ends) continue;
         const ImVec2 from = screen(ends->first);
         const ImVec2 to = screen(ends->second);
-        // Seen from the camera that made it, the first ray is a point: nothing to draw.
+        // From its own camera the primary ray is a point.
         if (std::hypot(to.x - from.x, to.y - from.y) < 1.5f) continue;
-        const float thickness = line.place == chosen ? 3.5f : 1.75f;
-        // A dark edge keeps lines readable on bright ground.
-        add_stretch(draw, from, to, IM_COL32(0, 0, 0, 110), thickness + 2, line.open);
+        const float thickness = line.id == selected ? 3.5f : 1.75f;
+        // A dark edge keeps lines visible on a bright picture.
+        add_segment(draw, from, to, IM_COL32(0, 0, 0, 110), thickness + 2, line.open);
         const ImU32 color = ImGui::GetColorU32(color_of(line_tint(line.kind)));
-        add_stretch(draw, from, to, color, thickness, line.open);
+        add_segment(draw, from, to, color, thickness, line.open);
         add_arrow(draw, from, to, color, 4 + thickness);
-        ++seen;
+        ++visible;
     }
     draw.PopClipRect();
-    return seen;
+    return visible;
 }
 
-void draw_mark(const Ui& ui, const Area& picture, double across, double down) {
+void draw_mark(const Ui& ui, const Area& picture, double u, double v) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const ImVec2 at(picture.x + static_cast<float>(across) * picture.width,
-                    picture.y + static_cast<float>(down) * picture.height);
+    const ImVec2 at(picture.x + static_cast<float>(u) * picture.width,
+                    picture.y + static_cast<float>(v) * picture.height);
     draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height}, true);
     const float radius = 7 * ui.theme.scale;
     draw.AddCircle(at, radius + 1, IM_COL32(0, 0, 0, 160), 24, 4);
@@ -110,33 +129,18 @@ void draw_mark(const Ui& ui, const Area& picture, double across, double down) {
     draw.PopClipRect();
 }
 
-void draw_errors(Ui& ui, const Area& space, const std::vector<Diagnostic>& errors, const std::string& title) {
+void draw_errors(Ui& ui, const Area& space, const std::vector<Diagnostic>& errors,
+                 const std::string& footer) {
     if (errors.empty()) return;
     ImGui::SetNextWindowPos({space.x, space.y});
     ImGui::SetNextWindowSize({space.width, 0});
     ImGui::SetNextWindowBgAlpha(0.97f);
     ImGui::Begin("errors", nullptr,
-                 (still_box & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoFocusOnAppearing);
-    constexpr std::size_t most = 4;
-    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i) {
-        const Diagnostic& error = errors[i];
-        const Location& where = error.location;
-        std::string place = where.file.substr(where.file.find_last_of('/') + 1);
-        if (where.line > 0) place += fmt::format(":{}:{}", where.line, where.column);
-        ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.error));
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted((place.empty() ? error.message : place + "  " + error.message).c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
-        if (!error.excerpt.empty()) {
-            ImGui::PushFont(ui.theme.fixed);
-            ImGui::TextUnformatted(("    " + error.excerpt).c_str());
-            ImGui::PopFont();
-        }
-        if (!error.hint.empty()) quiet_text(ui, error.hint);
-    }
-    if (errors.size() > most) quiet_text(ui, fmt::format("and {} more", errors.size() - most));
-    if (!title.empty()) quiet_text(ui, title);
+                 (fixed_box & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoFocusOnAppearing);
+    constexpr std::size_t max_errors = 4;
+    for (std::size_t i = 0; i < std::min(errors.size(), max_errors); ++i) draw_error(ui, errors[i]);
+    if (errors.size() > max_errors) quiet_text(ui, fmt::format("and {} more", errors.size() - max_errors));
+    if (!footer.empty()) quiet_text(ui, footer);
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + 4 * ui.theme.scale, corner.y + size.y},
@@ -145,16 +149,16 @@ void draw_errors(Ui& ui, const Area& space, const std::vector<Diagnostic>& error
     ImGui::End();
 }
 
-bool draw_loading(Ui& ui, const Area& space, const std::string& what, double share) {
-    place_in_middle(space);
+bool draw_loading(Ui& ui, const Area& space, const std::string& activity, double fraction) {
+    center_next_box(space);
     ImGui::SetNextWindowBgAlpha(0.94f);
     ImGui::Begin("loading", nullptr,
-                 still_box | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::TextUnformatted(what.c_str());
+                 fixed_box | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::TextUnformatted(activity.c_str());
     const float width = 18 * ImGui::GetFontSize();
-    // Where no share is known, the bar runs up and down.
-    const float shown = share >= 0 ? static_cast<float>(share)
-                                   : 0.5f + 0.5f * static_cast<float>(std::sin(ImGui::GetTime() * 3));
+    // Without a known fraction the bar swings.
+    const float shown = fraction >= 0 ? static_cast<float>(fraction)
+                                      : 0.5f + 0.5f * static_cast<float>(std::sin(ImGui::GetTime() * 3));
     ImGui::ProgressBar(shown, {width, 0.4f * ImGui::GetFontSize()}, "");
     const bool cancelled = button(ui, "cancel", "Cancel");
     ImGui::End();
@@ -162,8 +166,8 @@ bool draw_loading(Ui& ui, const Area& space, const std::string& what, double sha
 }
 
 void draw_hint(Ui& ui, const Area& space, const std::string& text) {
-    place_in_middle(space);
-    ImGui::Begin("hint", nullptr, glass_box | ImGuiWindowFlags_NoBackground);
+    center_next_box(space);
+    ImGui::Begin("hint", nullptr, passive_box | ImGuiWindowFlags_NoBackground);
     quiet_text(ui, text);
     ImGui::End();
 }
@@ -179,18 +183,18 @@ void draw_label(Ui& ui, const Area& area, const std::string& text, bool at_right
     draw.AddText({x + gap / 2, y + gap / 4}, IM_COL32(255, 255, 255, 235), text.c_str());
 }
 
-void draw_notice(Ui& ui, const Area& space, const std::string& text, float strength) {
+void draw_notice(Ui& ui, const Area& space, const std::string& text, float opacity) {
     ImGui::SetNextWindowPos({space.x + space.width / 2, space.y + space.height - 18 * ui.theme.scale},
                             ImGuiCond_Always, {0.5f, 1});
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, strength);
-    ImGui::Begin("notice", nullptr, glass_box);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, opacity);
+    ImGui::Begin("notice", nullptr, passive_box);
     ImGui::TextUnformatted(text.c_str());
     ImGui::End();
     ImGui::PopStyleVar();
 }
 
 bool draw_help(Ui& ui, const Area& window) {
-    place_in_middle(window);
+    center_next_box(window);
     bool open = true;
     ImGui::SetNextWindowSizeConstraints({0, 0}, {window.width, window.height});
     ImGui::SetNextWindowBgAlpha(0.97f);
@@ -201,7 +205,7 @@ bool draw_help(Ui& ui, const Area& window) {
     const ImVec2 size = ImGui::GetWindowSize();
     ui.map.area("help", {corner.x, corner.y, size.x, size.y});
     if (begin_key_table("gestures")) {
-        for (const Gesture& gesture : gestures()) key_rows(gesture.keys, gesture.what);
+        for (const Gesture& gesture : gestures()) key_row(gesture.keys, gesture.help);
         ImGui::EndTable();
     }
     ImGui::Spacing();
@@ -209,7 +213,7 @@ bool draw_help(Ui& ui, const Area& window) {
     ImGui::Spacing();
     if (begin_key_table("keys")) {
         for (const Shortcut& shortcut : shortcuts())
-            if (*shortcut.keys) key_rows(shortcut.keys, shortcut.what);
+            if (*shortcut.keys) key_row(shortcut.keys, shortcut.help);
         ImGui::EndTable();
     }
     ImGui::End();

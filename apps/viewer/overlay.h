@@ -1,5 +1,5 @@
 #pragma once
-// What is drawn over the picture: the rays of the explained pixel, messages, the list of keys.
+// Draws over the picture: rays of the explained pixel, messages, the list of keys.
 
 #include "projection.h"
 #include "ray_lines.h"
@@ -12,31 +12,31 @@
 
 namespace glint::viewer {
 
-/// Draws the lines over `picture`, which shows all of `width` × `height` pixels of the projection. The chosen
-/// one stands out. Returns how many can be seen.
+/// Draws lines over `picture`, the area of the projection's `width` × `height` pixels; the selected one is
+/// thicker. Returns how many are visible.
 int draw_rays(const Area& picture, const Projection& projection, int width, int height,
-              const std::vector<RayLine>& lines, const RayPlace& chosen);
+              const std::vector<RayLine>& lines, const RayId& selected);
 
-/// A mark around the pixel that is explained.
-void draw_mark(const Ui& ui, const Area& picture, double across, double down);
+/// A circle around the explained pixel, at fractions of the picture's width and height.
+void draw_mark(const Ui& ui, const Area& picture, double u, double v);
 
-/// A stripe along the top of `space` that says what is wrong with the file, with the line it stands in.
-/// `title`: what the picture shows meanwhile.
-void draw_errors(Ui& ui, const Area& space, const std::vector<Diagnostic>& errors, const std::string& title);
+/// Errors of the file along the top of `space`, with the lines they are in. `footer`: what the picture shows
+/// meanwhile.
+void draw_errors(Ui& ui, const Area& space, const std::vector<Diagnostic>& errors, const std::string& footer);
 
-/// A box in the middle: a file on its way in. A share below 0 is not known. True if Cancel was pressed.
-bool draw_loading(Ui& ui, const Area& space, const std::string& what, double share);
+/// The progress of loading, in the middle. A negative fraction is unknown. True if Cancel was pressed.
+bool draw_loading(Ui& ui, const Area& space, const std::string& activity, double fraction);
 
-/// A line in the middle, where there is nothing else to see.
+/// A line in the middle of an empty space.
 void draw_hint(Ui& ui, const Area& space, const std::string& text);
 
-/// A word in a small box at the picture's corner: which of two settings is shown there.
+/// A small label in a corner of the picture.
 void draw_label(Ui& ui, const Area& area, const std::string& text, bool at_right);
 
-/// A line at the bottom of the picture that says what was just done.
-void draw_notice(Ui& ui, const Area& space, const std::string& text, float strength);
+/// A line at the bottom of the picture.
+void draw_notice(Ui& ui, const Area& space, const std::string& text, float opacity);
 
-/// All keys and gestures, within the window; they scroll where it is too small. False once it is closed.
+/// All keys and gestures, scrolling if the window is too small. False once it is closed.
 bool draw_help(Ui& ui, const Area& window);
 
 } // namespace glint::viewer

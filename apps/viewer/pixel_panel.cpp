@@ -1,6 +1,7 @@
+// The pixel's colour, the tree of its rays, and the derivation below.
 #include "pixel_panel.h"
 
-#include "pixel_working.h"
+#include "pixel_derivation.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -23,11 +24,11 @@ std::string row_text(const ExplainedLight& light) {
     return fmt::format("{}  \u00b7  {:.0f}\u00b0", light.label, light.degrees);
 }
 
-/// The tree of a sample, a row a ray and a row a light.
-class Tree {
+/// The tree of a sample: a row for each ray and each shadow ray.
+class RayTreeView {
   public:
-    Tree(Ui& ui, const ExplainedSample& sample, RayPlace& chosen)
-        : ui_(ui), sample_(sample), chosen_(chosen) {}
+    RayTreeView(Ui& ui, const ExplainedSample& sample, RayId& selected)
+        : ui_(ui), sample_(sample), selected_(selected) {}
 
     void draw() { draw_ray(0); }
 
@@ -45,36 +46,36 @@ class Tree {
         if (ray.refracted >= 0) draw_ray(ray.refracted);
     }
 
-    void row(const RayPlace& place, int depth, LineKind kind, const std::string& text, const glm::vec3& adds,
-             const std::string& name) {
+    void row(const RayId& id, int depth, LineKind kind, const std::string& text,
+             const glm::vec3& contribution, const std::string& name) {
         const float size = ImGui::GetFontSize();
         ImGui::PushID(name.c_str());
         const ImVec2 start = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
-        if (ImGui::Selectable("##row", place == chosen_)) chosen_ = place;
+        if (ImGui::Selectable("##row", id == selected_)) selected_ = id;
         ui_.map.item(name);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const Tint tint = line_tint(kind);
         const float x = start.x + static_cast<float>(std::min(depth, 12)) * 0.9f * size;
         const ImU32 color = ImGui::GetColorU32(ImVec4(tint.red, tint.green, tint.blue, 1));
-        // Rays are bars, ways to lights are dots.
-        if (place.light < 0)
+        // Rays are bars, shadow rays are dots.
+        if (id.light < 0)
             draw.AddRectFilled({x, start.y + 0.1f * size}, {x + 0.28f * size, start.y + 0.95f * size}, color,
                                0.1f * size);
         else
             draw.AddCircleFilled({x + 0.14f * size, start.y + 0.54f * size}, 0.17f * size, color);
         const float swatch = 1.3f * size;
-        const ImVec2 least(start.x + width - swatch, start.y + 0.08f * size);
-        draw.PushClipRect(start, {least.x - 0.3f * size, start.y + 2 * size}, true);
+        const ImVec2 corner(start.x + width - swatch, start.y + 0.08f * size);
+        draw.PushClipRect(start, {corner.x - 0.3f * size, start.y + 2 * size}, true);
         draw.AddText({x + 0.6f * size, start.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
         draw.PopClipRect();
-        draw_swatch(least, {swatch, 0.9f * size}, adds);
+        draw_swatch(corner, {swatch, 0.9f * size}, contribution);
         ImGui::PopID();
     }
 
     Ui& ui_;
     const ExplainedSample& sample_;
-    RayPlace& chosen_;
+    RayId& selected_;
 };
 
 void draw_legend() {
@@ -94,8 +95,8 @@ void draw_legend() {
     }
 }
 
-PixelWish draw_pixel(Ui& ui, const Explanation& explanation, const PixelRemarks& remarks) {
-    PixelWish wish = PixelWish::none;
+PixelRequest draw_pixel(Ui& ui, const Explanation& explanation, const PixelRemarks& remarks) {
+    PixelRequest request = PixelRequest::none;
     const float size = ImGui::GetFontSize();
     draw_swatch(ImGui::GetCursorScreenPos(), {2.2f * size, 2.2f * size}, explanation.color);
     ImGui::Dummy({2.2f * size, 2.2f * size});
@@ -106,15 +107,16 @@ PixelWish draw_pixel(Ui& ui, const Explanation& explanation, const PixelRemarks&
     ImGui::EndGroup();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("Copy command").x -
                     2 * ImGui::GetStyle().FramePadding.x);
-    if (button(ui, "copy_command", "Copy command", remarks.command.c_str())) wish = PixelWish::copy_command;
+    if (button(ui, "copy_command", "Copy command", remarks.command.c_str()))
+        request = PixelRequest::copy_command;
     if (remarks.is_again) quiet_text(ui, "The scene has changed: explaining again \u2026");
     if (!remarks.devices.empty()) quiet_text(ui, remarks.devices);
-    if (!remarks.is_elsewhere) return wish;
+    if (!remarks.is_elsewhere) return request;
     quiet_text(ui, fmt::format("As seen when it was clicked, {} \u00d7 {} pixels.", explanation.width,
                                explanation.height));
     if (button(ui, "explain_here", "Explain as seen now", "the pixel of the same numbers"))
-        wish = PixelWish::explain_here;
-    return wish;
+        request = PixelRequest::explain_here;
+    return request;
 }
 
 void choose_sample(Ui& ui, const Explanation& explanation, PixelChoice& choice) {
@@ -126,7 +128,7 @@ void choose_sample(Ui& ui, const Explanation& explanation, PixelChoice& choice) 
     const std::size_t all = explanation.samples.size();
     if (ImGui::SliderInt("##sample", &shown, 1, samples, fmt::format("%d of {}", all).c_str())) {
         choice.sample = std::clamp(shown, 1, samples) - 1;
-        choice.place = {};
+        choice.selected = {};
     }
     ui.map.item("pixel.sample");
 }
@@ -139,35 +141,35 @@ void pixel_heading(const Ui& ui, int x, int y, const std::string& picture) {
 }
 
 int explained_sample_count(const Explanation& explanation) {
-    const auto is_told = [](const ExplainedSample& sample) { return !sample.rays.empty(); };
-    return static_cast<int>(std::count_if(explanation.samples.begin(), explanation.samples.end(), is_told));
+    const auto has_rays = [](const ExplainedSample& sample) { return !sample.rays.empty(); };
+    return static_cast<int>(std::count_if(explanation.samples.begin(), explanation.samples.end(), has_rays));
 }
 
-PixelWish pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice,
-                      const PixelRemarks& remarks) {
-    const PixelWish wish = draw_pixel(ui, explanation, remarks);
+PixelRequest pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice,
+                         const PixelRemarks& remarks) {
+    const PixelRequest request = draw_pixel(ui, explanation, remarks);
     choose_sample(ui, explanation, choice);
     const ExplainedSample& sample = explanation.samples[static_cast<std::size_t>(choice.sample)];
-    if (choice.place.ray >= static_cast<int>(sample.rays.size())) choice.place = {};
+    if (choice.selected.ray >= static_cast<int>(sample.rays.size())) choice.selected = {};
 
-    // The tree takes what it needs up to half of the panel; the working scrolls below it.
+    // The tree takes up to about half of the panel; the derivation scrolls below it.
     ImGui::Spacing();
     draw_legend();
     std::size_t rows = sample.rays.size();
     for (const ExplainedRay& ray : sample.rays) rows += ray.lights.size();
     const float wanted = (static_cast<float>(rows) + 0.5f) * ImGui::GetTextLineHeightWithSpacing();
     ImGui::BeginChild("tree", {0, std::min(wanted, 0.45f * ImGui::GetContentRegionAvail().y)});
-    Tree(ui, sample, choice.place).draw();
+    RayTreeView(ui, sample, choice.selected).draw();
     ImGui::EndChild();
     ImGui::Separator();
     ImGui::BeginChild("working", {0, 0});
-    const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(choice.place.ray)];
-    if (choice.place.light >= 0 && choice.place.light < static_cast<int>(ray.lights.size()))
-        working_of_light(ui, ray, ray.lights[static_cast<std::size_t>(choice.place.light)]);
+    const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(choice.selected.ray)];
+    if (choice.selected.light >= 0 && choice.selected.light < static_cast<int>(ray.lights.size()))
+        draw_light(ui, ray, ray.lights[static_cast<std::size_t>(choice.selected.light)]);
     else
-        working_of_ray(ui, ray);
+        draw_ray(ui, ray);
     ImGui::EndChild();
-    return wish;
+    return request;
 }
 
 } // namespace glint::viewer

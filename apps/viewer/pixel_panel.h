@@ -1,5 +1,5 @@
 #pragma once
-// The explanation of a pixel: its rays as a tree, and the working of the ray that is chosen.
+// The explanation of a pixel: its rays as a tree, and the derivation of the selected ray's light.
 
 #include "ray_lines.h"
 #include "widgets.h"
@@ -10,30 +10,30 @@
 
 namespace glint::viewer {
 
-/// What is looked at in an explanation.
+/// What is selected in an explanation.
 struct PixelChoice {
     int sample = 0;
-    RayPlace place;
+    RayId selected;
 };
 
-/// What is to be said of a pixel beside its explanation.
+/// What the panel says beside the explanation.
 struct PixelRemarks {
-    std::string picture;       ///< "A" or "B" where two are compared
-    std::string command;       ///< the command line that prints the same
-    std::string devices;       ///< whose numbers these are, where that is to be said
-    bool is_elsewhere = false; ///< it is not seen from there, or not as large, any more
-    bool is_again = false;     ///< the scene has changed, and what is told is of the one before
+    std::string picture;       ///< "A" or "B" in a comparison; else empty
+    std::string command;       ///< the command line that prints the explanation
+    std::string devices;       ///< which device the numbers are from; may be empty
+    bool is_elsewhere = false; ///< camera or size have changed since
+    bool is_again = false;     ///< the scene has changed; the new explanation is under way
 };
 
-enum class PixelWish { none, copy_command, explain_here };
+enum class PixelRequest { none, copy_command, explain_here };
 
-/// Draws the panel's content and lets the user choose.
-PixelWish pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice,
-                      const PixelRemarks& remarks);
-/// Its first line.
+/// Draws the panel's content and lets the user select.
+PixelRequest pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& choice,
+                         const PixelRemarks& remarks);
+/// The panel's first line.
 void pixel_heading(const Ui& ui, int x, int y, const std::string& picture);
 
-/// Of how many samples, the first ones, rays are told.
+/// The number of samples, from the first, whose rays were kept.
 int explained_sample_count(const Explanation& explanation);
 
 } // namespace glint::viewer

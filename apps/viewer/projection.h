@@ -1,5 +1,5 @@
 #pragma once
-// Where places of the scene stand in the picture: what draws rays over it.
+// Projects points and segments of the scene into the picture, to draw rays over it.
 
 #include "glint/scene.h"
 
@@ -8,8 +8,8 @@
 
 namespace glint::viewer {
 
-/// A place in the picture, in pixels from its top left; (0.5, 0.5) is the centre of pixel (0, 0).
-struct PicturePoint {
+/// In pixels from the picture's top left; (0.5, 0.5) is the centre of pixel (0, 0).
+struct PixelPoint {
     double x = 0;
     double y = 0;
 };
@@ -18,20 +18,20 @@ class Projection {
   public:
     Projection(const CameraDescription& camera, int width, int height);
 
-    /// None for what lies behind the eye, or in its plane.
-    std::optional<PicturePoint> point(const Vec3& place) const;
-    /// Both ends of what is before the eye of a stretch; none where nothing is.
-    std::optional<std::pair<PicturePoint, PicturePoint>> line(const Vec3& from, const Vec3& to) const;
+    /// None for points behind the eye, or in its plane.
+    std::optional<PixelPoint> point(const Vec3& position) const;
+    /// The ends of the part of a segment that lies before the eye; none if no part does.
+    std::optional<std::pair<PixelPoint, PixelPoint>> line(const Vec3& from, const Vec3& to) const;
 
   private:
-    Vec3 seen(const Vec3& place) const;
-    PicturePoint at(const Vec3& seen) const;
+    Vec3 to_camera(const Vec3& position) const;
+    PixelPoint project(const Vec3& in_camera) const;
 
     Vec3 eye_;
     Vec3 right_;
     Vec3 up_;
     Vec3 forward_;
-    double pixels_a_tangent_ = 1;
+    double pixels_per_tangent_ = 1;
     double width_ = 1;
     double height_ = 1;
 };

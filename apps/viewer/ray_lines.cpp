@@ -1,3 +1,4 @@
+// Lines from rays and shadow rays, with their names and colours.
 #include "ray_lines.h"
 
 #include <algorithm>
@@ -21,18 +22,18 @@ LineKind kind_of(const ExplainedLight& light) {
     return light.shadow > 0 && light.cosine > 0 ? LineKind::lit : LineKind::shadowed;
 }
 
-std::vector<RayLine> ray_lines(const ExplainedSample& sample, double reach) {
+std::vector<RayLine> ray_lines(const ExplainedSample& sample, double open_length) {
     std::vector<RayLine> lines;
     for (std::size_t i = 0; i < sample.rays.size(); ++i) {
         const ExplainedRay& ray = sample.rays[i];
         const int number = static_cast<int>(i);
         const Vec3 from(ray.origin);
-        const Vec3 to = ray.hit ? Vec3(ray.position) : from + Vec3(ray.direction) * reach;
+        const Vec3 to = ray.hit ? Vec3(ray.position) : from + Vec3(ray.direction) * open_length;
         lines.push_back({kind_of(ray), {number, -1}, from, to, !ray.hit});
         for (std::size_t j = 0; j < ray.lights.size(); ++j) {
             const ExplainedLight& light = ray.lights[j];
             if (!light.asked) continue;
-            // A blocked way ends at what blocks it; the sun is drawn as far as the scene reaches.
+            // A blocked shadow ray ends at its blocker; one to a directional light is open.
             double length = light.distance;
             for (const Blocker& blocker : light.blockers)
                 if (blocker.share <= 0) length = std::min<double>(length, blocker.distance);
@@ -41,7 +42,7 @@ std::vector<RayLine> ray_lines(const ExplainedSample& sample, double reach) {
             lines.push_back({kind_of(light),
                              {number, static_cast<int>(j)},
                              start,
-                             start + Vec3(light.direction) * (open ? reach : length),
+                             start + Vec3(light.direction) * (open ? open_length : length),
                              open});
         }
     }

@@ -1,5 +1,5 @@
 #pragma once
-// The rays of an explained pixel as lines in the scene.
+// The rays of an explained pixel as line segments in the scene.
 
 #include "theme.h"
 
@@ -13,30 +13,30 @@ namespace glint::viewer {
 enum class LineKind { primary, reflected, refracted, lit, shadowed };
 inline constexpr int line_kind_count = 5;
 
-/// In the explanation: a ray of the sample, and one of its lights or −1.
-struct RayPlace {
-    int ray = 0;
-    int light = -1;
+/// A ray of an explained sample, or one of its shadow rays.
+struct RayId {
+    int ray = 0;    ///< index into ExplainedSample::rays
+    int light = -1; ///< index into its lights; −1: the ray itself
 
-    friend bool operator==(const RayPlace&, const RayPlace&) = default;
+    friend bool operator==(const RayId&, const RayId&) = default;
 };
 
 struct RayLine {
     LineKind kind = LineKind::primary;
-    RayPlace place;
+    RayId id;
     Vec3 from{0};
     Vec3 to{0};
-    bool open = false; ///< it goes on beyond `to`: it met nothing, or its light is infinitely far
+    bool open = false; ///< continues beyond `to`: it hit nothing, or its light is infinitely far away
 };
 
-/// The lines of one sample. Open ones are drawn `reach` long.
-std::vector<RayLine> ray_lines(const ExplainedSample& sample, double reach);
+/// The lines of one sample. Open ones are `open_length` long.
+std::vector<RayLine> ray_lines(const ExplainedSample& sample, double open_length);
 
 LineKind kind_of(const ExplainedRay& ray);
 LineKind kind_of(const ExplainedLight& light);
 /// "reflected ray", "light arrives", …
 const char* line_name(LineKind kind);
-/// Each kind has a colour of its own, in lines, trees and legends alike.
+/// The colour of a kind, in lines, trees and legends.
 Tint line_tint(LineKind kind);
 
 } // namespace glint::viewer

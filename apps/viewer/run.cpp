@@ -1,3 +1,4 @@
+// Runs the window and maps errors to exit codes.
 #include "run.h"
 
 #include "app.h"
@@ -12,7 +13,7 @@
 namespace glint::viewer {
 namespace {
 
-int code_of(ErrorKind kind) {
+int exit_code(ErrorKind kind) {
     switch (kind) {
     case ErrorKind::usage:
         return 2;
@@ -31,41 +32,41 @@ int code_of(ErrorKind kind) {
     return 70;
 }
 
-/// Ends the program without waiting for its threads. A driver that compiles a shader cannot be interrupted,
-/// and takes seconds. All files that were asked for are written by then, whole, on this thread.
-[[noreturn]] void leave() {
+/// Ends the program without waiting for its threads: a driver that compiles a shader takes seconds and cannot
+/// be interrupted. Files are written on this thread, so all of them are complete.
+[[noreturn]] void exit_now() {
     std::cout.flush();
     std::_Exit(0);
 }
 
-int open(const std::vector<std::string>& words) {
-    const Arguments arguments = parse_arguments(words);
-    if (arguments.help) {
+int open(const std::vector<std::string>& arguments) {
+    const Arguments options = parse_arguments(arguments);
+    if (options.help) {
         std::cout << help_text();
-    } else if (arguments.version) {
+    } else if (options.version) {
         std::cout << "glint-view " << version() << "\n";
     } else {
-        App app(arguments);
+        App app(options);
         app.run();
-        if (arguments.statistics) std::cout << app.statistics();
-        leave();
+        if (options.statistics) std::cout << app.statistics();
+        exit_now();
     }
     return 0;
 }
 
 } // namespace
 
-int run(const std::vector<std::string>& words) noexcept {
+int run(const std::vector<std::string>& arguments) noexcept {
     try {
-        return open(words);
+        return open(arguments);
     } catch (const Error& error) {
-        // Without a display there is one line to say.
+        // Without a display one line is enough.
         for (const Diagnostic& diagnostic : error.diagnostics())
             std::cerr << (error.kind() == ErrorKind::device
                               ? "error: " + diagnostic.message + "; " + diagnostic.hint
                               : to_string(diagnostic))
                       << "\n";
-        return code_of(error.kind());
+        return exit_code(error.kind());
     } catch (const std::bad_alloc&) {
         std::cerr << "error: out of memory\n";
         return 5;

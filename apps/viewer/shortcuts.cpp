@@ -1,3 +1,4 @@
+// The rows of the table of keys.
 #include "shortcuts.h"
 
 #include <GLFW/glfw3.h>
@@ -46,7 +47,8 @@ constexpr std::array table{
     Shortcut{Action::save_picture, GLFW_KEY_P, 0, true, false, "Ctrl + P", "save the picture"},
     Shortcut{Action::copy_camera, GLFW_KEY_C, 0, true, false, "Ctrl + C", "copy the camera as TOML"},
     Shortcut{Action::save_window, GLFW_KEY_F12, 0, false, false, "F12", "save what the window shows"},
-    Shortcut{Action::let_go, GLFW_KEY_ESCAPE, 0, false, false, "Esc", "let go of the pixel; close this list"},
+    Shortcut{Action::clear_pixel, GLFW_KEY_ESCAPE, 0, false, false, "Esc",
+             "let go of the pixel; close this list"},
     Shortcut{Action::quit, GLFW_KEY_Q, 0, true, false, "Ctrl + Q", "close the window"},
 };
 

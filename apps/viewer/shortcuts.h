@@ -1,5 +1,5 @@
 #pragma once
-// What keys do, in one table: it drives the keyboard, the list that `?` shows, and docs/viewer.md.
+// The table of keys: for the keyboard, the list that `?` shows, and docs/viewer.md.
 
 #include "window.h"
 
@@ -42,31 +42,32 @@ enum class Action {
     save_picture,
     save_window,
     copy_camera,
-    let_go,
-    quit
+    clear_pixel,
+    quit ///< last: see action_count
 };
+inline constexpr int action_count = static_cast<int>(Action::quit) + 1;
 
 struct Shortcut {
     Action action;
-    int code;           ///< GLFW's key, or 0
-    char32_t character; ///< or a character, wherever the keyboard has it
+    int code;           ///< key of GLFW, or 0
+    char32_t character; ///< or a character, on whichever key it is
     bool control;
     bool shift;
-    const char* keys; ///< as people read it; empty: another spelling of the line before
-    const char* what;
+    const char* keys; ///< for the list; empty: an alternative to the row before, not listed
+    const char* help;
 };
 
-/// The table, in the order in which it is shown; an empty `keys` is not shown.
+/// In the order of the list.
 std::span<const Shortcut> shortcuts();
 
-/// What is done with the mouse, and keys that are held: not in the table since they take time.
+/// What the mouse and held keys do; listed, but handled by Navigation.
 struct Gesture {
     const char* keys;
-    const char* what;
+    const char* help;
 };
 std::span<const Gesture> gestures();
 
-/// What the key asks for, if anything.
+/// None if the key does nothing.
 std::optional<Action> action_of(const KeyPress& key);
 
 } // namespace glint::viewer

@@ -1,3 +1,4 @@
+// Fonts, spacing and the two colour schemes.
 #include "theme.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -11,8 +12,8 @@ namespace {
 
 constexpr float text_height = 15;
 
-/// One face of a family in the folders where Linux and BSD systems keep them.
-ImFont* load_face(const std::vector<const char*>& files, float height) {
+/// Loads the first font found, in the folders of Linux and BSD systems.
+ImFont* load_font(const std::vector<const char*>& files, float height) {
     // Latin, Greek, dashes, sub- and superscripts, arrows, mathematical signs, boxes.
     static const std::array<ImWchar, 19> ranges{0x0020, 0x017f, 0x0370, 0x03ff, 0x1d62, 0x1d6a, 0x2010,
                                                 0x205e, 0x2070, 0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff,
@@ -33,26 +34,26 @@ ImFont* load_face(const std::vector<const char*>& files, float height) {
     return ImGui::GetIO().Fonts->AddFontDefault(&config);
 }
 
-void load_type(Theme& theme, float pixels_a_unit) {
+void load_fonts(Theme& theme, float pixels_per_unit) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    // Letters are drawn at the pixels' size and shown at the units'.
-    const float height = text_height * theme.scale * pixels_a_unit;
-    theme.text = load_face(
+    // Glyphs are rasterised in pixels and laid out in units.
+    const float height = text_height * theme.scale * pixels_per_unit;
+    theme.text = load_font(
         {"dejavu/DejaVuSans.ttf", "noto/NotoSans-Regular.ttf", "liberation/LiberationSans-Regular.ttf"},
         height);
-    theme.bold = load_face(
+    theme.bold = load_font(
         {"dejavu/DejaVuSans-Bold.ttf", "noto/NotoSans-Bold.ttf", "liberation/LiberationSans-Bold.ttf"},
         height);
-    theme.fixed = load_face({"dejavu/DejaVuSansMono.ttf", "noto/NotoSansMono-Regular.ttf",
+    theme.fixed = load_font({"dejavu/DejaVuSansMono.ttf", "noto/NotoSansMono-Regular.ttf",
                              "liberation/LiberationMono-Regular.ttf"},
                             height * 0.93f);
-    io.FontGlobalScale = 1 / pixels_a_unit;
+    io.FontGlobalScale = 1 / pixels_per_unit;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void set_spaces(float scale) {
+void set_spacing(float scale) {
     ImGuiStyle style;
     style.WindowPadding = {14, 12};
     style.FramePadding = {8, 4};
@@ -80,7 +81,7 @@ ImVec4 color(const Tint& tint, float alpha) { return {tint.red, tint.green, tint
 
 ImVec4 grey(float value, float alpha = 1) { return {value, value, value * 1.02f, alpha}; }
 
-/// `level(x)` of a widget's ground: 0 is the panel's own, 1 the text's.
+/// `level(x)`: a grey between the panel's background at 0 and the strongest text at 1.
 template <typename Level>
 void set_colors(const Theme& theme, const Level& level) {
     auto& colors = ImGui::GetStyle().Colors;
@@ -126,13 +127,13 @@ void set_colors(const Theme& theme, const Level& level) {
 
 } // namespace
 
-Theme apply_theme(ThemeChoice choice, float scale, float pixels_a_unit) {
+Theme apply_theme(ThemeChoice choice, float scale, float pixels_per_unit) {
     Theme theme;
     theme.choice = choice;
     theme.scale = scale;
-    theme.pixels_a_unit = pixels_a_unit;
-    load_type(theme, pixels_a_unit);
-    set_spaces(scale);
+    theme.pixels_per_unit = pixels_per_unit;
+    load_fonts(theme, pixels_per_unit);
+    set_spacing(scale);
     if (choice == ThemeChoice::dark) {
         theme.surround = {0.075f, 0.078f, 0.085f};
         theme.accent = {0.96f, 0.69f, 0.25f};
@@ -148,8 +149,8 @@ Theme apply_theme(ThemeChoice choice, float scale, float pixels_a_unit) {
         theme.error = {0.75f, 0.13f, 0.10f};
         set_colors(theme, [](float x) { return grey(0.955f - x * 0.88f); });
     }
-    const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
-    theme.panel = {ground.x, ground.y, ground.z};
+    const ImVec4& background = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+    theme.panel = {background.x, background.y, background.z};
     return theme;
 }
 

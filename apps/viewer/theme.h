@@ -1,6 +1,5 @@
 #pragma once
-// How the window looks: two sets of colours, three faces of type, and spaces that grow with the screen's
-// scale.
+// Colours, fonts and spacing of the window, scaled for the screen.
 
 #include "arguments.h"
 
@@ -8,7 +7,7 @@ struct ImFont;
 
 namespace glint::viewer {
 
-/// A colour, 0 … 1.
+/// A colour of the screen, 0 … 1.
 struct Tint {
     float red = 0;
     float green = 0;
@@ -18,22 +17,22 @@ struct Tint {
 
 struct Theme {
     ThemeChoice choice = ThemeChoice::dark;
-    float scale = 1;         ///< of texts and spaces
-    float pixels_a_unit = 1; ///< of the screen that the type was made for
+    float scale = 1;           ///< of text and spacing
+    float pixels_per_unit = 1; ///< of the screen that the fonts were rasterised for
     ImFont* text = nullptr;
     ImFont* bold = nullptr;
-    ImFont* fixed = nullptr; ///< every letter as wide as every other
+    ImFont* fixed = nullptr; ///< monospaced
     Tint surround;           ///< around the picture
-    Tint panel;              ///< below what stands beside it
+    Tint panel;              ///< background of the panel
     Tint accent;
-    Tint quiet; ///< of texts that matter less
+    Tint quiet; ///< of less important text
     Tint warning;
     Tint error;
 };
 
-/// Loads the type and sets Dear ImGui's style. `pixels_a_unit` is WindowSize's. May be called again between
-/// frames. Type comes from the machine's DejaVu, Noto or Liberation fonts; without these from Dear ImGui's
-/// own, which lacks Greek letters.
-Theme apply_theme(ThemeChoice choice, float scale, float pixels_a_unit);
+/// Loads the fonts and sets Dear ImGui's style; may be called again between frames. Fonts are the system's
+/// DejaVu, Noto or Liberation; without them Dear ImGui's own, which lacks Greek letters. `pixels_per_unit`:
+/// see WindowSize.
+Theme apply_theme(ThemeChoice choice, float scale, float pixels_per_unit);
 
 } // namespace glint::viewer

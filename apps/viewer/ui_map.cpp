@@ -1,3 +1,4 @@
+// The map as JSON.
 #include "ui_map.h"
 
 #include "glint/error.h"
@@ -16,30 +17,30 @@ void UiMap::begin() {
 }
 
 void UiMap::item(const std::string& name) {
-    if (!is_kept() || !ImGui::IsItemVisible()) return;
-    const ImVec2 least = ImGui::GetItemRectMin();
+    if (!is_enabled() || !ImGui::IsItemVisible()) return;
+    const ImVec2 corner = ImGui::GetItemRectMin();
     const ImVec2 size = ImGui::GetItemRectSize();
-    area(name, {least.x, least.y, size.x, size.y});
+    area(name, {corner.x, corner.y, size.x, size.y});
 }
 
 void UiMap::area(const std::string& name, const Area& area) {
-    if (is_kept()) areas_[name] = area;
+    if (is_enabled()) areas_[name] = area;
 }
 
 void UiMap::state(const std::string& name, const std::string& value) {
-    if (is_kept()) states_[name] = value;
+    if (is_enabled()) states_[name] = value;
 }
 
 void UiMap::state(const std::string& name, double value) {
-    if (is_kept()) states_[name] = value;
+    if (is_enabled()) states_[name] = value;
 }
 
 void UiMap::state(const std::string& name, bool value) {
-    if (is_kept()) states_[name] = value;
+    if (is_enabled()) states_[name] = value;
 }
 
 void UiMap::end() {
-    if (!is_kept()) return;
+    if (!is_enabled()) return;
     nlohmann::ordered_json document;
     auto& widgets = document["widgets"] = nlohmann::ordered_json::object();
     for (const auto& [name, area] : areas_) widgets[name] = {area.x, area.y, area.width, area.height};
@@ -48,7 +49,7 @@ void UiMap::end() {
         std::visit([&state, &key = name](const auto& held) { state[key] = held; }, value);
     std::string text = document.dump(1) + "\n";
     if (text == written_) return;
-    // Whole, as other files, but not made to outlast a power failure: it is written many times a second.
+    // Atomic, but without fsync: it is written many times a second.
     const std::string draft = file_ + ".part";
     std::ofstream(draft, std::ios::binary) << text;
     std::error_code fault;

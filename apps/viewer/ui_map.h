@@ -1,6 +1,6 @@
 #pragma once
-// Where the widgets are and what the window shows, written to a file for scripts that drive it (--ui-map).
-// See docs/viewer.md for the form.
+// Writes the areas of widgets and the state of the window to a file, for scripts that drive it (--ui-map).
+// docs/viewer.md describes the format.
 
 #include <map>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace glint::viewer {
 
-/// In units of the screen, from the top left of the window's content.
+/// In screen units, from the top left of the window's content.
 struct Area {
     float x = 0;
     float y = 0;
@@ -22,21 +22,20 @@ struct Area {
 
 class UiMap {
   public:
-    /// An empty name writes nothing and costs nothing.
+    /// An empty name writes nothing; then all calls are cheap.
     explicit UiMap(std::string file) : file_(std::move(file)) {}
 
-    bool is_kept() const { return !file_.empty(); }
-    /// Forgets the frame before.
+    bool is_enabled() const { return !file_.empty(); }
+    /// Begins a frame: forgets the last one.
     void begin();
-    /// The widget just made, where it can be seen.
+    /// Adds the last widget, if it is visible.
     void item(const std::string& name);
     void area(const std::string& name, const Area& area);
     void state(const std::string& name, const std::string& value);
     void state(const std::string& name, const char* value) { state(name, std::string(value)); }
     void state(const std::string& name, double value);
     void state(const std::string& name, bool value);
-    /// Writes the file if anything differs from what it holds. A file that cannot be written throws
-    /// Error(output).
+    /// Ends the frame: writes the file if its content changes. Throws Error(output).
     void end();
 
   private:

@@ -1,5 +1,7 @@
 #pragma once
-// What the window itself remembers: nothing of the scene, only how it is looked at.
+// How the scene is looked at: what the Picture panel and the keys set. Nothing of it is part of the scene.
+
+#include "arguments.h"
 
 #include "glint/formats.h"
 #include "glint/kernels.h"
@@ -7,24 +9,21 @@
 
 namespace glint::viewer {
 
+class Session;
+
 enum class CompareMode { off, wipe, side_by_side };
-enum class Tab { scene, picture, pixel };
 
 struct ViewState {
-    bool gpu = false; ///< a graphics card is to make the pictures
-    bool panel = true;
-    bool help = false;
-    Tab tab = Tab::scene;
-    bool turn_to_tab = false; ///< the tab was chosen by something else than a click on it
+    bool gpu = false; ///< render on the graphics card
     Aspect show = Aspect::final;
     CompareMode compare = CompareMode::off;
-    float wipe = 0.5f;   ///< where the picture is parted, 0 … 1
-    bool wiping = false; ///< the mouse holds the line between the two
     bool turntable = false;
-    double turns_a_minute = 4;
-    bool playing = false;   ///< the animation
-    View view = View::srgb; ///< with the sRGB curve, as files have it, or plain numbers
+    View view = View::srgb; ///< the sRGB curve, as in files, or linear values unchanged
     Kernel kernel = Kernel::automatic;
+    ThemeChoice theme = ThemeChoice::dark;
 };
+
+/// Makes the session show both views so. True if they have to be rendered again.
+bool apply(const ViewState& state, Session& session);
 
 } // namespace glint::viewer

@@ -1,3 +1,4 @@
+// Widgets of Dear ImGui, named in the map.
 #include "widgets.h"
 
 #include "glint/document.h"
@@ -11,20 +12,30 @@
 namespace glint::viewer {
 namespace {
 
-constexpr float label_share = 0.36f;
+/// Of a row's width.
+constexpr float label_width = 0.36f;
 
 ImVec4 color_of(const Tint& tint) { return {tint.red, tint.green, tint.blue, tint.alpha}; }
 
 } // namespace
 
+void begin_fixed_window(const char* name, const Area& area, bool background) {
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus |
+                     (background ? 0 : ImGuiWindowFlags_NoBackground));
+}
+
 float to_screen(double linear) {
-    const double light = std::clamp(linear, 0.0, 1.0);
-    return static_cast<float>(light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+    const double x = std::clamp(linear, 0.0, 1.0);
+    return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
 }
 
 double to_linear(float screen) {
-    const double level = screen;
-    return level <= 0.04045 ? level / 12.92 : std::pow((level + 0.055) / 1.055, 2.4);
+    const double x = screen;
+    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
 void tooltip(const char* help) {
@@ -44,7 +55,7 @@ void label_row(Ui& ui, const char* label, const char* help) {
     ImGui::TextUnformatted(label);
     ImGui::PopStyleColor();
     tooltip(help);
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * label_share);
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x * label_width);
     ImGui::SetNextItemWidth(-1);
 }
 
@@ -109,7 +120,7 @@ void Rows::finish(const std::string& key) {
     ImGui::PopID();
 }
 
-/// Or is a part of it, or what it is a part of?
+/// Is the key, a part of it, or a table that contains it animated?
 bool Rows::is_animated(const std::string& key) const {
     const std::string path = table_ + "." + key;
     const auto is_part = [](const std::string& part, const std::string& whole) {
@@ -123,15 +134,14 @@ bool Rows::is_animated(const std::string& key) const {
 void Rows::number(const char* key, const char* label, double value, const Range& range, const char* help) {
     begin(key, label, help);
     const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    if (ImGui::SliderScalar("##", ImGuiDataType_Double, &value, &range.least, &range.most, range.format,
-                            flags))
-        set(key, scene_value(std::max(value, range.least)));
+    if (ImGui::SliderScalar("##", ImGuiDataType_Double, &value, &range.min, &range.max, range.format, flags))
+        set(key, scene_value(std::max(value, range.min)));
     finish(key);
 }
 
-void Rows::whole(const char* key, const char* label, int value, int least, int most, const char* help) {
+void Rows::whole(const char* key, const char* label, int value, int min, int max, const char* help) {
     begin(key, label, help);
-    if (ImGui::SliderInt("##", &value, least, most)) set(key, std::to_string(std::max(value, least)));
+    if (ImGui::SliderInt("##", &value, min, max)) set(key, std::to_string(std::max(value, min)));
     finish(key);
 }
 
@@ -140,7 +150,7 @@ void Rows::color(const char* key, const char* label, const Vec3& value, const ch
     std::array<float, 3> shown{to_screen(value.x), to_screen(value.y), to_screen(value.z)};
     if (ImGui::ColorEdit3("##", shown.data(),
                           ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_Uint8)) {
-        // Eight bits a channel are shown: three digits hold what was chosen.
+        // The picker has 8 bits per channel: four decimals are enough.
         const auto rounded = [](double x) { return std::round(x * 10000) / 10000; };
         set(key, scene_value(Vec3(rounded(to_linear(shown[0])), rounded(to_linear(shown[1])),
                                   rounded(to_linear(shown[2])))));
@@ -177,14 +187,14 @@ void Rows::check(const char* key, const char* label, bool value, const char* hel
 }
 
 void Rows::choice(const char* key, const char* label, const std::string& value,
-                  const std::vector<std::string>& words, const char* help) {
+                  const std::vector<std::string>& choices, const char* help) {
     begin(key, label, help);
     if (!ImGui::BeginCombo("##", value.c_str())) return finish(key);
     const std::string path = table_ + "." + key;
     ui_.map.item(path);
-    for (const std::string& word : words) {
-        if (ImGui::Selectable(word.c_str(), word == value)) set(key, scene_value(word));
-        ui_.map.item(path + ":" + word);
+    for (const std::string& choice : choices) {
+        if (ImGui::Selectable(choice.c_str(), choice == value)) set(key, scene_value(choice));
+        ui_.map.item(path + ":" + choice);
     }
     ImGui::EndCombo();
     ImGui::EndDisabled();

@@ -1,5 +1,5 @@
 #pragma once
-// The rows that panels are made of: a label, a widget, and what the user did with it as an edit of the scene.
+// The rows of panels: a label, a widget, and the edit of the scene that the user makes with it.
 
 #include "theme.h"
 #include "ui_map.h"
@@ -11,29 +11,29 @@
 
 namespace glint::viewer {
 
-/// What every part of the window draws with.
+/// Shared by all that draws with Dear ImGui.
 struct Ui {
     Theme theme;
     UiMap map;
-    std::vector<std::string> animated; ///< key paths whose values come from the frame that is shown
+    std::vector<std::string> animated; ///< key paths that the frame shown sets: they cannot be edited
 };
 
-/// One value to set, as -D has it: "material.glass.index", "1.33".
+/// A value to set, as with -D: "material.glass.index", "1.33".
 struct Edit {
     std::string path;
     std::string value;
 };
 
-/// How far a slider goes, and how it shows numbers. Typing (Ctrl and a click) may go beyond `most`.
+/// The range of a slider and its number format. A number typed after Ctrl + click may be larger than `max`.
 struct Range {
-    double least = 0;
-    double most = 1;
+    double min = 0;
+    double max = 1;
     const char* format = "%.3g";
     bool logarithmic = false;
 };
 
-/// Rows about one table of the scene. Each row is named in the map by its key path; what the user changes is
-/// added to `edits`. Rows of what is animated cannot be changed, and say so.
+/// Rows for the keys of one table of the scene. The map names each row by its key path; changes are added to
+/// `edits`. Rows of animated keys are disabled, with a tooltip that says so.
 class Rows {
   public:
     Rows(Ui& ui, std::vector<Edit>& edits, std::string table)
@@ -41,19 +41,19 @@ class Rows {
 
     /// A slider.
     void number(const char* key, const char* label, double value, const Range& range, const char* help);
-    void whole(const char* key, const char* label, int value, int least, int most, const char* help);
-    /// A swatch that opens a colour picker. The value is linear; the picker shows it as screens do.
+    void whole(const char* key, const char* label, int value, int min, int max, const char* help);
+    /// A swatch that opens a colour picker. The value is linear, the picker shows colours of the screen.
     void color(const char* key, const char* label, const Vec3& value, const char* help);
-    /// Three numbers to drag; `step` is what a pixel of movement adds.
+    /// Three numbers to drag; `step`: change per pixel of mouse movement.
     void place(const std::string& key, const char* label, const Vec3& value, double step, const char* help);
-    /// The same for one that is no value of its own in the file: true where it was changed.
+    /// The same for a value that is not a key of the file: true if it was changed.
     bool drag(const std::string& key, const char* label, Vec3& value, double step, const char* help);
-    /// One number without bounds to drag.
+    /// An unbounded number to drag.
     void length(const std::string& key, const char* label, double value, double step, const char* help);
     void check(const char* key, const char* label, bool value, const char* help);
-    /// One word of several.
+    /// One of several values.
     void choice(const char* key, const char* label, const std::string& value,
-                const std::vector<std::string>& words, const char* help);
+                const std::vector<std::string>& choices, const char* help);
 
     void set(const std::string& key, std::string value) {
         edits_.push_back({table_ + "." + key, std::move(value)});
@@ -69,23 +69,25 @@ class Rows {
     std::string table_;
 };
 
-/// A row of a panel's own: its label, and the space after it for the widget that comes next.
+/// Begins a Dear ImGui window that fills an area and cannot be moved.
+void begin_fixed_window(const char* name, const Area& area, bool background = true);
+/// The label of a row; the next widget takes the space after it.
 void label_row(Ui& ui, const char* label, const char* help = "");
-/// A line in bold letters.
+/// A line in bold.
 void heading(const Ui& ui, const char* text);
-/// Text that matters less, wrapped.
+/// Wrapped text in a weaker colour.
 void quiet_text(const Ui& ui, const std::string& text);
 /// A button that the map names "button:NAME".
 bool button(Ui& ui, const char* name, const char* label, const char* help = "", bool lit = false);
-/// A heading that opens and closes; the map names it "section:NAME". `swatch`: a colour shown in it, linear.
+/// A collapsible heading that the map names "section:NAME". `swatch`: a linear colour shown in it.
 bool section(Ui& ui, const std::string& name, const std::string& label, bool open_at_first,
              const Vec3* swatch = nullptr);
-/// What a message says before its details.
+/// Of a message, the line before its details.
 std::string first_line(const std::string& text);
-/// Shows `help` while the mouse rests on the widget just made.
+/// Shows `help` while the mouse is over the last widget.
 void tooltip(const char* help);
 
-/// One channel of linear light as screens show it, and back.
+/// One channel from linear light to sRGB, and back.
 float to_screen(double linear);
 double to_linear(float screen);
 

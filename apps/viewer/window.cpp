@@ -1,3 +1,4 @@
+// GLFW, its callbacks, and the frame around Dear ImGui.
 #include "window.h"
 
 #include "opengl.h"
@@ -22,8 +23,8 @@ namespace {
 
 constexpr const char* glsl_version = "#version 330 core";
 
-/// GLFW tells its faults to a callback alone.
-std::string& last_fault() {
+/// GLFW reports errors to a callback only.
+std::string& last_error() {
     static std::string text;
     return text;
 }
@@ -31,25 +32,25 @@ std::string& last_fault() {
 [[noreturn]] void refuse_display() {
     const bool named = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
     throw Error(ErrorKind::device,
-                named ? "no window can be opened (" + last_fault() + ")"
+                named ? "no window can be opened (" + last_error() + ")"
                       : "there is no display to open a window on",
                 "render to a file instead: glint FILE -o picture.png");
 }
 
 } // namespace
 
-Window::Window(int width, int height, const std::string& title, bool listen) : listens_(listen) {
-    glfwSetErrorCallback([](int, const char* text) { last_fault() = text; });
+Window::Window(int width, int height, const std::string& title, bool debug) : debug_(debug) {
+    glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
     if (glfwInit() != GLFW_TRUE) refuse_display();
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // Where texts are larger, so is the window that holds them.
+    // Text scales with the monitor, so the window does too.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, listen ? GLFW_TRUE : GLFW_FALSE);
-    // The later one can make pictures too; the older is enough to draw them. Best is one that tells of its
-    // loss.
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug ? GLFW_TRUE : GLFW_FALSE);
+    // OpenGL 4.3 can render too, 3.3 can only show pictures. A robust context, which reports when it is lost,
+    // is preferred to any other.
     for (const int major : {4, 3}) {
         for (const int loss : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
             if (window_ != nullptr) break;
@@ -66,8 +67,8 @@ Window::Window(int width, int height, const std::string& title, bool listen) : l
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    if (listen) listen_to_opengl();
-    take_events();
+    if (debug) print_opengl_messages();
+    install_callbacks();
 
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
@@ -83,42 +84,36 @@ Window::~Window() {
     glfwTerminate();
 }
 
-/// Called before Dear ImGui installs its own callbacks, which pass on to these. Its own account of keys would
-/// miss one that is pressed and let go within a frame.
-void Window::take_events() {
+/// Called before Dear ImGui installs its callbacks, which call these. Dear ImGui's own key state would miss a
+/// key that is pressed and released within a frame.
+void Window::install_callbacks() {
     glfwSetWindowUserPointer(window_, this);
-    const auto self = [](GLFWwindow* window) {
-        return static_cast<Window*>(glfwGetWindowUserPointer(window));
+    static const auto input_of = [](GLFWwindow* window) {
+        auto* const found = static_cast<Window*>(glfwGetWindowUserPointer(window));
+        found->has_input_ = true;
+        return found;
     };
-    static const auto touch = self;
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-        touch(window)->dropped_.insert(touch(window)->dropped_.end(), paths, paths + count);
-        touch(window)->touched_ = true;
+        std::vector<std::string>& dropped = input_of(window)->dropped_;
+        dropped.insert(dropped.end(), paths, paths + count);
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int mods) {
-        touch(window)->touched_ = true;
+        Window* const w = input_of(window);
         if (action == GLFW_RELEASE) return;
-        touch(window)->keys_.push_back(
-            {key, 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
+        w->keys_.push_back({key, 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0});
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int character) {
-        touch(window)->touched_ = true;
-        touch(window)->keys_.push_back({0, static_cast<char32_t>(character), false, false});
+        input_of(window)->keys_.push_back({0, static_cast<char32_t>(character), false, false});
     });
-    glfwSetMouseButtonCallback(window_,
-                               [](GLFWwindow* window, int, int, int) { touch(window)->touched_ = true; });
-    glfwSetScrollCallback(window_,
-                          [](GLFWwindow* window, double, double) { touch(window)->touched_ = true; });
-    glfwSetCursorPosCallback(window_,
-                             [](GLFWwindow* window, double, double) { touch(window)->touched_ = true; });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { touch(window)->touched_ = true; });
-    glfwSetFramebufferSizeCallback(window_,
-                                   [](GLFWwindow* window, int, int) { touch(window)->touched_ = true; });
-    glfwSetWindowContentScaleCallback(
-        window_, [](GLFWwindow* window, float, float) { touch(window)->touched_ = true; });
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { touch(window)->touched_ = true; });
-    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { touch(window)->touched_ = true; });
-    glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { touch(window)->touched_ = true; });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { input_of(window); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { input_of(window); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { input_of(window); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { input_of(window); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { input_of(window); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* window, float, float) { input_of(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { input_of(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { input_of(window); });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) { input_of(window); });
 }
 
 bool Window::is_closed() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
@@ -136,8 +131,6 @@ WindowSize Window::size() const {
     return size;
 }
 
-void Window::position(int& x, int& y) const { glfwGetWindowPos(window_, &x, &y); }
-
 float Window::content_scale() const {
     float x = 1;
     float y = 1;
@@ -151,7 +144,7 @@ bool Window::wait(double seconds) {
     } else {
         glfwPollEvents();
     }
-    return std::exchange(touched_, false);
+    return std::exchange(has_input_, false);
 }
 
 void Window::wake() { glfwPostEmptyEvent(); }
@@ -171,7 +164,7 @@ void Window::clear(const Tint& tint) const {
 
 void Window::fill(const Area& area, const Tint& tint) const {
     const WindowSize now = size();
-    const auto pixels = [ratio = now.pixels_a_unit()](float units) {
+    const auto pixels = [ratio = now.pixels_per_unit()](float units) {
         return static_cast<GLint>(std::lround(units * ratio));
     };
     glEnable(GL_SCISSOR_TEST);
@@ -193,7 +186,7 @@ Image Window::screenshot() const {
     std::vector<std::uint8_t> bytes(image.pixels.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, now.pixel_width, now.pixel_height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
-    // OpenGL's rows begin at the bottom. Half a step keeps each value when the writer rounds down.
+    // OpenGL's rows begin at the bottom. Half a step keeps each value, since the writer rounds down.
     const std::size_t row = static_cast<std::size_t>(now.pixel_width) * 3;
     for (std::size_t y = 0; y < static_cast<std::size_t>(now.pixel_height); ++y)
         for (std::size_t i = 0; i < row; ++i)

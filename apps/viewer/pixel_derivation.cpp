@@ -1,4 +1,5 @@
-#include "pixel_working.h"
+// Values and steps of the light model for one ray or light.
+#include "pixel_derivation.h"
 
 #include "glint/formats.h"
 
@@ -12,8 +13,8 @@ namespace {
 
 std::string list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
-/// A fact: its name in the quiet colour, its value beside it.
-void fact(Ui& ui, const char* name, const std::string& value) {
+/// A name and its value.
+void value_row(Ui& ui, const char* name, const std::string& value) {
     label_row(ui, name);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(value.c_str());
@@ -28,8 +29,8 @@ void topic_line(Ui& ui, const Step& step) {
     ImGui::TextDisabled("%s", section.c_str());
 }
 
-/// "symbol = formula", below it the numbers and the result; what is given takes one line. `numbers`: the
-/// formula with them, or nothing.
+/// "symbol = formula", then `numbers`, the formula with its values, then the result; one line for a step
+/// without formula. `numbers` may be empty.
 void step_lines(Ui& ui, const Step& step, const std::string& numbers) {
     ImGui::PushFont(ui.theme.fixed);
     ImGui::PushTextWrapPos(0);
@@ -58,8 +59,8 @@ void steps(Ui& ui, const std::vector<Step>& all, const ExplainedRay& ray,
     }
 }
 
-/// What the surface of a solid does to the ray's way.
-void crossing(Ui& ui, const ExplainedRay& ray) {
+/// Refraction at the surface, or total reflection.
+void refraction(Ui& ui, const ExplainedRay& ray) {
     heading(ui, "through the surface");
     ImGui::PushFont(ui.theme.fixed);
     ImGui::PushTextWrapPos(0);
@@ -78,22 +79,22 @@ void crossing(Ui& ui, const ExplainedRay& ray) {
 }
 
 void surface(Ui& ui, const ExplainedRay& ray) {
-    fact(ui, "meets", fmt::format("{}, {}", ray.label, ray.entering ? "from outside" : "from inside"));
-    fact(ui, "material", ray.material);
-    fact(ui, "after", fmt::format("{:.5g}", ray.distance));
-    fact(ui, "at", number_text(ray.position));
-    fact(ui, "normal", number_text(ray.shading_normal));
+    value_row(ui, "meets", fmt::format("{}, {}", ray.label, ray.entering ? "from outside" : "from inside"));
+    value_row(ui, "material", ray.material);
+    value_row(ui, "after", fmt::format("{:.5g}", ray.distance));
+    value_row(ui, "at", number_text(ray.position));
+    value_row(ui, "normal", number_text(ray.shading_normal));
     if (ray.shading_normal != ray.geometric_normal)
-        fact(ui, "true normal", number_text(ray.geometric_normal));
-    if (!ray.inside.empty()) fact(ui, "inside", list(ray.inside));
-    if (!ray.passed_over.empty()) fact(ui, "passed over", list(ray.passed_over));
+        value_row(ui, "true normal", number_text(ray.geometric_normal));
+    if (!ray.inside.empty()) value_row(ui, "inside", list(ray.inside));
+    if (!ray.passed_over.empty()) value_row(ui, "passed over", list(ray.passed_over));
     if (ray.gain > 1)
         quiet_text(ui, fmt::format("gain {:.3g}: more light leaves this surface than arrives", ray.gain));
 }
 
 } // namespace
 
-std::string number_text(const glm::vec3& three) { return quantity_text(three, 5); }
+std::string number_text(const glm::vec3& values) { return quantity_text(values, 5); }
 
 void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& light) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -103,29 +104,29 @@ void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& ligh
     draw.AddRect(corner, end, ImGui::GetColorU32(ImGuiCol_Border), 0.15f * size.y);
 }
 
-void working_of_ray(Ui& ui, const ExplainedRay& ray) {
+void draw_ray(Ui& ui, const ExplainedRay& ray) {
     heading(ui, fmt::format("{} ray, weight {}", ray_kind_name(ray.kind), number_text(ray.weight)).c_str());
     quiet_text(ui, ray.why);
-    fact(ui, "from", number_text(ray.origin));
+    value_row(ui, "from", number_text(ray.origin));
     if (ray.hit) surface(ui, ray);
-    if (ray.hit && ray.crosses) crossing(ui, ray);
+    if (ray.hit && ray.crosses) refraction(ui, ray);
     steps(ui, ray.given, ray);
     steps(ui, ray.steps, ray);
 }
 
-void working_of_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light) {
+void draw_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light) {
     heading(ui, light.label.c_str());
-    fact(ui, "distance", fmt::format("{:.5g}", light.distance));
-    fact(ui, "n \u00b7 l", fmt::format("{:.5g}  ({:.4g}\u00b0)", light.cosine, light.degrees));
-    fact(ui, "attenuation", fmt::format("{:.5g}", light.attenuation));
+    value_row(ui, "distance", fmt::format("{:.5g}", light.distance));
+    value_row(ui, "n \u00b7 l", fmt::format("{:.5g}  ({:.4g}\u00b0)", light.cosine, light.degrees));
+    value_row(ui, "attenuation", fmt::format("{:.5g}", light.attenuation));
     if (light.asked)
-        fact(ui, "shadow ray", "from " + number_text(light.shadow_origin));
+        value_row(ui, "shadow ray", "from " + number_text(light.shadow_origin));
     else
         quiet_text(ui, "no shadow ray: nothing arrives, or nothing of it would be seen");
     for (const Blocker& blocker : light.blockers)
-        fact(ui, blocker.share > 0 ? "passes" : "blocked by",
-             fmt::format("{} at {:.5g}, \u03c4 = {:.3g}{}", blocker.label, blocker.distance,
-                         blocker.transparency, blocker.passed_over ? ", passed over" : ""));
+        value_row(ui, blocker.share > 0 ? "passes" : "blocked by",
+                  fmt::format("{} at {:.5g}, \u03c4 = {:.3g}{}", blocker.label, blocker.distance,
+                              blocker.transparency, blocker.passed_over ? ", passed over" : ""));
     steps(ui, light.steps, ray, &light);
 }
 

@@ -1,0 +1,76 @@
+// Writes the files, under names that do not exist yet.
+#include "file_saver.h"
+
+#include "activity.h"
+#include "messages.h"
+#include "presenter.h"
+#include "workbench.h"
+
+#include "glint/formats.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace glint::viewer {
+namespace {
+
+/// "picture.png", or the first of "picture-2.png", "picture-3.png" … that does not exist.
+std::string free_name(const std::string& stem, const std::string& extension) {
+    std::string name = stem + extension;
+    for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}{}", stem, i, extension);
+    return name;
+}
+
+/// The file's path without its extension.
+std::string stem_of(const std::string& file) {
+    return (std::filesystem::path(file).parent_path() / std::filesystem::path(file).stem()).string();
+}
+
+} // namespace
+
+void FileSaver::save_scene() {
+    messages_.guarded([&] {
+        last_file_ = bench_.save();
+        activity_.scene_changed();
+        messages_.show("Saved " + last_file_);
+    });
+}
+
+void FileSaver::save_picture() {
+    picture_wanted_ = true;
+    if (!presenter_.is_finished()) messages_.show("The picture is saved when it is finished");
+}
+
+void FileSaver::finish_frame() {
+    if (window_wanted_) write_screenshot();
+    if (picture_wanted_ && presenter_.is_finished()) write_finished_picture();
+}
+
+void FileSaver::write_finished_picture() {
+    picture_wanted_ = false;
+    messages_.guarded([&] {
+        const std::string file = free_name(stem_of(bench_.file()), ".png");
+        write_picture(file, image_of(*bench_.frame()),
+                      {.view = state_.view, .alpha = {}, .layers = {}, .metadata = {}});
+        last_file_ = file;
+        messages_.show("Saved " + file);
+    });
+}
+
+void FileSaver::write_screenshot() {
+    window_wanted_ = false;
+    messages_.guarded([&] {
+        const std::string stem = bench_.file().empty() ? "glint" : stem_of(bench_.file());
+        const std::string file = free_name(stem + "-window", ".png");
+        write_picture(file, window_.screenshot(),
+                      {.view = View::raw, .alpha = {}, .layers = {}, .metadata = {}});
+        last_file_ = file;
+    });
+}
+
+void FileSaver::report(UiMap& map) const {
+    if (!last_file_.empty()) map.state("saved", last_file_);
+}
+
+} // namespace glint::viewer

@@ -1,0 +1,50 @@
+#pragma once
+// Saves the scene, its finished picture, and the window's content.
+
+#include "ui_map.h"
+#include "view_state.h"
+
+#include <string>
+
+namespace glint::viewer {
+
+class Activity;
+class Messages;
+class Presenter;
+class Window;
+class Workbench;
+
+class FileSaver {
+  public:
+    FileSaver(const Window& window, Workbench& bench, const ViewState& state, Activity& activity,
+              Messages& messages, const Presenter& presenter)
+        : window_(window), bench_(bench), state_(state), activity_(activity), messages_(messages),
+          presenter_(presenter) {}
+
+    void save_scene();
+    /// Saves the picture as PNG beside the scene as soon as it is finished.
+    void save_picture();
+    /// Saves the window's content as PNG after the next frame.
+    void save_window() { window_wanted_ = true; }
+    /// Saves what is due. Call at the end of each frame.
+    void finish_frame();
+    bool is_waiting_for_picture() const { return picture_wanted_; }
+
+    void report(UiMap& map) const;
+
+  private:
+    void write_finished_picture();
+    void write_screenshot();
+
+    const Window& window_;
+    Workbench& bench_;
+    const ViewState& state_;
+    Activity& activity_;
+    Messages& messages_;
+    const Presenter& presenter_;
+    bool picture_wanted_ = false;
+    bool window_wanted_ = false;
+    std::string last_file_; ///< written last
+};
+
+} // namespace glint::viewer
