@@ -21,8 +21,7 @@ class BackendSwitch {
 
     /// Makes the session render on the graphics card or on the CPU. True if that is a change.
     bool select(bool gpu, Session& session);
-    /// Looks at the latest frame; says once, in a notice, why the CPU rendered it though the card is
-    /// selected.
+    /// If the CPU rendered the latest frame although the card is selected, shows the reason once.
     void check(const RenderedFrame& frame, Messages& messages);
     /// Why the CPU rendered the last frame; empty if it was selected, or the card rendered.
     const std::string& why_cpu() const { return why_cpu_; }

@@ -100,7 +100,7 @@ bool PixelInspector::is_seen_from_here() const {
 
 // ── Remarks ────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Whose numbers these are; once the GPU's picture is finished, how far its pixel differs.
+/// Which device the numbers are from; once the GPU's picture is finished, how far its pixel differs.
 std::string PixelInspector::device_remark() {
     const auto frame = bench_.frame(inspected_->pixel.slot);
     if (!frame || frame->device.empty()) return "";

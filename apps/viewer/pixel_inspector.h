@@ -1,5 +1,5 @@
 #pragma once
-// The pixel that is explained: asked for by a click, told by the Pixel panel, drawn over the picture.
+// The explained pixel: asks the session, draws the Pixel panel and the rays over the picture.
 
 #include "pixel_panel.h"
 #include "presenter.h"

@@ -3,6 +3,8 @@
 
 #include "camera.h"
 
+#include "glint/names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,13 +29,12 @@ std::string path_of(const Override& change) { return change.substr(0, change.fin
 
 /// Adds a camera as values for -D. `has_look_at`: the file has the key look_at instead of direction.
 void add_camera(const CameraDescription& camera, bool has_look_at, std::vector<Override>& values) {
-    constexpr std::array axes{"y", "x", "smaller", "larger"};
     values.push_back("camera.eye=" + scene_value(camera.eye));
     values.push_back(has_look_at ? "camera.look_at=" + scene_value(camera.eye + camera.direction)
                                  : "camera.direction=" + scene_value(camera.direction));
     values.push_back("camera.up=" + scene_value(camera.up));
     values.push_back("camera.fov=" + scene_value(camera.fov));
-    values.push_back(std::string("camera.fov_axis=") + axes[static_cast<std::size_t>(camera.fov_axis)]);
+    values.push_back("camera.fov_axis=" + std::string(name_of(camera.fov_axis)));
 }
 
 /// Adds the unsaved changes and the camera of the question.

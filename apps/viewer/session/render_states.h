@@ -1,20 +1,22 @@
 #pragma once
 // The state machine of the renderer's thread, without threads or locks of its own.
 //
-//             | request_changed() | tone_changed()     | finish_work()        | close()
-//  -----------+-------------------+--------------------+----------------------+---------------
-//  idle       | wake: first_pass  | wake: refining     |                      | closed
-//  first_pass | wait for the pass | after the pass:    | all views finished:  | cancel: closed
-//             | first_pass again  | show again         | idle, else refining  |
-//  refining   | cancel: first_pass| after the slice:   | all views finished:  | cancel: closed
-//             |                   | show again         | idle, else refining  |
-//  closed     |                   |                    |                      |
+// state      | request_changed()    | tone_changed()       | finish_work()       | close()
+// -----------+----------------------+----------------------+---------------------+------------------
+// idle       | -> first_pass        | -> refining          |                     | -> closed
+// first_pass | -> first_pass again  | -> refining, shown   | all views finished: | cancel, -> closed
+//            | after this one       | again after the pass | -> idle             |
+//            |                      |                      | else: -> refining   |
+// refining   | cancel,              | shown again          | all views finished: | cancel, -> closed
+//            | -> first_pass        | after the slice      | -> idle             |
+//            |                      |                      | else: -> refining   |
+// closed     |                      |                      |                     |
 //
-// idle        every view is finished, or none is requested; the thread sleeps
-// first_pass  the first, coarse pass of each view. A newer request does not cancel it: while the camera
-//             moves without rest, nothing would be seen otherwise
-// refining    slices of some 40 ms that make every view better; from idle, to show it in another tone
-// closed      final; the thread ends
+// idle       : every view is finished or none is requested; the thread sleeps.
+// first_pass : the first, coarse pass of each view. A newer request does not cancel it: otherwise nothing
+//              would be seen while the camera moves.
+// refining   : a slice of some 40 ms makes every view better. From idle, it shows them in another tone.
+// closed     : the thread ends.
 
 namespace glint::viewer {
 

@@ -110,7 +110,7 @@ bool ViewRenderer::copy_to(RenderedFrame& frame) {
     frame.device = active().backend->device();
     frame.why_cpu = fault_;
     if (!is_visible(picture_->show)) frame.image = visible(frame.image, picture_->show, picture_->scene);
-    // After a fault the CPU begins anew: what it shows must not become coarser.
+    // After a fault the CPU starts again: what is shown must not become coarser.
     picture_->max_step = std::min(picture_->max_step, step);
     return true;
 }

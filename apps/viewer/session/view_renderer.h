@@ -70,7 +70,7 @@ class ViewRenderer {
     std::optional<Picture> picture_;
     bool on_gpu_ = false;           ///< the backend that renders `picture_`
     std::string fault_;             ///< why the GPU is not used; empty: it may be
-    int first_step_ = 0;            ///< of the last first pass; 0: its time says nothing about the next one's
+    int first_step_ = 0;            ///< of the last first pass; 0: it was not typical
     double first_pass_seconds_ = 0; ///< of that pass, without showing it
 };
 
