@@ -78,7 +78,7 @@ BackendFactory Card::maker() {
     };
 }
 
-/// A ball on a bright ground: no pixel of its pictures is black.
+/// A ball in front of a bright background: no pixel is black.
 SceneDescription ball(int samples) {
     SceneDescription scene = kit::empty_scene(Vec3(0, -6, 1), Vec3(0, 6, -1), 48, 40);
     scene.render.spp = samples;
@@ -92,7 +92,7 @@ SceneDescription ball(int samples) {
 
 class Backend : public testing::Test {
   protected:
-    // So short a time makes every first picture a coarse one.
+    // Too short a time: every first pass is coarse.
     Backend() : renderer({.threads = 2, .first_picture_seconds = 1e-6, .changed = {}}) {}
     ~Backend() override { EXPECT_EQ(card.on_other_threads, 0); }
 
@@ -193,7 +193,7 @@ TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
     EXPECT_EQ(finished("")->why_cpu, "there is no card");
     EXPECT_EQ(picture_hash(finished("")->image), expected());
 
-    // Another camera is none; another scene is.
+    // Another camera is no reason, another scene is one.
     card.is_there = true;
     CameraDescription camera = scene->camera();
     camera.eye.x += 0.5;

@@ -1,4 +1,4 @@
-// Moving a camera by hand.
+// Orbit, pan, zoom and flight.
 
 #include "session/camera.h"
 #include "session/times.h"
@@ -28,7 +28,7 @@ CameraDescription some_camera(std::mt19937& random) {
 
 Vec3 right_of(const CameraDescription& c) { return glm::normalize(glm::cross(c.direction, c.up)); }
 
-/// Near enough in units of the scene, which are about 1.
+/// Tolerance in scene units; the scenes are about 1 in size.
 void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-9) {
     EXPECT_LE(glm::length(a - b), tolerance)
         << a.x << " " << a.y << " " << a.z << " is not " << b.x << " " << b.y << " " << b.z;
@@ -158,7 +158,7 @@ TEST(CameraControl, TheTargetIsWhatStandsInTheMiddle) {
     EXPECT_EQ(target_distance(freeze(kit::empty_scene())), 1);
 }
 
-// ── How long frames took ───────────────────────────────────────────────────────────────────────────────────
+// ── Frame times ──────────────────────────────────────────────────────────────────────────────────────────
 
 TEST(FrameTimes, SharesAreThoseOfTheSortedTimes) {
     std::mt19937 random(6);

@@ -1,4 +1,4 @@
-// The command line that explains a pixel as the window does. That the line says so is tested with the window.
+// The `glint explain` command line of a pixel. tests/viewer runs such lines.
 
 #include "session/explain_command.h"
 
@@ -42,7 +42,7 @@ class ExplainCommandTest : public testing::Test {
 
     std::string file() const { return (folder_ / "a ball's.toml").string(); }
 
-    /// As the window has it, at a frame or not.
+    /// The file as the window shows it, at a frame or without animation.
     ShownFile shown(const std::vector<Override>& changes = {}, std::optional<double> frame = {}) const {
         ShownFile shown{file(), {}, SceneDocument::open(file()), {"sphere.ball.center"}, frame, {}};
         shown.document->set_all(changes);

@@ -1,4 +1,4 @@
-// A pixel explained beside the pictures: again whenever its scene changes, and given up at once.
+// Explaining a pixel in the background: again when its scene changes, cancelled at once.
 
 #include "session/explainer.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A ball of some colour under a lamp.
+/// A ball under a point light.
 Scene ball(const Vec3& color, int samples = 1) {
     SceneDescription scene = kit::empty_scene(Vec3(0, -6, 1), Vec3(0, 6, -1), 48, 40);
     scene.render.spp = samples;
@@ -28,7 +28,7 @@ Scene ball(const Vec3& color, int samples = 1) {
     return freeze(scene);
 }
 
-/// Shells of glass, whose rays part at every one of them: a sample takes longer than anybody waits.
+/// Shells of glass that split the ray at each surface: a sample takes longer than any test.
 Scene endless() {
     SceneDescription scene = kit::empty_scene(Vec3(0, -6, 1), Vec3(0, 6, -1), 48, 40);
     scene.whitted.max_depth = 40;
@@ -45,7 +45,7 @@ class ExplainerTest : public testing::Test {
     PixelQuestion question(ViewSlot slot = ViewSlot::main, int x = 24, int y = 20) const {
         return {slot, red.camera(), 48, 40, x, y};
     }
-    /// The answer, once nothing is left to do.
+    /// The answer, once the explainer is idle.
     std::shared_ptr<const PixelAnswer> answer() const {
         EXPECT_TRUE(comes_true([&] { return !explainer.is_busy(); }));
         return explainer.latest();

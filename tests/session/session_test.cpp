@@ -1,4 +1,4 @@
-// What stands behind the window: files read, watched and edited in the background, pictures that follow.
+// The session: files read, watched and edited in the background, and the resulting pictures.
 
 #include "session/session.h"
 
@@ -44,7 +44,7 @@ class SessionTest : public testing::Test {
     }
     ~SessionTest() override { fs::remove_all(folder_); }
 
-    /// Writes a file as careful editors do.
+    /// Replaces a file atomically, as editors do.
     std::string write(const std::string& name, const std::string& text) const {
         const fs::path path = folder_ / name;
         std::ofstream(path.string() + ".new") << text;
@@ -66,7 +66,7 @@ class SessionTest : public testing::Test {
             return frame && frame->reached.finished;
         });
     }
-    /// The picture that the session must come to.
+    /// The picture that the session has to finish with.
     static std::string expected(const Session& session, ViewSlot slot = ViewSlot::main) {
         RenderOptions how;
         how.show = session.show(slot);
@@ -116,14 +116,14 @@ TEST_F(SessionTest, TurnsAroundWhatThePicturesMiddleShows) {
     session.move([](CameraControl& c) { c.fly(0, 0, 0.4); });
     session.pick_orbit_target();
     expect_target(Vec3(0, -1, 0));
-    // Turning and zooming keep what is turned around, though other parts of the ball come before it.
+    // Orbiting and zooming keep the target, although other parts of the ball are now in the middle.
     session.move([](CameraControl& c) { c.orbit(1.5, 0); });
     session.pick_orbit_target();
     expect_target(Vec3(0, -1, 0));
     session.move([](CameraControl& c) { c.zoom(1); });
     session.pick_orbit_target();
     expect_target(Vec3(0, -1, 0));
-    // Nothing is seen beside the ball: the distance stays.
+    // The middle shows nothing: the distance stays.
     session.move([](CameraControl& c) { c.reset(), c.pan(2, 0); });
     session.pick_orbit_target();
     EXPECT_NEAR(session.camera().target_distance(), 5, 1e-5);

@@ -1,4 +1,4 @@
-// The graphics card in the window. Mesa's software renderer stands for it: the same shaders, the same calls.
+// Rendering on the GPU in the window. Mesa's software renderer stands in: same shaders, same calls.
 
 #include "../cli/process.h"
 #include "driver.h"
@@ -13,7 +13,7 @@
 namespace glint::test {
 namespace {
 
-/// Nothing in it is black.
+/// No pixel of it is black.
 const std::string scene = R"(version = 1
 [camera]
 eye = [0, -6, 2]
@@ -49,9 +49,9 @@ class WindowOnTheGpu : public Screen {
   protected:
     void open_scene(const std::string& text, const std::vector<std::string>& options = {}) {
         write("scene.toml", text);
-        std::vector<std::string> words{"--window", "1000x640", "--size", "200x150", "--ui-debug"};
-        words.insert(words.end(), options.begin(), options.end());
-        open("scene.toml", words);
+        std::vector<std::string> arguments{"--window", "1000x640", "--size", "200x150", "--ui-debug"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        open("scene.toml", arguments);
     }
 
     static std::string with(const std::string& what, const std::string& instead) {
@@ -61,8 +61,7 @@ class WindowOnTheGpu : public Screen {
         return text.replace(at, what.size(), instead);
     }
 
-    /// Opens a list and clicks on one of its lines, once that has come to rest: lists find their place while
-    /// they open.
+    /// Opens a list and clicks on a line once its position is stable: lists move while they open.
     void choose(const std::string& list, const std::string& line) const {
         click(list);
         const std::string widget = list + ":" + line;
@@ -84,7 +83,7 @@ class WindowOnTheGpu : public Screen {
         return by.is_string() && by != "CPU";
     }
 
-    /// What `glint` renders of the scene's file, by name of the backend.
+    /// The picture that `glint` renders of the scene, by backend.
     Image rendered(const std::string& backend) const {
         const std::string file = path(backend + ".exr");
         const Outcome outcome =
@@ -100,7 +99,7 @@ class WindowOnTheGpu : public Screen {
         EXPECT_EQ(log().find("OpenGL"), std::string::npos) << log();
     }
 
-    /// Pages in memory, in MiB.
+    /// Resident memory in MiB.
     double memory() {
         std::ifstream in("/proc/" + std::to_string(viewer().pid()) + "/statm");
         double all = 0;
@@ -127,7 +126,7 @@ TEST_F(WindowOnTheGpu, DrawsWhatTheCommandLineRendersThere) {
     press("Home");
     EXPECT_EQ(finished_picture(), hash);
 
-    // What is saved, and what stands on the screen, is that picture.
+    // The saved picture and the screen show the same.
     press("ctrl+p");
     ASSERT_TRUE(wait_until([&] { return state("saved").is_string(); })) << log();
     EXPECT_EQ(wrong_on_screen(read_picture(state("saved").get<std::string>()).image), 0);
@@ -146,7 +145,7 @@ TEST_F(WindowOnTheGpu, AnExplanationSaysHowFarTheCardIsFromIt) {
     const int y = static_cast<int>(state("pixel.y").get<double>());
     const Image card = rendered("gpu");
     const std::string devices = state("pixel.devices");
-    // The colour that is told is that of the card's own pixel.
+    // The reported colour is that of the GPU's pixel.
     for (int c = 0; c < 3; ++c)
         EXPECT_NE(devices.find(fmt::format("{:.6g}", card.at(x, y)[c])), std::string::npos) << devices;
     press("g");
@@ -201,7 +200,7 @@ TEST_F(WindowOnTheGpu, TermsOfTheLightStayOnTheDevice) {
 }
 
 TEST_F(WindowOnTheGpu, AFaultIsToldAndTheCpuDraws) {
-    // A ray in more transparent solids than the shader can remember.
+    // A ray inside more transparent solids than the shader supports.
     std::string balls = with("[[light]]", "[material.air]\ntransparency = 0.9\nindex = 1.1\n[[light]]");
     for (int i = 0; i < 9; ++i)
         balls += "[[sphere]]\ncenter = [0, 0, 1]\nradius = " + std::to_string(0.9 - 0.05 * i) +
@@ -229,7 +228,7 @@ TEST_F(WindowOnTheGpu, SwitchingTwoHundredTimesNeitherFlashesNorLeaks) {
         const nlohmann::json all = map()["state"];
         return std::pair(all["opengl.textures"].get<double>(), all["opengl.buffers"].get<double>());
     };
-    // Both have drawn, and what is kept of them is there.
+    // Both backends have rendered and hold their memory.
     ASSERT_TRUE(wait_for_gpu()) << map().dump(1);
     press("g");
     ASSERT_TRUE(wait_for_state("drawn_by", "CPU"));
@@ -240,7 +239,7 @@ TEST_F(WindowOnTheGpu, SwitchingTwoHundredTimesNeitherFlashesNorLeaks) {
     const double before = memory();
 
     const nlohmann::json area = map()["widgets"]["picture"];
-    // Below the notice that says who draws.
+    // Below the notice about the backend.
     const auto side = [&](std::size_t i) { return static_cast<int>(area[i].get<double>()); };
     double worst = 0;
     for (int round = 0; round < 20; ++round) {
@@ -256,7 +255,7 @@ TEST_F(WindowOnTheGpu, SwitchingTwoHundredTimesNeitherFlashesNorLeaks) {
             }
         worst = std::max(worst, flashes / (side(2) * (side(3) * 2.0 / 3)));
     }
-    // What differs are edges, antialiased in one and not yet in the other.
+    // Edges differ: antialiased in one, not yet in the other.
     EXPECT_LT(worst, 0.02);
     ASSERT_TRUE(wait_for_gpu());
     EXPECT_LE(held().first, objects.first);

@@ -14,9 +14,9 @@
 
 namespace glint::test {
 
-Child::Child(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+Child::Child(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
              const std::string& log) {
-    std::vector<std::string> own = words;
+    std::vector<std::string> own = arguments;
     std::vector<char*> pointers;
     for (std::string& word : own) pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -10,9 +10,9 @@ namespace glint::test {
 
 class Child {
   public:
-    /// Starts words[0], found on PATH. Its messages go to `log`; what it writes to file descriptor 3 can be
-    /// read from notes(). `environment` is added to the test's own.
-    Child(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+    /// Starts the program arguments[0], found on PATH. Its output goes to the file `log`; lines that it
+    /// writes to file descriptor 3 are notes. `environment` is added to that of the test.
+    Child(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
           const std::string& log);
     /// Ends the program if it still runs.
     ~Child();
@@ -21,7 +21,7 @@ class Child {
 
     /// Its exit code, or 128 + signal; none while it runs.
     std::optional<int> ended();
-    /// Waits for so many seconds at most.
+    /// Waits at most that long.
     std::optional<int> wait(double seconds);
     /// The first line written to file descriptor 3; empty if the program ends without.
     std::string first_note();
@@ -34,11 +34,11 @@ class Child {
     std::optional<int> code_;
 };
 
-/// Is there such a program on PATH?
+/// Is the program on PATH?
 bool is_installed(const std::string& program);
 
 void sleep_for(double seconds);
-/// Seconds of a clock that only goes forward.
+/// Seconds of a monotonic clock.
 double now();
 
 } // namespace glint::test

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double patience = 10;
 
-/// A window that is never shown, for messages.
+/// An invisible window for messages.
 class Party {
   public:
     explicit Party(const std::string& display) : display_(XOpenDisplay(display.c_str())) {
@@ -31,7 +31,7 @@ class Party {
     Window root() const { return DefaultRootWindow(display_); }
     Atom atom(const char* name) const { return XInternAtom(display_, name, 0); }
 
-    /// The next message that `wanted` takes.
+    /// The next message that `wanted` accepts.
     template <class Wanted>
     std::optional<XEvent> wait(const Wanted& wanted) const {
         for (const double end = now() + patience; now() < end; sleep_for(0.005))
@@ -64,7 +64,7 @@ class Party {
     Window window_ = 0;
 };
 
-/// The window on the screen that takes what is dropped.
+/// The window that accepts drops.
 Window taker(const Party& party) {
     Window root = 0;
     Window parent = 0;
@@ -90,7 +90,7 @@ void say(const Party& party, Window to, const char* what, const std::array<long,
     XFlush(party.display());
 }
 
-/// Answers who asks for the selection.
+/// Answers requests for the selection.
 void hand_over(const Party& party, const XSelectionRequestEvent& request, const std::string& text) {
     XChangeProperty(party.display(), request.requestor, request.property, request.target, 8, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
@@ -120,8 +120,9 @@ bool drop_file(const std::string& display, const std::string& path) {
     XSetSelectionOwner(party.display(), party.atom("XdndSelection"), party.window(), CurrentTime);
     constexpr long version = 5L << 24;
     say(party, to, "XdndEnter", {version, static_cast<long>(party.atom("text/uri-list")), 0, 0});
-    constexpr long place = 100L << 16 | 100;
-    say(party, to, "XdndPosition", {0, place, CurrentTime, static_cast<long>(party.atom("XdndActionCopy"))});
+    constexpr long position = 100L << 16 | 100;
+    say(party, to, "XdndPosition",
+        {0, position, CurrentTime, static_cast<long>(party.atom("XdndActionCopy"))});
     if (!party.wait(is("XdndStatus"))) return false;
     say(party, to, "XdndDrop", {0, CurrentTime, 0, 0});
     const auto asked = party.wait([](const XEvent& event) { return event.type == SelectionRequest; });

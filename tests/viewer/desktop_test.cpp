@@ -1,4 +1,4 @@
-// What passes between the window and other programs: files dropped on it, text copied from it.
+// Drag and drop of files, and the clipboard.
 
 #include "desktop.h"
 #include "driver.h"

@@ -41,15 +41,15 @@ void Screen::TearDown() {
 }
 
 std::vector<std::string> Screen::display_setting() const {
-    // Mesa's own leaks are no findings.
+    // Mesa leaks.
     return {"DISPLAY=" + display_, "LIBGL_ALWAYS_SOFTWARE=1", "ASAN_OPTIONS=detect_leaks=0"};
 }
 
 void Screen::open(const std::string& file, const std::vector<std::string>& options) {
-    std::vector<std::string> words{GLINT_VIEW_PROGRAM, "--ui-map", path("map")};
-    words.insert(words.end(), options.begin(), options.end());
-    if (!file.empty()) words.push_back(path(file));
-    viewer_ = std::make_unique<Child>(words, display_setting(), path("log"));
+    std::vector<std::string> arguments{GLINT_VIEW_PROGRAM, "--ui-map", path("map")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    if (!file.empty()) arguments.push_back(path(file));
+    viewer_ = std::make_unique<Child>(arguments, display_setting(), path("log"));
     ASSERT_TRUE(wait_until([&] { return exists("map") || viewer_->ended(); }));
     ASSERT_FALSE(viewer_->ended()) << log();
 }
@@ -79,15 +79,15 @@ nlohmann::json Screen::state(const std::string& name) const {
 
 bool Screen::has(const std::string& widget) const { return map()["widgets"].contains(widget); }
 
-Spot Screen::spot(const std::string& widget, double across, double down) const {
+Spot Screen::spot(const std::string& widget, double u, double v) const {
     const nlohmann::json all = map();
     if (!all["widgets"].contains(widget)) {
         ADD_FAILURE() << "no widget " << widget << " in " << all.dump(1);
         return {};
     }
     const nlohmann::json& area = all["widgets"][widget];
-    return {area[0].get<double>() + across * area[2].get<double>(),
-            area[1].get<double>() + down * area[3].get<double>()};
+    return {area[0].get<double>() + u * area[2].get<double>(),
+            area[1].get<double>() + v * area[3].get<double>()};
 }
 
 bool Screen::wait_until(const std::function<bool()>& holds) const {
@@ -105,7 +105,7 @@ bool Screen::wait_for_widget(const std::string& widget) const {
 }
 
 std::string Screen::finished_picture() const {
-    // Input takes a moment to arrive: finished counts when it lasts.
+    // Input takes a moment to arrive: the picture must stay finished.
     std::string last;
     int equal = 0;
     EXPECT_TRUE(wait_until([&] {
@@ -121,11 +121,11 @@ std::string Screen::finished_picture() const {
 }
 
 void Screen::xdotool(const std::string& line) const {
-    std::vector<std::string> words = words_of(line);
-    words.insert(words.begin(), "/usr/bin/xdotool");
+    std::vector<std::string> arguments = words_of(line);
+    arguments.insert(arguments.begin(), "/usr/bin/xdotool");
     Setting setting;
     setting.environment = display_setting();
-    const Outcome outcome = run_program(words, setting);
+    const Outcome outcome = run_program(arguments, setting);
     ASSERT_EQ(outcome.exit, 0) << line << ": " << outcome.err;
 }
 
@@ -138,7 +138,7 @@ std::string at(const Spot& spot) {
 void Screen::click(const std::string& widget) const { click(spot(widget)); }
 
 void Screen::click(const Spot& where, const std::string& button) const {
-    // A moment between: what the mouse rests on is found once a frame.
+    // The window finds the widget under the mouse once a frame.
     xdotool("mousemove " + at(where) + " sleep 0.1 mousedown " + button + " sleep 0.08 mouseup " + button +
             " sleep 0.05");
 }

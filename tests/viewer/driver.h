@@ -1,6 +1,6 @@
 #pragma once
-// glint-view on a screen of its own, moved by mouse and keys. Where widgets are and what is shown is read
-// from the file that --ui-map keeps.
+// Drives glint-view on an X server of its own by mouse and keys. Positions of widgets and the state of the
+// window come from the file of --ui-map.
 
 #include "child.h"
 
@@ -16,12 +16,13 @@
 
 namespace glint::test {
 
+/// A position on the screen.
 struct Spot {
     double x = 0;
     double y = 0;
 };
 
-/// Starts Xvfb for every test; skips where it, xdotool or OpenGL is missing.
+/// Starts Xvfb for every test; skips without Xvfb, xdotool or OpenGL.
 class Screen : public testing::Test {
   protected:
     void SetUp() override;
@@ -34,18 +35,18 @@ class Screen : public testing::Test {
     bool exists(const std::string& name) const;
     std::string path(const std::string& name) const;
 
-    /// The map as it is now.
+    /// The current map.
     nlohmann::json map() const;
     nlohmann::json state(const std::string& name) const;
     bool has(const std::string& widget) const;
-    /// The middle of a widget, or a place in it by shares of its width and height.
-    Spot spot(const std::string& widget, double across = 0.5, double down = 0.5) const;
+    /// A position in a widget, by fractions of its width and height.
+    Spot spot(const std::string& widget, double u = 0.5, double v = 0.5) const;
 
-    /// Waits until it holds; false after half a minute.
+    /// Waits until the condition holds; false after 30 seconds.
     bool wait_until(const std::function<bool()>& holds) const;
     bool wait_for_state(const std::string& name, const nlohmann::json& value) const;
     bool wait_for_widget(const std::string& widget) const;
-    /// Waits until the picture is finished, and returns its hash.
+    /// Waits for the finished picture and returns its hash.
     std::string finished_picture() const;
 
     void click(const std::string& widget) const;
@@ -54,12 +55,12 @@ class Screen : public testing::Test {
               const std::string& button = "1") const;
     void press(const std::string& key) const;
     void wheel(const Spot& at, int notches) const;
-    /// The pixels of the whole window, by its own F12.
+    /// The window's content, saved with F12.
     Image screenshot();
-    /// How many values of a picture are not what the window shows there, among every seventh pixel.
+    /// Number of values, in every seventh pixel of a picture, that the window shows differently.
     int wrong_on_screen(const Image& file);
 
-    /// Asks the window to close by its key and returns the seconds until the program ended; −1: it did not.
+    /// Closes the window by its key; returns the seconds until the program ended, −1 if it did not.
     double seconds_to_close();
 
     Child& viewer() { return *viewer_; }

@@ -1,4 +1,4 @@
-// What the Scene panel can change, and what then stands in the file.
+// Edits in the Scene panel and the resulting scene files.
 
 #include "driver.h"
 
@@ -73,7 +73,7 @@ class Editing : public Screen {
         picture_ = now;
     }
 
-    /// Saves, and returns the lines that are not as they were, with those that are gone after a "-".
+    /// Saves, and returns the changed lines, removed ones with a "-".
     std::vector<std::string> saved_lines() {
         press("ctrl+s");
         EXPECT_TRUE(wait_for_state("changed", false)) << log();

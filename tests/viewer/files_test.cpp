@@ -1,4 +1,4 @@
-// Files on their way into the window.
+// Opening files in the window.
 
 #include "driver.h"
 
@@ -25,7 +25,7 @@ color = [0.5, 0.5, 0.5]
 
 class Files : public Screen {
   protected:
-    /// A hilly grid of so many squares, two triangles each, as binary PLY.
+    /// A hilly grid of squares, two triangles each, as binary PLY.
     void write_grid(const std::string& name, unsigned across, unsigned down) const {
         Mesh mesh;
         for (unsigned y = 0; y <= down; ++y)

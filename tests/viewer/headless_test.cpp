@@ -1,5 +1,4 @@
-// What holds where there is no screen: the command line needs no window system, and says what a window would
-// need.
+// Without a display: the command line needs no window system, and says what the window needs.
 
 #include "../cli/process.h"
 
@@ -15,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// libepoxy may be there: it asks for OpenGL only when a graphics card is used.
+/// libepoxy is allowed: it loads OpenGL only when the GPU is used.
 TEST(Headless, TheCommandLineLinksNoWindowSystem) {
     const Outcome outcome = run_program({"/usr/bin/ldd", GLINT_PROGRAM}, {});
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
@@ -30,7 +29,7 @@ TEST(Headless, WithoutTheWindowInstalledOneIsTold) {
     fs::copy_file(GLINT_PROGRAM, folder / "glint");
     Setting setting;
     setting.folder = folder.string();
-    // An environment's first PATH counts.
+    // The first PATH of an environment counts.
     setting.environment = {"PATH=" + folder.string()};
     const Outcome outcome = run_program({(folder / "glint").string(), "view", "scene.toml"}, setting);
     fs::remove_all(folder);

@@ -48,13 +48,13 @@ class PixelInTheWindow : public Screen {
     void open_scene(const std::string& text, const std::vector<std::string>& options = {},
                     const std::string& name = "scene.toml") {
         write(name, text);
-        std::vector<std::string> words{"--window", "1100x700", "--size", "400x300"};
-        words.insert(words.end(), options.begin(), options.end());
-        open(name, words);
+        std::vector<std::string> arguments{"--window", "1100x700", "--size", "400x300"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        open(name, arguments);
         finished_picture();
     }
 
-    /// Its colour, once nothing is left to be explained.
+    /// Its colour, once the explanation is complete.
     std::string color() const {
         finished_picture();
         std::string text;
@@ -76,7 +76,7 @@ class PixelInTheWindow : public Screen {
         ASSERT_TRUE(wait_for_state("tab", "pixel"));
     }
 
-    /// Runs the command that can be copied, as a shell does.
+    /// Runs the command of *Copy command* in a shell.
     void expect_the_command_prints(const std::string& wanted) const {
         const std::string line = state("pixel.command");
         const std::string folder = std::filesystem::path(GLINT_PROGRAM).parent_path().string();

@@ -1,4 +1,4 @@
-// Where the window draws places of the scene, against the rays that the renderer sends.
+// The window's projection against the rays that the renderer sends.
 
 #include "../../apps/viewer/projection.h"
 
@@ -56,7 +56,7 @@ TEST(Projection, CutsALineWhereItPassesTheEyeWithoutBendingIt) {
     CameraDescription camera;
     camera.direction = {0, 1, 0};
     const Projection projection(camera, 100, 100);
-    // From behind to before the eye, one below it: seen, it runs straight down from its far end.
+    // From behind to before the eye, one unit below it: it appears vertical.
     const auto line = projection.line({0, -5, -1}, {0, 5, -1});
     ASSERT_TRUE(line);
     EXPECT_NEAR(line->first.x, 50, 1e-9);

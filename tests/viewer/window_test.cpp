@@ -1,4 +1,4 @@
-// What people do with the window, done by a script.
+// What a user does with the window, by script.
 
 #include "../cli/process.h"
 #include "driver.h"
@@ -59,9 +59,9 @@ class Window : public Screen {
     }
 
     void open_scene(const std::vector<std::string>& options = {}) {
-        std::vector<std::string> words{"--window", "1100x700", "--size", "400x300"};
-        words.insert(words.end(), options.begin(), options.end());
-        open("scene.toml", words);
+        std::vector<std::string> arguments{"--window", "1100x700", "--size", "400x300"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        open("scene.toml", arguments);
     }
 
     void turn_to(const std::string& tab) {
@@ -85,7 +85,7 @@ class Window : public Screen {
     }
 };
 
-/// The share of pixels within an area of a screenshot that are not as in another.
+/// The fraction of pixels in an area that differ between two screenshots.
 double changed_share(const Image& a, const Image& b, const nlohmann::json& area) {
     int changed = 0;
     int all = 0;
@@ -106,7 +106,7 @@ TEST_F(Window, ShowsThePictureThatTheCommandLineRenders) {
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
     EXPECT_EQ(picture_hash(read_picture(ours).image), picture_hash(read_picture(path("theirs.png")).image));
 
-    // And what stands on the screen is that picture.
+    // And the screen shows that picture.
     EXPECT_EQ(wrong_on_screen(read_picture(ours).image), 0);
     EXPECT_GE(seconds_to_close(), 0);
 }
@@ -175,7 +175,7 @@ TEST_F(Window, SavingTheSceneChangesOnlyWhatWasEdited) {
     ASSERT_TRUE(wait_for_state("changed", false)) << log();
     const std::string text = content("scene.toml");
     ASSERT_NE(text, two_balls);
-    // Line by line the same but for the value.
+    // All lines are the same but for the value.
     std::istringstream now_lines(text);
     std::istringstream then_lines(two_balls);
     std::string now_line;
@@ -214,7 +214,7 @@ TEST_F(Window, AClickShowsTheRayTreeOfThePixel) {
     open_scene();
     finished_picture();
     const Image before = screenshot();
-    // The mirror ball, where it reflects the floor: a reflected ray and two ways to the lamp.
+    // The mirror ball, where it reflects the floor: a reflected ray and two shadow rays.
     click(spot("picture", 0.36, 0.5));
     ASSERT_TRUE(wait_for_widget("ray:0")) << log();
     EXPECT_EQ(state("tab"), "pixel");
