@@ -1,3 +1,4 @@
+// Values of options as numbers.
 #include "arguments.h"
 
 #include "glint/error.h"
@@ -11,7 +12,7 @@
 namespace glint::cli {
 namespace {
 
-/// The whole of `text` as a number, or none.
+/// None unless all of `text` is a number.
 template <typename Number>
 std::optional<Number> parse_number(const std::string& text) {
     Number number{};
@@ -26,8 +27,8 @@ std::optional<Number> parse_number(const std::string& text) {
     throw Error(ErrorKind::usage, fmt::format("{} \"{}\" is not valid", name, given), "expected " + expected);
 }
 
-std::string range(std::int64_t least, std::int64_t most) {
-    return most == INT64_MAX ? fmt::format("at least {}", least) : fmt::format("from {} to {}", least, most);
+std::string range(std::int64_t min, std::int64_t max) {
+    return max == INT64_MAX ? fmt::format("at least {}", min) : fmt::format("from {} to {}", min, max);
 }
 
 } // namespace
@@ -49,13 +50,12 @@ std::vector<std::string> Arguments::all(const std::string& key) const {
     return found == values_.end() ? std::vector<std::string>() : found->second;
 }
 
-std::optional<std::int64_t> Arguments::integer(const std::string& key, std::int64_t least,
-                                               std::int64_t most) const {
+std::optional<std::int64_t> Arguments::integer(const std::string& key, std::int64_t min,
+                                               std::int64_t max) const {
     const auto given = text(key);
     if (!given) return std::nullopt;
     const auto value = parse_number<std::int64_t>(*given);
-    if (!value || *value < least || *value > most)
-        refuse(key, *given, "a whole number " + range(least, most));
+    if (!value || *value < min || *value > max) refuse(key, *given, "a whole number " + range(min, max));
     return value;
 }
 
@@ -68,17 +68,17 @@ std::optional<double> Arguments::number(const std::string& key) const {
 }
 
 std::optional<std::vector<std::int64_t>> Arguments::integers(const std::string& key, std::size_t count,
-                                                             char separator, std::int64_t least,
-                                                             std::int64_t most, const char* example) const {
+                                                             char separator, std::int64_t min,
+                                                             std::int64_t max, const char* example) const {
     const auto given = text(key);
     if (!given) return std::nullopt;
-    const std::string expected = fmt::format("{}, each number {}", example, range(least, most));
+    const std::string expected = fmt::format("{}, each number {}", example, range(min, max));
     const std::vector<std::string> parts = split(*given, separator);
     if (parts.size() != count) refuse(key, *given, expected);
     std::vector<std::int64_t> numbers;
     for (const std::string& part : parts) {
         const auto value = parse_number<std::int64_t>(part);
-        if (!value || *value < least || *value > most) refuse(key, *given, expected);
+        if (!value || *value < min || *value > max) refuse(key, *given, expected);
         numbers.push_back(*value);
     }
     return numbers;

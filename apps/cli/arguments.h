@@ -1,6 +1,6 @@
 #pragma once
-// A command line taken apart by the table of options. Every fault is an Error(usage) that names the option,
-// what was expected and what was given.
+// A command line parsed by the table of options. Invalid ones throw Error(usage) with the option, what was
+// expected and what was given.
 
 #include "options.h"
 
@@ -20,20 +20,19 @@ class Arguments {
     const Command& command() const { return *command_; }
     const std::vector<std::string>& operands() const { return operands_; }
 
-    /// Was the option of that key given?
+    /// Was the option with this key given?
     bool has(const std::string& key) const;
-    /// Its value; of several the last one.
+    /// Its value, the last one if there are several.
     std::optional<std::string> text(const std::string& key) const;
     /// All its values, in order.
     std::vector<std::string> all(const std::string& key) const;
-    /// A whole number within [least, most].
-    std::optional<std::int64_t> integer(const std::string& key, std::int64_t least, std::int64_t most) const;
-    /// A number, "inf" included, not below 0.
+    /// A whole number in [min, max].
+    std::optional<std::int64_t> integer(const std::string& key, std::int64_t min, std::int64_t max) const;
+    /// A number ≥ 0; may be "inf".
     std::optional<double> number(const std::string& key) const;
-    /// `count` whole numbers within [least, most], parted by `separator`. `example` shows the
-    /// form.
+    /// `count` whole numbers in [min, max], separated by `separator`. `example` shows the format.
     std::optional<std::vector<std::int64_t>> integers(const std::string& key, std::size_t count,
-                                                      char separator, std::int64_t least, std::int64_t most,
+                                                      char separator, std::int64_t min, std::int64_t max,
                                                       const char* example) const;
 
   private:
@@ -42,8 +41,8 @@ class Arguments {
     std::vector<std::string> operands_;
 };
 
-/// Takes apart what follows the command's name. Unknown options get a "did you mean". The number of operands
-/// is checked unless --help is given.
-Arguments parse_arguments(const Command& command, const std::vector<std::string>& words);
+/// Parses the arguments after the command's name. Unknown options get a "did you mean". The number of
+/// operands is checked unless --help is given.
+Arguments parse_arguments(const Command& command, const std::vector<std::string>& arguments);
 
 } // namespace glint::cli

@@ -1,3 +1,4 @@
+// Selects the device, and lists devices.
 #include "backend.h"
 
 #include "text.h"
@@ -9,7 +10,7 @@
 namespace glint::cli {
 namespace {
 
-/// Why no graphics card can be used, or nothing.
+/// Why no graphics card can be used; empty if one can.
 std::string why_no_card() {
     std::string why;
     for (const GpuDevice& device : gpu_devices(&why)) {
@@ -36,25 +37,25 @@ RenderedPicture Backend::render(const Scene& scene, const RenderOptions& options
 
 std::optional<RenderedPicture> Backend::render_on_card(const Scene& scene, const RenderOptions& options) {
     if (wanted_ == "cpu") return std::nullopt;
-    if (wanted_ == "gpu") return on_gpu(scene, options);
+    if (wanted_ == "gpu") return render_on_gpu(scene, options);
     std::string why = gpu_ ? "" : why_no_card();
     if (why.empty()) {
         try {
-            return on_gpu(scene, options);
+            return render_on_gpu(scene, options);
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::device) throw;
-            gpu_.reset(); // it may be lost
+            gpu_.reset(); // the device may be lost
             why = error.diagnostics().front().message;
         }
     }
-    // Frames of one animation have one reason.
-    if (why != told_) tell(why);
-    told_ = why;
+    // Once for all frames of an animation.
+    if (why != reported_) report_fallback(why);
+    reported_ = why;
     return std::nullopt;
 }
 
-/// In one line, but for a driver's log, which -v shows.
-void Backend::tell(const std::string& why) {
+/// One line; -v adds the driver's log, if there is one.
+void Backend::report_fallback(const std::string& why) {
     const std::size_t end = why.find(":\n");
     const std::string line = "on the CPU: " + why.substr(0, end);
     if (end == std::string::npos) return console_.line(line);
@@ -62,7 +63,7 @@ void Backend::tell(const std::string& why) {
     console_.line(line + why.substr(end, why.find_last_not_of('\n') + 1 - end));
 }
 
-RenderedPicture Backend::on_gpu(const Scene& scene, const RenderOptions& options) {
+RenderedPicture Backend::render_on_gpu(const Scene& scene, const RenderOptions& options) {
     if (!gpu_) gpu_.emplace();
     gpu_->prepare(scene);
     return {gpu_->render(options), gpu_->device().name};

@@ -1,5 +1,5 @@
 #pragma once
-// Where a picture is rendered: on the CPU or on a graphics card.
+// Renders on the CPU or on a graphics card, as --backend asks.
 
 #include "arguments.h"
 #include "console.h"
@@ -11,33 +11,32 @@
 
 namespace glint::cli {
 
-/// A picture and, where it came from a graphics card, the name of that.
+/// A picture and the device that rendered it.
 struct RenderedPicture {
     Picture picture;
     std::string device; ///< empty: the CPU
 };
 
-/// What --backend asks for, kept from picture to picture: the card's programs, and what it holds of a scene.
+/// Keeps the graphics card's programs and buffers from picture to picture.
 class Backend {
   public:
     Backend(const Arguments& arguments, Console& console);
 
-    /// Renders where --backend says. `auto` takes a graphics card where there is one, and says in one line
-    /// why it takes the CPU instead; with -v all of what a driver says. Throws Error(device) where --backend
-    /// gpu cannot be had.
+    /// `auto` uses a graphics card if there is one; else it reports in a line why the CPU renders, with -v
+    /// including the driver's log. Throws Error(device) if --backend gpu is impossible.
     RenderedPicture render(const Scene& scene, const RenderOptions& options);
 
-    /// The same, but nothing where the CPU would render.
+    /// The same, but none if the CPU would render.
     std::optional<RenderedPicture> render_on_card(const Scene& scene, const RenderOptions& options);
 
   private:
-    void tell(const std::string& why);
-    RenderedPicture on_gpu(const Scene& scene, const RenderOptions& options);
+    void report_fallback(const std::string& why);
+    RenderedPicture render_on_gpu(const Scene& scene, const RenderOptions& options);
 
     std::string wanted_; ///< cpu, gpu or auto
     Console& console_;
     std::optional<GpuRenderer> gpu_;
-    std::string told_; ///< why the CPU renders, as it was said last
+    std::string reported_; ///< the last reason reported
 };
 
 /// The devices as text for `glint info --devices`.

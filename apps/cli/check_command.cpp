@@ -1,3 +1,4 @@
+// glint check: validates scenes.
 #include "commands.h"
 #include "frames.h"
 #include "scene_input.h"
@@ -19,7 +20,7 @@ std::string verdict(const std::string& file, const SceneDescription& description
     return fmt::format("{}: ok ({})\n", file, counts);
 }
 
-/// Prints all that is wrong with one file. Is it good?
+/// Prints all errors of a file; true if there are none.
 bool check_file(const std::string& file, const LoadOptions& options, const FrameRange& frames,
                 Console& console) {
     try {
@@ -28,13 +29,13 @@ bool check_file(const std::string& file, const LoadOptions& options, const Frame
         if (!loaded.animation.keys.empty())
             for (const int frame : frames.of(loaded.animation)) scene_at(loaded, frame);
         const Scene scene = freeze(loaded.description);
-        const std::vector<Diagnostic> of_meaning = warnings(scene);
-        console.warnings(of_meaning);
-        const std::size_t warning_count = loaded.warnings.size() + of_meaning.size();
+        const std::vector<Diagnostic> scene_warnings = warnings(scene);
+        console.warnings(scene_warnings);
+        const std::size_t warning_count = loaded.warnings.size() + scene_warnings.size();
         if (!console.quiet()) print_data(verdict(file, loaded.description, scene.stats(), warning_count));
         return true;
     } catch (const Error& error) {
-        // Only the file's own faults leave the other files to be checked.
+        // Errors of a file do not stop the check of others.
         if (error.kind() != ErrorKind::input) throw;
         for (const Diagnostic& diagnostic : error.diagnostics()) console.error(diagnostic);
         return false;

@@ -1,13 +1,12 @@
 #pragma once
-// The commands. Each takes a checked command line, does its work and returns the exit code; failures are
-// thrown as Error and printed by run().
+// The commands. Each takes a checked command line and returns the exit code; run() prints thrown Errors.
 
 #include "arguments.h"
 #include "console.h"
 
 namespace glint::cli {
 
-/// Exit codes beside 128 + signal.
+/// Exit codes; a run stopped by a signal returns 128 + its number.
 namespace exit_code {
 inline constexpr int done = 0;
 inline constexpr int differ = 1;   ///< pictures differ

@@ -1,3 +1,4 @@
+// Verbosity, colours and the status line.
 #include "console.h"
 
 #include <fmt/format.h>
@@ -41,9 +42,9 @@ bool wants_color(const std::string& when) { return wants_color_on(STDERR_FILENO,
 bool wants_color_on_stdout(const std::string& when) { return wants_color_on(STDOUT_FILENO, when); }
 
 void Console::error(const Diagnostic& diagnostic) {
-    // A message about no file is the program's own, and says so.
+    // Messages that are not about a file name the program.
     const std::string text = (diagnostic.location.file.empty() ? "glint: " : "") + to_string(diagnostic);
-    write(painted(text, "error:", red));
+    write(colored(text, "error:", red));
 }
 
 void Console::error(const std::string& message, const std::string& hint) {
@@ -53,7 +54,7 @@ void Console::error(const std::string& message, const std::string& hint) {
 void Console::always(const std::string& line) { write(line); }
 
 void Console::warning(const Diagnostic& diagnostic) {
-    if (!quiet()) write(painted(to_string(diagnostic), "warning:", magenta));
+    if (!quiet()) write(colored(to_string(diagnostic), "warning:", magenta));
 }
 
 void Console::warnings(const std::vector<Diagnostic>& diagnostics) {
@@ -61,7 +62,7 @@ void Console::warnings(const std::vector<Diagnostic>& diagnostics) {
 }
 
 void Console::note(const std::string& text) {
-    if (!quiet()) write(painted("note: " + text, "note:", cyan));
+    if (!quiet()) write(colored("note: " + text, "note:", cyan));
 }
 
 void Console::line(const std::string& text) {
@@ -86,7 +87,7 @@ void Console::write(const std::string& text) {
     status_shown_ = false;
 }
 
-std::string Console::painted(const std::string& text, const std::string& word, const char* color) const {
+std::string Console::colored(const std::string& text, const std::string& word, const char* color) const {
     const std::size_t at = text.find(word);
     if (!color_ || at == std::string::npos) return text;
     return text.substr(0, at) + color + word + plain + text.substr(at + word.size());

@@ -1,5 +1,5 @@
 #pragma once
-// How the program talks. stdout is for data; all else goes to stderr, through here.
+// Messages to stderr. stdout is for data only.
 
 #include "glint/error.h"
 
@@ -11,14 +11,14 @@ namespace glint::cli {
 
 enum class Verbosity { quiet, normal, verbose };
 
-/// Is stderr a terminal that understands colours and cursor movements (TERM is set and not "dumb")?
+/// Is stderr a terminal with colours and cursor movement (TERM is set and not "dumb")?
 bool stderr_is_terminal();
-/// Should messages be coloured? `when` is "auto", "always" or "never"; auto heeds NO_COLOR.
+/// Are messages coloured? `when` is "auto", "always" or "never"; auto respects NO_COLOR.
 bool wants_color(const std::string& when);
 /// The same for data on stdout.
 bool wants_color_on_stdout(const std::string& when);
 
-/// Messages to stderr, each whole, from any thread.
+/// Thread-safe: messages are not mixed.
 class Console {
   public:
     Console(Verbosity verbosity, bool color) : verbosity_(verbosity), color_(color) {}
@@ -26,24 +26,24 @@ class Console {
     bool quiet() const { return verbosity_ == Verbosity::quiet; }
     bool verbose() const { return verbosity_ == Verbosity::verbose; }
 
-    /// Shown whatever the verbosity.
+    /// Shown at any verbosity.
     void error(const Diagnostic& diagnostic);
     void error(const std::string& message, const std::string& hint = {});
     void always(const std::string& line);
     /// Hidden by -q.
     void warning(const Diagnostic& diagnostic);
     void warnings(const std::vector<Diagnostic>& diagnostics);
-    /// "note: …": a choice made for the user, one line.
+    /// "note: …", about a choice made for the user.
     void note(const std::string& text);
     void line(const std::string& text);
     /// Shown with -v only.
     void detail(const std::string& text);
-    /// A line that the next message or status replaces; on terminals only. Empty: erases it.
+    /// A line that the next message or status replaces, on terminals only; empty erases it.
     void status(const std::string& text);
 
   private:
     void write(const std::string& text);
-    std::string painted(const std::string& text, const std::string& word, const char* color) const;
+    std::string colored(const std::string& text, const std::string& word, const char* color) const;
 
     Verbosity verbosity_;
     bool color_;
@@ -51,7 +51,7 @@ class Console {
     std::mutex mutex_;
 };
 
-/// Writes data to stdout, at once and whole; throws Error(output).
+/// Writes all data to stdout and flushes it. Throws Error(output).
 void print_data(const std::string& text);
 
 } // namespace glint::cli

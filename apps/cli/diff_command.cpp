@@ -1,3 +1,4 @@
+// glint diff: compares two pictures.
 #include "commands.h"
 #include "outputs.h"
 
@@ -11,14 +12,14 @@
 namespace glint::cli {
 namespace {
 
-/// How far two pictures are apart, in every measure.
+/// The difference of two pictures in all metrics.
 struct Measures {
-    Comparison comparison; ///< its share: of pixels beyond 1/255
-    double unequal = 0;    ///< share of pixels that differ at all
+    Comparison comparison; ///< its share: of pixels that differ by more than 1/255
+    double unequal = 0;    ///< fraction of pixels that differ at all
     bool eight_bit = false;
 };
 
-void require_one_size(const Image& a, const Image& b) {
+void require_same_size(const Image& a, const Image& b) {
     if (a.width == b.width && a.height == b.height) return;
     throw Error(ErrorKind::input, fmt::format("the pictures have different sizes: {}×{} and {}×{}", a.width,
                                               a.height, b.width, b.height));
@@ -30,7 +31,7 @@ Measures measure(const LoadedPicture& a, const LoadedPicture& b) {
     return {diff_pictures(a, b, one_step).comparison, any.comparison.share, any.eight_bit};
 }
 
-/// Is the metric within the tolerance? All but psnr grow with the difference.
+/// Is the metric within the tolerance? PSNR alone falls with the difference.
 bool within(const Comparison& found, const std::string& metric, double tolerance) {
     if (metric == "psnr") return found.psnr >= tolerance;
     const double value = metric == "mae"     ? found.mae
@@ -53,8 +54,8 @@ std::string table(const Measures& measures) {
                        found.share);
 }
 
-/// Values as parts of white, so that pictures of 8 and of 16 bits can be laid over each other.
-Image in_parts_of_white(const LoadedPicture& picture) {
+/// Scaled to 1 for white, so that pictures of 8 and 16 bits can be compared.
+Image relative_to_white(const LoadedPicture& picture) {
     Image image = picture.image;
     if (picture.bits == 32) return image;
     const float white = picture.bits == 16 ? 65535.0f : 255.0f;
@@ -64,12 +65,12 @@ Image in_parts_of_white(const LoadedPicture& picture) {
 
 void write_heat(const std::string& path, const LoadedPicture& a, const LoadedPicture& b,
                 const Measures& measures) {
-    const double largest = measures.comparison.max / (measures.eight_bit ? 255 : 1);
-    // Equal pictures need some scale, and so do those with an infinite difference.
-    const double full_scale = largest > 0 && std::isfinite(largest) ? largest : 1;
+    const double max_difference = measures.comparison.max / (measures.eight_bit ? 255 : 1);
+    // Equal pictures, and infinite differences, need a finite scale above 0.
+    const double full_scale = max_difference > 0 && std::isfinite(max_difference) ? max_difference : 1;
     PictureOptions options;
     options.view = View::raw;
-    write_picture(path, difference_heat(in_parts_of_white(a), in_parts_of_white(b), full_scale), options);
+    write_picture(path, difference_heat(relative_to_white(a), relative_to_white(b), full_scale), options);
 }
 
 } // namespace
@@ -85,10 +86,10 @@ int diff_command(const Arguments& arguments, Console& console) {
     }
     const LoadedPicture a = read_picture(arguments.operands()[0]);
     const LoadedPicture b = read_picture(arguments.operands()[1]);
-    require_one_size(a.image, b.image);
+    require_same_size(a.image, b.image);
     const Measures measures = measure(a, b);
     if (heat) write_heat(*heat, a, b, measures);
-    // The table makes way where the picture takes stdout.
+    // stdout is for the picture if that is written there.
     if (!console.quiet() && heat != "-") print_data(table(measures));
     return within(measures.comparison, metric, tolerance) ? exit_code::done : exit_code::differ;
 }

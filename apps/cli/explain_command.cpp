@@ -1,3 +1,4 @@
+// glint explain: why a pixel has its colour.
 #include "backend.h"
 #include "commands.h"
 #include "frames.h"
@@ -23,9 +24,9 @@ namespace {
 
 constexpr const char* pixel_example = "X,Y such as 320,240";
 
-/// What the page of --format html is made of: the whole picture, and places to ask.
-std::string page_of(const Scene& scene, const Arguments& arguments, const std::string& title,
-                    Backend& backend, Console& console) {
+/// --format html: the whole picture, and explanations of a grid of pixels.
+std::string page_text(const Scene& scene, const Arguments& arguments, const std::string& title,
+                      Backend& backend, Console& console) {
     ExplanationPage page;
     page.scene = title;
     if (const auto grid = arguments.integers("grid", 2, 'x', 1, 4096, "WxH such as 160x90")) {
@@ -42,13 +43,13 @@ std::string page_of(const Scene& scene, const Arguments& arguments, const std::s
         page.gpu = card->device;
         page.gpu_image = std::move(card->picture.image);
     }
-    // Lighter rays would not fit into the page anyway.
-    constexpr float least_weight = 1.0f / 4096;
+    // The page has no room for rays of less weight.
+    constexpr float min_weight = 1.0f / 4096;
     ProgressMeter meter(console, progress_style("auto"), "explanations");
     const auto begin = std::chrono::steady_clock::now();
     Progress progress;
     page.explain = [&](std::span<const PixelPlace> row) {
-        auto explained = explain_pixels(scene, row, {1, least_weight}, options.threads);
+        auto explained = explain_pixels(scene, row, {1, min_weight}, options.threads);
         ++progress.tiles_done;
         progress.tiles = static_cast<std::uint64_t>(std::min(page.rows, page.image.height));
         progress.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -60,7 +61,7 @@ std::string page_of(const Scene& scene, const Arguments& arguments, const std::s
     return text;
 }
 
-/// The pixel as the card that --backend asks for renders it.
+/// The pixel as the graphics card renders it, if --backend selects one.
 std::optional<OtherPixel> pixel_on_card(const Scene& scene, int x, int y, Backend& backend) {
     RenderOptions options;
     options.crop = Rect{x, y, 1, 1};
@@ -70,8 +71,8 @@ std::optional<OtherPixel> pixel_on_card(const Scene& scene, int x, int y, Backen
     return OtherPixel{card->device, {color[0], color[1], color[2]}};
 }
 
-std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::string& title, bool color,
-                     Backend& backend) {
+std::string pixel_text(const Scene& scene, const Arguments& arguments, const std::string& title, bool color,
+                       Backend& backend) {
     const auto pixel = *arguments.integers("pixel", 2, ',', 0, picture_side_limit, pixel_example);
     const auto x = static_cast<int>(pixel[0]);
     const auto y = static_cast<int>(pixel[1]);
@@ -84,8 +85,8 @@ std::string pixel_of(const Scene& scene, const Arguments& arguments, const std::
     return explanation_text(explanation, color);
 }
 
-/// Pages show every place, all else one pixel.
-void require_place(const Arguments& arguments) {
+/// --format html shows the whole picture, all other formats need a pixel.
+void check_pixel_options(const Arguments& arguments) {
     const bool page = arguments.text("format") == "html";
     const auto pixel = arguments.integers("pixel", 2, ',', 0, picture_side_limit, pixel_example);
     if (!page && !pixel)
@@ -101,7 +102,7 @@ void require_place(const Arguments& arguments) {
 int explain_command(const Arguments& arguments, Console& console) {
     const std::string& file = arguments.operands().front();
     const std::string output = arguments.text("output").value_or("-");
-    require_place(arguments);
+    check_pixel_options(arguments);
     require_mesh_for_up(arguments, file);
     require_writable(output);
 
@@ -117,8 +118,8 @@ int explain_command(const Arguments& arguments, Console& console) {
     const bool color = output == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
     const bool page = arguments.text("format") == "html";
     Backend backend(arguments, console);
-    write_text(output, page ? page_of(scene, arguments, title, backend, console)
-                            : pixel_of(scene, arguments, title, color, backend));
+    write_text(output, page ? page_text(scene, arguments, title, backend, console)
+                            : pixel_text(scene, arguments, title, color, backend));
     return exit_code::done;
 }
 

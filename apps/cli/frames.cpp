@@ -1,3 +1,4 @@
+// Parses ranges of frames and patterns of file names.
 #include "frames.h"
 
 #include "glint/error.h"
@@ -9,17 +10,17 @@
 namespace glint::cli {
 namespace {
 
-constexpr int furthest_frame = 1'000'000;
+constexpr int max_frame_number = 1'000'000;
 
 std::optional<int> whole_number(std::string_view text) {
     int number = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool whole = !text.empty() && end.ec == std::errc{} && end.ptr == text.data() + text.size();
-    return whole && number >= -furthest_frame && number <= furthest_frame ? std::optional(number)
-                                                                          : std::nullopt;
+    return whole && number >= -max_frame_number && number <= max_frame_number ? std::optional(number)
+                                                                              : std::nullopt;
 }
 
-/// A pattern cut at its number.
+/// A file name, split at its %d.
 struct Pattern {
     std::string before;
     std::string after;
@@ -93,7 +94,7 @@ std::string frame_name(const std::string& pattern, int frame) {
 bool has_frame_number(const std::string& pattern) { return parse_pattern(pattern).numbered; }
 
 SceneDescription at_frame(const Arguments& arguments, const LoadedScene& loaded) {
-    const auto frame = arguments.integer("frame", -furthest_frame, furthest_frame);
+    const auto frame = arguments.integer("frame", -max_frame_number, max_frame_number);
     return frame ? scene_at(loaded, static_cast<double>(*frame)) : loaded.description;
 }
 

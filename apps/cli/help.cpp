@@ -1,3 +1,4 @@
+// Lines and columns of --help.
 #include "help.h"
 
 #include "glint/render.h"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int help_column = 39;
 
-/// The options that share one line.
+/// Options that share a line.
 using Row = std::vector<const Option*>;
 
 std::vector<Row> rows(const Command& command) {
@@ -21,7 +22,7 @@ std::vector<Row> rows(const Command& command) {
     return all;
 }
 
-/// "-o, --output FILE" with its help; of options that share the line the shortest spelling.
+/// "-o, --output FILE" with its help; options that share a line in their shortest spelling.
 std::string line(const Row& row) {
     std::string left;
     std::string right;
@@ -32,7 +33,7 @@ std::string line(const Row& row) {
         if (*option->value) left += std::string(" ") + option->value;
         right += (right.empty() ? "" : "; ") + std::string(option->help);
     }
-    // Names line up, whether a letter stands before them or not.
+    // Long names are aligned, with or without a letter before them.
     const char* indent = row.front()->letter ? "  " : "      ";
     return fmt::format("{:<{}} {}\n", indent + left, help_column - 1, right);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// --help, from the table of options.
+// The texts of --help, from the table of options.
 
 #include "options.h"
 
@@ -9,7 +9,7 @@ namespace glint::cli {
 
 /// `glint --help`: the commands and the common options.
 std::string top_help();
-/// `glint COMMAND --help`: every option.
+/// `glint COMMAND --help`: all options.
 std::string command_help(const Command& command);
 
 } // namespace glint::cli

@@ -1,3 +1,4 @@
+// Signal handlers.
 #include "interrupt.h"
 
 #include <csignal>
@@ -6,7 +7,7 @@
 namespace glint::cli {
 namespace {
 
-// A handler can reach nothing but globals; lock-free atomics are all that it may touch.
+// Signal handlers can only reach globals, and may only access lock-free atomics.
 CancelFlag cancelled{false};
 std::atomic<bool> gentle{false};
 std::atomic<int> last_signal{0};
@@ -26,7 +27,7 @@ void watch_signals() {
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     for (const int number : {SIGINT, SIGTERM}) {
-        // A signal that the parent ignores (nohup, a script's background job) stays ignored.
+        // Signals that the parent ignores (nohup, background jobs of scripts) stay ignored.
         struct sigaction before {};
         sigaction(number, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);

@@ -1,6 +1,6 @@
 #pragma once
-// Ctrl-C and SIGTERM. Before rendering starts they end the program at once, since nothing is to be saved;
-// from then on the first one asks for a stop at tile boundaries and the second one ends the program.
+// SIGINT (Ctrl-C) and SIGTERM. Before rendering starts they end the program, since there is nothing to save;
+// after that the first one stops at the next tiles and the second one ends the program.
 
 #include "glint/render.h"
 
@@ -8,11 +8,11 @@ namespace glint::cli {
 
 /// Installs the handlers.
 void watch_signals();
-/// From here on the first signal only raises the flag.
+/// From now on the first signal only sets the flag.
 void stop_gently();
-/// Raised by the first signal; for RenderOptions::cancel.
+/// Set by the first signal; for RenderOptions::cancel.
 const CancelFlag& cancel_flag();
-/// 128 + the signal that came, or 0: the exit code of a run that was stopped.
+/// The exit code after a signal, 128 + its number; 0 without one.
 int stopped_by();
 
 } // namespace glint::cli

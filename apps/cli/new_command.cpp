@@ -1,3 +1,4 @@
+// glint new: writes a template of a scene.
 #include "commands.h"
 #include "outputs.h"
 
@@ -13,7 +14,7 @@
 namespace glint::cli {
 namespace {
 
-/// The template of that name; without one the first.
+/// The template named by the operand, by default the first one.
 std::string starter(const Arguments& arguments, const std::vector<std::string>& names) {
     if (arguments.operands().empty()) return template_text(names.front());
     const std::string& name = arguments.operands().front();

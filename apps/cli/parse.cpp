@@ -1,5 +1,5 @@
-// The only file that sees CLI11, which is slow to compile. It splits words into options, values and operands;
-// what they mean is read by Arguments.
+// Splits arguments into options, values and operands. The only file that includes CLI11, which is slow to
+// compile.
 #include "arguments.h"
 
 #include "glint/error.h"
@@ -21,23 +21,23 @@ std::vector<std::string> all_spellings(const Command& command) {
 
 std::string help_hint(const Command& command) { return fmt::format("see glint {} --help", command.name); }
 
-/// CLI11 gives what it did not understand of "-size" as "-ize": the word as it was typed.
-std::string as_typed(const std::string& rest, const std::vector<std::string>& words) {
+/// The argument as it was typed: CLI11 reports an unknown "-size" as "-ize".
+std::string as_typed(const std::string& rest, const std::vector<std::string>& arguments) {
     if (rest.rfind("--", 0) == 0 || rest.size() < 2) return rest;
-    for (const std::string& word : words) {
+    for (const std::string& argument : arguments) {
         const std::string tail = rest.substr(1);
-        if (word.size() < tail.size() || word[0] != '-') continue;
-        if (word.compare(word.size() - tail.size(), tail.size(), tail) == 0) return word;
+        if (argument.size() < tail.size() || argument[0] != '-') continue;
+        if (argument.compare(argument.size() - tail.size(), tail.size(), tail) == 0) return argument;
     }
     return rest;
 }
 
-[[noreturn]] void refuse_unknown(const Command& command, const std::string& word) {
-    const std::string name = word.substr(0, word.find('='));
+[[noreturn]] void refuse_unknown(const Command& command, const std::string& argument) {
+    const std::string name = argument.substr(0, argument.find('='));
     std::vector<std::string> long_names;
     for (const Option& option : command.options)
         if (*option.name) long_names.emplace_back(option.name);
-    // Without dashes, so that "-size" is near to "--size" and "--time" is not.
+    // Dashes are left out, so that "-size" is near to "--size" and "--time" is not.
     const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     const auto near = bare.size() > 1 ? nearest_name(bare, long_names) : std::nullopt;
     throw Error(ErrorKind::usage, fmt::format("unknown option \"{}\"", name),
@@ -67,7 +67,7 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
     switch (command.operands) {
     case Operands::scene:
         if (count == 0) wrong("no scene given");
-        // A command's name behind an option would otherwise be taken for a scene.
+        // A command after an option would be taken for a scene.
         if (count > 1 && find_command(operands[0]))
             throw Error(ErrorKind::usage, fmt::format("\"{}\" comes too late", operands[0]),
                         fmt::format("the command comes first: glint {} ...", operands[0]));
@@ -88,7 +88,7 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
     }
 }
 
-/// CLI11 takes whatever follows for the value, so one is missing only after the last word.
+/// CLI11 takes any next argument as the value, so only the last option can lack one.
 [[noreturn]] void refuse_missing_value(const Command& command, const std::string& last) {
     for (const Option& option : command.options)
         for (const std::string& name : spellings(option))
@@ -98,34 +98,40 @@ void check_operands(const Command& command, const std::vector<std::string>& oper
     throw Error(ErrorKind::usage, fmt::format("\"{}\" is not understood", last), help_hint(command));
 }
 
+/// CLI11 writes to `values` and `flags`, by key of the option.
+void add_options(CLI::App& app, const Command& command,
+                 std::map<std::string, std::vector<std::string>>& values,
+                 std::map<std::string, bool>& flags) {
+    for (const Option& option : command.options) {
+        const std::string names = fmt::format("{}", fmt::join(spellings(option), ","));
+        if (*option.value)
+            app.add_option(names, values[key(option)])->allow_extra_args(false);
+        else
+            app.add_flag(names, flags[key(option)])->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+}
+
 } // namespace
 
-Arguments parse_arguments(const Command& command, const std::vector<std::string>& words) {
+Arguments parse_arguments(const Command& command, const std::vector<std::string>& arguments) {
     CLI::App app;
     app.set_help_flag();
     app.allow_extras();
     std::map<std::string, std::vector<std::string>> values;
     std::map<std::string, bool> flags;
-    for (const Option& option : command.options) {
-        const std::string names = fmt::format("{}", fmt::join(spellings(option), ","));
-        if (*option.value) {
-            app.add_option(names, values[key(option)])->allow_extra_args(false);
-        } else {
-            app.add_flag(names, flags[key(option)])->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-        }
-    }
+    add_options(app, command, values, flags);
     std::vector<std::string> operands;
     app.add_option("operands", operands);
 
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ArgumentMismatch&) {
-        refuse_missing_value(command, words.back());
+        refuse_missing_value(command, arguments.back());
     } catch (const CLI::ParseError& fault) {
         throw Error(ErrorKind::usage, fault.what(), help_hint(command));
     }
     for (const std::string& rest : app.remaining())
-        if (rest != "--") refuse_unknown(command, as_typed(rest, words));
+        if (rest != "--") refuse_unknown(command, as_typed(rest, arguments));
 
     for (const Option& option : command.options) {
         auto& given = values[key(option)];
@@ -133,7 +139,7 @@ Arguments parse_arguments(const Command& command, const std::vector<std::string>
         if (flags[key(option)]) given.emplace_back();
         if (given.empty()) values.erase(key(option));
     }
-    // Devices are no matter of a file.
+    // --devices needs no file.
     const bool needs_operands = !values.count("help") && !values.count("devices");
     if (needs_operands) check_operands(command, operands);
     return {command, std::move(values), std::move(operands)};

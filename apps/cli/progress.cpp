@@ -1,3 +1,4 @@
+// Bar, plain lines and JSON lines.
 #include "progress.h"
 
 #include "text.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int bar_width = 30;
 
-/// Seconds from one showing to the next.
+/// Seconds between two updates.
 double interval(ProgressStyle style) {
     switch (style) {
     case ProgressStyle::bar:
@@ -28,13 +29,13 @@ double interval(ProgressStyle style) {
 
 } // namespace
 
-ProgressStyle progress_style(const std::string& word) {
-    if (word == "json") return ProgressStyle::json;
-    if (word == "none") return ProgressStyle::none;
-    return word == "auto" && stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::plain;
+ProgressStyle progress_style(const std::string& name) {
+    if (name == "json") return ProgressStyle::json;
+    if (name == "none") return ProgressStyle::none;
+    return name == "auto" && stderr_is_terminal() ? ProgressStyle::bar : ProgressStyle::plain;
 }
 
-// The first plain line waits its ten seconds: short renders need none.
+// Short renders show no plain line: the first one comes after an interval.
 ProgressMeter::ProgressMeter(Console& console, ProgressStyle style, std::string task)
     : console_(console), style_(style), task_(std::move(task)),
       next_show_(style == ProgressStyle::plain ? interval(style) : 0) {}
@@ -59,7 +60,7 @@ void ProgressMeter::show() {
     const double done = fraction();
     const double left = done > 0 ? last_.seconds * (1 - done) / done : 0;
     if (style_ == ProgressStyle::json) {
-        // Asked for by name, so -q does not hide it.
+        // Explicitly asked for: -q does not hide it.
         console_.always(
             fmt::format(R"({{"event":"progress",{}"tiles_done":{},"tiles":{},"rays":{},"seconds":{:.3f},)"
                         R"("seconds_left":{:.3f}}})",

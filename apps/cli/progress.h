@@ -1,5 +1,5 @@
 #pragma once
-// How far a render is: a bar on a terminal, else a plain line now and then, or JSON lines for render farms.
+// The progress of a render: a bar on a terminal, plain lines elsewhere, or JSON lines for render farms.
 
 #include "console.h"
 
@@ -11,20 +11,20 @@ namespace glint::cli {
 
 enum class ProgressStyle { bar, plain, json, none };
 
-/// `word` is "auto", "plain", "json" or "none".
-ProgressStyle progress_style(const std::string& word);
+/// `name` is "auto", "plain", "json" or "none".
+ProgressStyle progress_style(const std::string& name);
 
 class ProgressMeter {
   public:
     /// `task` is what is rendered, "" or "frame 7 of 0..119"; JSON names it too.
     ProgressMeter(Console& console, ProgressStyle style, std::string task = {});
 
-    /// Takes the news and shows it if it is time to: ten times a second for a bar, every ten seconds for
-    /// plain lines, once a second for JSON. One call at a time.
+    /// Shows progress at an interval: ten times a second for a bar, every ten seconds for plain lines, once a
+    /// second for JSON. Not thread-safe.
     void update(const Progress& progress);
-    /// Erases the bar; JSON: says the last state.
+    /// Erases the bar; for JSON, writes the last state.
     void finish();
-    /// Share of the tiles that are done, 0 … 1.
+    /// Fraction of the tiles that are done.
     double fraction() const;
 
   private:

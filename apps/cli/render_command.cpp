@@ -1,3 +1,4 @@
+// glint render: a picture, or the frames of an animation.
 #include "backend.h"
 #include "commands.h"
 #include "frames.h"
@@ -44,7 +45,7 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     if (const auto& crop = request.render.crop)
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
-    // What a graphics card rounds decides the picture's last bits.
+    // The last bits depend on the rounding of the graphics card.
     if (!record.device.empty()) options.metadata.emplace_back("glint.device", record.device);
     options.metadata.emplace_back("glint.hash", record.hash);
     return options;
@@ -84,7 +85,7 @@ class Renderer {
     Renderer(const Arguments& arguments, const RenderRequest& request, Console& console)
         : arguments_(arguments), request_(request), console_(console), backend_(arguments, console) {}
 
-    /// Reads the scene and reports what is odd about it. Later frames that are wrong are told now.
+    /// Reads the scene and reports its notes and warnings.
     LoadedScene read() {
         const Stopwatch loading;
         LoadedScene loaded = load_scene(request_.scene, request_.load);
@@ -95,7 +96,7 @@ class Renderer {
         return loaded;
     }
 
-    /// Renders and writes one picture; false where a signal stopped it. `task` is for the progress.
+    /// Renders and writes a picture; false if a signal stopped it. `task`: text for the progress.
     bool picture(const SceneDescription& description, RenderRecord record, const std::string& task) {
         record.load_seconds = load_seconds_;
         console_.status("building the tree");
@@ -113,7 +114,7 @@ class Renderer {
             return false;
         }
         record.hash = picture_hash(picture.image);
-        // PNG is for the eye; the other formats hold the numbers themselves.
+        // PNG shows AOVs as colours; the other formats hold their values.
         if (output_format(record.output) == PictureFormat::png)
             picture.image = visible(picture.image, request_.render.show, scene);
         const Stopwatch writing;
@@ -125,17 +126,17 @@ class Renderer {
         return picture.complete;
     }
 
-    /// Writes --stats: a document, or of --frames a list of them.
+    /// Writes --stats: an object, or with --frames a list of objects.
     void write_stats() const {
         if (!request_.stats || (stats_.empty() && !request_.frames)) return;
         write_text(*request_.stats, request_.frames ? stats_list_json(stats_) : stats_.front());
     }
 
-    /// Share of the last picture that was done when a signal came.
+    /// Fraction of the last picture that was done when a signal came.
     double stopped_at() const { return stopped_at_; }
 
   private:
-    /// What was said of an earlier frame is not said again.
+    /// Each warning once for all frames.
     void warn(const Scene& scene) {
         for (const Diagnostic& diagnostic : warnings(scene))
             if (warned_.insert(to_string(diagnostic)).second) console_.warning(diagnostic);
@@ -158,14 +159,14 @@ class Renderer {
     const RenderRequest& request_;
     Console& console_;
     Backend backend_;
-    std::optional<Scene> last_; ///< whose trees the next picture may share
+    std::optional<Scene> last_; ///< the next picture may share its trees
     double load_seconds_ = 0;
     double stopped_at_ = 0;
     std::vector<std::string> stats_;
     std::set<std::string> warned_;
 };
 
-RenderRecord record_of(const RenderRequest& request) {
+RenderRecord make_record(const RenderRequest& request) {
     RenderRecord record;
     record.scene = request.scene;
     record.output = request.output;
@@ -176,7 +177,7 @@ int render_still(const RenderRequest& request, Renderer& renderer, Console& cons
     const LoadedScene loaded = renderer.read();
     if (!loaded.animation.keys.empty())
         console.note("the scene moves, and this is how it stands; --frames all renders its frames");
-    const bool done = renderer.picture(loaded.description, record_of(request), {});
+    const bool done = renderer.picture(loaded.description, make_record(request), {});
     renderer.write_stats();
     if (done) return exit_code::done;
     if (!request.keep_partial)
@@ -190,7 +191,7 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
     const LoadedScene loaded = renderer.read();
     if (loaded.animation.keys.empty()) console.note("nothing in the scene moves: it has no [[animate]]");
     const std::vector<int> frames = request.frames->of(loaded.animation);
-    // A fault of a late frame is better told before the first is rendered.
+    // Errors of late frames are reported before the first one is rendered.
     for (const int frame : frames) scene_at(loaded, frame);
 
     const Stopwatch rendering;
@@ -199,7 +200,7 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
         SceneDescription description = scene_at(loaded, frame);
         apply_flags(arguments, description);
         require_possible(request, description.render);
-        RenderRecord record = record_of(request);
+        RenderRecord record = make_record(request);
         record.output = frame_name(request.output, frame);
         record.frame = frame;
         const std::string task = fmt::format("frame {} ({} of {})", frame, done + 1, frames.size());

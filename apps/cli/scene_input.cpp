@@ -1,3 +1,4 @@
+// -D, --up, --allow-outside and --threads.
 #include "scene_input.h"
 
 #include <filesystem>

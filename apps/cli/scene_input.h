@@ -1,5 +1,5 @@
 #pragma once
-// Reading scenes by the options that render, check and info share.
+// Options for reading scenes, shared by several commands.
 
 #include "arguments.h"
 #include "console.h"
@@ -14,10 +14,10 @@ namespace glint::cli {
 /// -D, --up and --allow-outside. Throws Error(usage).
 LoadOptions load_options(const Arguments& arguments);
 
-/// Throws Error(usage) where --up cannot apply: a scene file's meshes stand as it says.
+/// Throws Error(usage) if --up is given for a scene file.
 void require_mesh_for_up(const Arguments& arguments, const std::string& scene);
 
-/// Prints the notes and warnings that came with reading.
+/// Prints the notes and warnings of reading.
 void report(const LoadedScene& loaded, Console& console);
 
 /// --threads; 0: one for each core.

@@ -1,3 +1,4 @@
+// Texts of numbers, times and sizes.
 #include "text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// glint view: starts glint-view.
 #include "commands.h"
 
 #include <filesystem>
@@ -6,24 +7,24 @@
 namespace glint::cli {
 namespace {
 
-/// The words that give these arguments again.
-std::vector<std::string> words_of(const Arguments& arguments) {
-    std::vector<std::string> words;
+/// The command line of these arguments.
+std::vector<std::string> command_line(const Arguments& arguments) {
+    std::vector<std::string> line;
     for (const Option& option : arguments.command().options)
         for (const std::string& value : arguments.all(key(option))) {
-            words.push_back(spelling(option));
-            if (*option.value) words.push_back(value);
+            line.push_back(spelling(option));
+            if (*option.value) line.push_back(value);
         }
-    words.emplace_back("--");
-    words.insert(words.end(), arguments.operands().begin(), arguments.operands().end());
-    return words;
+    line.emplace_back("--");
+    line.insert(line.end(), arguments.operands().begin(), arguments.operands().end());
+    return line;
 }
 
-/// Becomes the program, or returns.
-void become(const std::string& program, std::vector<std::string> words) {
-    words.insert(words.begin(), program);
+/// Replaces this process by the program; returns if that fails.
+void exec(const std::string& program, std::vector<std::string> line) {
+    line.insert(line.begin(), program);
     std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
+    for (std::string& argument : line) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     execvp(program.c_str(), pointers.data());
 }
@@ -32,11 +33,11 @@ void become(const std::string& program, std::vector<std::string> words) {
 
 /// The window is a program of its own, so that this one needs no window system.
 int view_command(const Arguments& arguments, Console& /*console*/) {
-    const std::vector<std::string> words = words_of(arguments);
+    const std::vector<std::string> line = command_line(arguments);
     std::error_code unknown;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    if (!unknown) become(self.parent_path() / "glint-view", words);
-    become("glint-view", words);
+    if (!unknown) exec(self.parent_path() / "glint-view", line);
+    exec("glint-view", line);
     throw Error(
         ErrorKind::device, "the window is not installed: there is no glint-view beside glint or on PATH",
         "build glint with GLFW, Dear ImGui and libepoxy, or render to a file: glint FILE -o picture.png");

@@ -1,3 +1,4 @@
+// Completions for bash, zsh and fish.
 #include "documents.h"
 
 #include "../options.h"
@@ -12,7 +13,7 @@ bool takes_file(const Option& option) { return option.value == std::string("FILE
 /// Names of all commands, joined.
 std::string names(const char* separator) { return fmt::format("{}", fmt::join(command_names(), separator)); }
 
-/// Between single quotes: in bash and zsh a quote ends the string, in fish a backslash is enough.
+/// In single quotes. `quote`: a quote within them, which bash and zsh write differently from fish.
 std::string quoted(const std::string& text, const char* quote) {
     std::string safe = "'";
     for (const char c : text) safe += c == '\'' ? std::string(quote) : std::string(1, c);
@@ -26,14 +27,14 @@ std::string bash_values(const Command& command) {
         std::string patterns;
         for (const std::string& name : spellings(option))
             patterns += fmt::format("{}{},{}", patterns.empty() ? "" : "|", command.name, name);
-        // A number or a path in the scene cannot be guessed: offering files would mislead.
+        // For other values no completion: file names would mislead.
         cases += fmt::format("        {}) mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$cur\"); return ;;\n",
                              patterns, fmt::join(choices(option), " "));
     }
     return cases;
 }
 
-std::string bash_words(const Command& command) {
+std::string bash_options(const Command& command) {
     std::vector<std::string> all;
     for (const Option& option : command.options)
         for (std::string& name : spellings(option)) all.push_back(std::move(name));
@@ -44,13 +45,14 @@ std::string bash_words(const Command& command) {
 std::string zsh_option(const Option& option) {
     std::string rest = "[" + std::string(option.help) + "]";
     if (*option.value) {
-        const std::vector<std::string> words = choices(option);
-        const std::string action = takes_file(option) ? "_files" : fmt::format("({})", fmt::join(words, " "));
-        rest += fmt::format(":{}:{}", words.empty() ? option.value : "word",
-                            words.empty() && !takes_file(option) ? " " : action);
+        const std::vector<std::string> allowed = choices(option);
+        const std::string action =
+            takes_file(option) ? "_files" : fmt::format("({})", fmt::join(allowed, " "));
+        rest += fmt::format(":{}:{}", allowed.empty() ? option.value : "word",
+                            allowed.empty() && !takes_file(option) ? " " : action);
     }
     const std::string tail = quoted(rest, "'\\''");
-    // -D may come again and again.
+    // -D may be repeated.
     if (!*option.name) return fmt::format("'*{}'{}", spelling(option), tail);
     if (!option.letter) return fmt::format("'{}'{}", spelling(option), tail);
     return fmt::format("'({0})'{{{1}}}{2}", fmt::join(spellings(option), " "),
@@ -83,7 +85,7 @@ std::string bash_completion() {
     text += "    # Options that take a value which is no file.\n    case $command,$prev in\n";
     for (const Command& command : commands()) text += bash_values(command);
     text += "    esac\n    case $command in\n";
-    for (const Command& command : commands()) text += bash_words(command);
+    for (const Command& command : commands()) text += bash_options(command);
     text += "    esac\n    if (( COMP_CWORD == 1 )); then words+=' --version'; fi\n";
     text += "    if [[ $cur == -* ]]; then\n"
             "        mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$cur\")\n"

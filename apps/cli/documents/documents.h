@@ -1,5 +1,5 @@
 #pragma once
-// What is installed beside the command, written from the same table of options that it parses by.
+// The man page and shell completions, generated from the table of options.
 
 #include <string>
 

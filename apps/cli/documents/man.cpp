@@ -1,3 +1,4 @@
+// The man page in roff.
 #include "documents.h"
 
 #include "../options.h"
@@ -65,7 +66,7 @@ glint diff before.png after.png \-\-metric mae \-\-tolerance 0.02
 .fi
 )";
 
-/// Text in which no character means anything to roff.
+/// Escapes the characters that roff interprets.
 std::string literal(const std::string& text) {
     std::string safe;
     bool line_start = true;
