@@ -178,6 +178,8 @@ void App::move_camera(double seconds) {
     if (!click) return;
     inspector_.explain(presenter_.pixel_at(*click));
     panel_.show(Tab::pixel);
+    // Dear ImGui selects the tab in the next frame and draws it in the one after.
+    pacing_.add_input();
 }
 
 void App::draw_pictures() {
