@@ -164,9 +164,10 @@ void Presenter::drag_wipe_line(float grip) {
     const float x = wipe_x();
     const bool near = std::abs(io.MousePos.x - x) < grip && picture.contains(x - 1, io.MousePos.y);
     if (near && !io.WantCaptureMouse && io.MouseClicked[0]) dragging_wipe_ = true;
-    if (!io.MouseDown[0]) dragging_wipe_ = false;
-    if (dragging_wipe_) wipe_ = std::clamp((io.MousePos.x - picture.x) / picture.width, 0.0f, 1.0f);
     if (near || dragging_wipe_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    // In a slow frame the last movement and the release arrive together.
+    if (dragging_wipe_) wipe_ = std::clamp((io.MousePos.x - picture.x) / picture.width, 0.0f, 1.0f);
+    if (!io.MouseDown[0]) dragging_wipe_ = false;
 }
 
 // ── Map ────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -240,8 +240,11 @@ TEST_F(Window, AClickMarksTheMaterialAndOpensItInTheScenePanel) {
     finished_picture();
     click("picture");
     ASSERT_TRUE(wait_for_state("tab", "pixel"));
+    ASSERT_TRUE(wait_until([&] {
+        const nlohmann::json material = state("pixel.material");
+        return material.is_string() && material != "";
+    }));
     const std::string material = state("pixel.material");
-    ASSERT_NE(material, "");
     click("tab:scene");
     EXPECT_TRUE(wait_for_widget("material." + material + ".diffuse"));
 }
