@@ -39,14 +39,6 @@ std::unique_ptr<Session> begin_session(SessionOptions options) {
 
 bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
 
-/// The preview scene of a mesh as a document that has no file yet.
-SceneDocument preview_document(SceneDescription description, const std::string& mesh) {
-    for (Object& object : description.objects)
-        if (auto* shape = std::get_if<MeshShape>(&object.shape))
-            shape->file = std::filesystem::path(mesh).filename().string();
-    return {scene_text(description), std::filesystem::path(mesh).replace_extension(".toml").string()};
-}
-
 double extent_of(const Scene& scene) {
     const SceneStats stats = scene.stats();
     const double diagonal = glm::length(stats.bounds_max - stats.bounds_min);
