@@ -33,7 +33,8 @@ bool Presenter::is_comparing() const { return state_.compare != CompareMode::off
 
 bool Presenter::is_finished() const {
     const auto frame = bench_.frame();
-    return frame && frame->reached.finished && !bench_.status().busy &&
+    // Of another quantity it may be the last picture before a shader that is still being compiled.
+    return frame && frame->reached.finished && frame->show == state_.show && !bench_.status().busy &&
            activity_.seconds_since_change() > settle_seconds && frame->width == bench_.session().width() &&
            frame->height == bench_.session().height();
 }
