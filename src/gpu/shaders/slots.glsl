@@ -24,7 +24,7 @@ struct Slot {
     uint budget;        // paths that may still be followed in this dispatch
 };
 
-Slot slot;
+Slot slot = Slot(0u, uvec2(0u), 0u, false, false, 1.0f, 0u, false, 0u);
 Path path;               // the one that is followed
 vec3 terms[GLINT_TERMS]; // what the sample's light is made of so far
 uvec4 rays = uvec4(0u);  // primary, reflected, refracted, shadow

@@ -354,7 +354,7 @@ Hit trace(vec3 origin, vec3 direction, float limit, Hit after, bool any) {
             }
             if (walk.next != invalid_index) visit_node(walk, from, best.t);
         }
-        Hit hit;
+        Hit hit = best;
         if (walk.left > 0u && test_shape(walk, after, best.t, hit) && follows(after, hit) &&
             (best.kind == kind_none || precedes(hit, best))) {
             best = hit;
