@@ -24,21 +24,13 @@ std::string point(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})"
 
 /// "2 planes, 1 mesh", in the order of the alternatives of Shape.
 std::string kinds(const SceneDescription& description) {
-    constexpr std::array<std::array<const char*, 2>, std::variant_size_v<Shape>> names{
-        {{"plane", "planes"},
-         {"sphere", "spheres"},
-         {"cylinder", "cylinders"},
-         {"triangle", "triangles"},
-         {"polyhedron", "polyhedra"},
-         {"mesh", "meshes"},
-         {"instance", "instances"}}};
-    std::array<std::size_t, names.size()> counts{};
+    std::array<std::size_t, shape_names.size()> counts{};
     for (const Object& object : description.objects) ++counts[object.shape.index()];
     std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
         if (counts[i] == 0) continue;
-        text +=
-            fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]), names[i][counts[i] > 1]);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]),
+                            counts[i] > 1 ? shape_plurals[i] : shape_names[i]);
     }
     return text.empty() ? "none" : text;
 }

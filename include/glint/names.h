@@ -47,6 +47,11 @@ inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_
     "plane", "sphere", "cylinder", "triangle", "polyhedron", "mesh", "instance"};
 static_assert(!shape_names.back().empty(), "a shape has no name");
 
+/// Several of them, in prose.
+inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_plurals{
+    "planes", "spheres", "cylinders", "triangles", "polyhedra", "meshes", "instances"};
+static_assert(!shape_plurals.back().empty(), "a shape has no plural");
+
 /// The types of [[light]].
 inline constexpr std::array<std::string_view, std::variant_size_v<decltype(Light::kind)>> light_names{
     "ambient", "point", "directional", "spot"};

@@ -3,6 +3,7 @@
 #include "glint/limits.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
+#include "scene/shapes/shapes.h"
 #include "scene/text.h"
 
 #include <algorithm>
@@ -18,77 +19,11 @@ namespace {
 
 constexpr std::size_t enough_candidates = 2000;
 
-// A box around a shape before its transform; empty where the shape is endless or known elsewhere.
-struct Extent {
-    Vec3 low{std::numeric_limits<double>::infinity()};
-    Vec3 high{-std::numeric_limits<double>::infinity()};
-
-    bool empty() const { return low.x > high.x; }
-    void add(const Vec3& p, double radius = 0) {
-        low = glm::min(low, p - Vec3(radius));
-        high = glm::max(high, p + Vec3(radius));
-    }
-};
-
-Extent extent(const PlaneShape& plane) {
-    // The plane's point nearest to the origin; the length is divided out twice lest it overflow.
-    const double length = glm::length(plane.normal);
-    Extent box;
-    box.add(plane.normal / length * (plane.offset / length));
-    return box;
-}
-
-Extent extent(const SphereShape& sphere) {
-    Extent box;
-    box.add(sphere.center, sphere.radius);
-    return box;
-}
-
-Extent upright(const Vec3& base, const Vec3& axis, double height, double radius) {
-    Extent box;
-    box.add(base, radius);
-    box.add(base + axis * (height / glm::length(axis)), radius);
-    return box;
-}
-
-Extent extent(const CylinderShape& cylinder) {
-    return upright(cylinder.base, cylinder.axis, cylinder.height, cylinder.radius);
-}
-
-Extent extent(const TriangleShape& triangle) {
-    Extent box;
-    for (const Vec3& vertex : triangle.vertices) box.add(vertex);
-    return box;
-}
-
-Extent extent(const PolyhedronShape& p) {
-    Extent box;
-    if (p.kind == PolyhedronKind::prism || p.kind == PolyhedronKind::pyramid)
-        return upright(p.center, p.axis, p.height, p.radius);
-    if (p.kind == PolyhedronKind::box) {
-        box.add(p.center - p.size * 0.5);
-        box.add(p.center + p.size * 0.5);
-    } else
-        box.add(p.center, p.radius);
-    return box;
-}
-
-Extent extent(const MeshShape& mesh) {
-    Extent box;
-    if (!mesh.data) return box;
-    for (const glm::vec3& position : mesh.data->positions)
-        if (std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z))
-            box.add(Vec3(position));
-    return box;
-}
-
-Extent extent(const InstanceShape&) { return {}; }
-
-bool within_limits(const Extent& box, const Mat4& transform) {
+bool within_limits(const ShapeBox& box, const Mat4& transform) {
     if (box.empty()) return true;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 p{corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                     corner & 4 ? box.high.z : box.low.z};
+        const Vec3 p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                     corner & 4 ? box.hi.z : box.lo.z};
         // Written so that NaN is out of range too.
         if (!(largest(Vec3(transform * glm::dvec4(p, 1))) <= coordinate_limit)) return false;
     }
@@ -160,14 +95,13 @@ class SceneCheck {
 
     void check_geometry(const Object& object, const ObjectPlaces& places) {
         if (!places.good) return;
-        if (const auto* triangle = std::get_if<TriangleShape>(&object.shape))
-            if (auto fault = triangle_fault(*triangle))
-                return problems_.error(places.shape, std::move(fault->message), std::move(fault->hint));
+        if (auto fault = std::visit([](const auto& shape) { return shape_fault(shape); }, object.shape))
+            return problems_.error(places.shape, std::move(fault->message), std::move(fault->hint));
         if (std::holds_alternative<MeshShape>(object.shape)) return;
-        const Extent box = std::visit([](const auto& shape) { return extent(shape); }, object.shape);
-        if (!within_limits(box, Mat4{1}))
+        const ShapeBox around = std::visit([](const auto& shape) { return box(shape); }, object.shape);
+        if (!within_limits(around, Mat4{1}))
             report_limit(places.shape, object, "reaches");
-        else if (!within_limits(box, object.transform))
+        else if (!within_limits(around, object.transform))
             report_limit(places.transform, object, "is moved");
     }
 
@@ -183,14 +117,13 @@ class SceneCheck {
         const auto* mesh = std::get_if<MeshShape>(&mesh_object->shape);
         if (!mesh || !mesh->data) return;
         whole = whole * mesh_object->transform * scaling(mesh->scale);
-        if (!within_limits(extent_of(*mesh->data, *mesh), whole))
-            report_limit(places.shape, object, "reaches");
+        if (!within_limits(box_of(*mesh->data, *mesh), whole)) report_limit(places.shape, object, "reaches");
     }
 
     /// Many instances of a mesh, and many meshes of a file, look at its vertices once.
-    const Extent& extent_of(const Mesh& data, const MeshShape& mesh) {
-        const auto [entry, is_new] = extents_.try_emplace(&data);
-        if (is_new) entry->second = extent(mesh);
+    const ShapeBox& box_of(const Mesh& data, const MeshShape& mesh) {
+        const auto [entry, is_new] = boxes_.try_emplace(&data);
+        if (is_new) entry->second = box(mesh);
         return entry->second;
     }
 
@@ -215,7 +148,7 @@ class SceneCheck {
     std::vector<std::string> material_names_;
     std::vector<std::string> mesh_names_;
     std::map<std::pair<std::string, std::string>, Place> names_;
-    std::map<const Mesh*, Extent> extents_;
+    std::map<const Mesh*, ShapeBox> boxes_;
 };
 
 } // namespace

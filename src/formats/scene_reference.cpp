@@ -196,10 +196,8 @@ std::string section(const TableSpec& table) {
 }
 
 std::string object_section() {
-    std::string text =
-        "\n## Every object\n\nPlanes, spheres, cylinders, triangles, polyhedra, meshes and instances have "
-        "these keys besides their own.\n" +
-        std::string(table_head);
+    std::string text = "\n## Every object\n\nObjects of all shapes have these keys besides their own.\n" +
+                       std::string(table_head);
     const TableSpec& table = *find_table("sphere");
     for (const KeySpec& key : table.keys)
         if (common_to_objects(key, table)) text += row(key, table);

@@ -3,6 +3,7 @@
 #include "glint/names.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
+#include "scene/shapes/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +81,6 @@ class Checker {
              near ? "did you mean \"" + *near + "\"?" : "define it as [material." + object.material + "]");
     }
 
-    void check_shape(const TriangleShape& s, const Object& o) {
-        if (auto fault = triangle_fault(s)) fail(o.where, *std::move(fault), "[[triangle]]");
-    }
     void check_shape(const MeshShape& s, const Object& o) {
         require(s.data != nullptr, o.where, "the mesh is not loaded",
                 "load_scene() does, or set MeshShape::data");
@@ -93,7 +91,10 @@ class Checker {
                 "give the mesh a name and use that");
     }
     template <class Other>
-    void check_shape(const Other&, const Object&) {}
+    void check_shape(const Other& s, const Object& o) {
+        if (auto fault = shape_fault(s))
+            fail(o.where, *std::move(fault), "[[" + std::string(name_of(o.shape)) + "]]");
+    }
 
     void check_indices(const Mesh& mesh, const Object& o) {
         glm::uint highest = 0;

@@ -142,7 +142,7 @@ emission = [9, 8, 7]
     EXPECT_EQ(d.materials[1].index, 1.5);
 }
 
-TEST(SceneKeys, PlaneSphereCylinderAndTriangleAreRead) {
+TEST(SceneKeys, ShapesAreRead) {
     const auto plane = only_shape<PlaneShape>(
         parse(with_material("[[plane]]\nnormal = [0, 2, 0]\noffset = -7\nsolid = true\nmaterial = \"m\"")));
     EXPECT_EQ(plane.normal, Vec3(0, 2, 0));

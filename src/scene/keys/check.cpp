@@ -153,17 +153,6 @@ std::optional<KeyFault> view_fault(const CameraDescription& camera) {
     return KeyFault{"\"up\" is parallel to the view", "choose an up that the camera does not look along"};
 }
 
-std::optional<KeyFault> triangle_fault(const TriangleShape& triangle) {
-    // Degenerate: less high over its longest edge than the rounding of its coordinates.
-    const auto& v = triangle.vertices;
-    const Vec3 a = v[1] - v[0], b = v[2] - v[0], c = v[2] - v[1];
-    const double longest = std::max({glm::length(a), glm::length(b), glm::length(c)});
-    const double coordinate = std::max({largest(v[0]), largest(v[1]), largest(v[2])});
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * coordinate;
-    if (glm::length(glm::cross(a, b)) > rounding * longest) return std::nullopt;
-    return KeyFault{"the triangle is degenerate: its vertices lie on one line", {}};
-}
-
 std::optional<KeyFault> balance_fault(const Material& m) {
     const double sum = m.reflectivity + m.transparency;
     if (sum <= 1) return std::nullopt;

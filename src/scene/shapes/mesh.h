@@ -25,6 +25,17 @@ inline double support(const MeshShape& s, const dvec3& d) {
 /// Whoever has the scene asks for the mesh's.
 inline double support(const InstanceShape&, const dvec3&) { return no_support; }
 
+/// Around the finite vertices as stored, before the mesh's own scale.
+inline ShapeBox box(const MeshShape& s) {
+    ShapeBox box;
+    if (!s.data) return box;
+    for (const vec3& p : s.data->positions)
+        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box.grow(dvec3(p));
+    return box;
+}
+/// Whoever has the scene asks for the mesh's.
+inline ShapeBox box(const InstanceShape&) { return {}; }
+
 inline void bake(const MeshShape&, ShapeBaker& out) { out.mesh(); }
 inline void bake(const InstanceShape& s, ShapeBaker& out) { out.instance(s.mesh); }
 

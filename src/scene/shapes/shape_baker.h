@@ -4,10 +4,12 @@
 #include "geometry/quadric.h"
 #include "glint/scene.h"
 #include "scene/bake_mesh.h"
+#include "scene/keys/fault.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace glint {
@@ -17,6 +19,7 @@ struct ShapeBox {
     dvec3 lo{std::numeric_limits<double>::infinity()};
     dvec3 hi{-std::numeric_limits<double>::infinity()};
 
+    bool empty() const { return lo.x > hi.x; }
     void grow(const dvec3& p, double radius = 0) {
         lo = glm::min(lo, p - radius);
         hi = glm::max(hi, p + radius);
@@ -30,6 +33,12 @@ inline constexpr double no_support = -std::numeric_limits<double>::infinity();
 inline void raise_support(double& most, const dvec3& d, const dvec3& p) {
     const double along = glm::dot(d, p);
     if (std::isfinite(along)) most = std::max(most, along);
+}
+
+/// What is wrong with a shape though each of its keys is good: nothing, for most.
+template <class S>
+std::optional<KeyFault> shape_fault(const S&) {
+    return std::nullopt;
 }
 
 /// Adds the parts of one object to the input of the tracing core: they come in the shape's space, and the

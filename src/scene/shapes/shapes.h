@@ -3,7 +3,8 @@
 //
 //   bool has_inside(const S&)                has it an inside?
 //   double support(const S&, const dvec3& d) the largest d · p over its points; no_support if none is finite
-//   ShapeBox box(const S&)                   a box around it (not of meshes)
+//   ShapeBox box(const S&)                   a box around it; empty if it is known elsewhere
+//   optional<KeyFault> shape_fault(const S&) only where keys that are good by themselves may not go together
 //   void bake(const S&, ShapeBaker&)         its parts for the tracing core
 //
 // All in the shape's own space, before the object's transform.
