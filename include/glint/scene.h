@@ -111,6 +111,14 @@ struct TriangleShape {
     std::array<Vec3, 3> vertices{};
     friend bool operator==(const TriangleShape&, const TriangleShape&) = default;
 };
+/// A flat parallelogram, seen from both sides: a rectangle where its edges are perpendicular. Its normal is
+/// u × v.
+struct RectangleShape {
+    Vec3 corner{0};
+    Vec3 u{1, 0, 0}; ///< an edge from the corner
+    Vec3 v{0, 1, 0}; ///< the other one
+    friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
+};
 enum class PolyhedronKind { box, tetrahedron, octahedron, dodecahedron, icosahedron, prism, pyramid };
 struct PolyhedronShape {
     PolyhedronKind kind = PolyhedronKind::box;
@@ -145,8 +153,8 @@ struct InstanceShape {
     std::string mesh; ///< name of a mesh object
     friend bool operator==(const InstanceShape&, const InstanceShape&) = default;
 };
-using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, TriangleShape, PolyhedronShape, MeshShape,
-                           InstanceShape>;
+using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, TriangleShape, RectangleShape,
+                           PolyhedronShape, MeshShape, InstanceShape>;
 
 struct Object {
     std::string name; ///< unique within its type, or empty

@@ -194,6 +194,13 @@ const Malformed malformed[] = {
      "[material.m]\n[[triangle]]\nvertices = [[0.1,0.2,0.3], [0.2,0.4,0.6], [0.3,0.6,0.9]]\nmaterial = "
      "\"m\"\n",
      3, 12, "the triangle is degenerate", ""},
+    {"rectangle with parallel edges",
+     "[material.m]\n[[rectangle]]\ncorner = [0,0,0]\nu = [0.1,0.2,0.3]\nv = [-0.2,-0.4,-0.6]\nmaterial = "
+     "\"m\"\n",
+     2, 1, "the rectangle has no area: its edges are parallel", ""},
+    {"rectangle without an edge",
+     "[material.m]\n[[rectangle]]\ncorner = [0,0,0]\nu = [1,0,0]\nmaterial = \"m\"\n", 2, 1,
+     "missing required key \"v\" in [[rectangle]]", ""},
     {"two vertices of a triangle",
      "[material.m]\n[[triangle]]\nvertices = [[0,0,0], [1,0,0]]\nmaterial = \"m\"\n", 3, 12,
      "expected a list of 3 points for \"vertices\", found 2", ""},

@@ -161,6 +161,10 @@ TEST(SceneKeys, ShapesAreRead) {
     EXPECT_EQ(cylinder.height, 5);
     EXPECT_EQ(cylinder.radius, 0.5);
 
+    const auto rectangle = only_shape<RectangleShape>(parse(with_material(
+        "[[rectangle]]\ncorner = [1, 2, 3]\nu = [0, 2, 1]\nv = [1, 0, 0.5]\nmaterial = \"m\"")));
+    EXPECT_EQ(rectangle, (RectangleShape{Vec3(1, 2, 3), Vec3(0, 2, 1), Vec3(1, 0, 0.5)}));
+
     const auto triangle = only_shape<TriangleShape>(
         parse(with_material("[[triangle]]\nvertices = [[0,0,0], [1,0,0], [0,1,0.5]]\nmaterial = \"m\"")));
     EXPECT_EQ(triangle.vertices[2], Vec3(0, 1, 0.5));

@@ -39,6 +39,7 @@ const std::vector<Shape>& finite_shapes() {
         CylinderShape{Vec3(0, 0.1, -0.5), Vec3(0.2, 0.4, 1), 1.1, 0.6},
         TriangleShape{{Vec3(-1, 0, 0), Vec3(1, 0, 0.2), Vec3(0, 1, 0.5)}},
         prism,
+        RectangleShape{Vec3(-0.8, -0.7, 0.1), Vec3(1.5, 0.1, 0.3), Vec3(0.4, 1.2, -0.2)},
     };
     return shapes;
 }

@@ -18,6 +18,11 @@ struct Scaler {
         p.height *= s;
         p.radius *= s;
     }
+    void operator()(RectangleShape& p) const {
+        p.corner *= s;
+        p.u *= s;
+        p.v *= s;
+    }
     void operator()(TriangleShape& p) const {
         for (Vec3& v : p.vertices) v *= s;
     }

@@ -98,6 +98,20 @@ TableSpec shape_table<TriangleShape>() {
 }
 
 template <>
+TableSpec shape_table<RectangleShape>() {
+    using R = RectangleShape;
+    return {
+        .help =
+            "A flat parallelogram, seen from both sides: a rectangle where `u` and `v` are perpendicular. "
+            "Its normal is u × v.",
+        .keys = {
+            point<&R::corner>("corner").required(),
+            point<&R::u>("u").required().help("an edge from the corner"),
+            point<&R::v>("v").required().help("the other edge from the corner, not parallel to `u`"),
+        }};
+}
+
+template <>
 TableSpec shape_table<PolyhedronShape>() {
     using P = PolyhedronShape;
     return {

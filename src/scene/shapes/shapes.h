@@ -13,5 +13,6 @@
 #include "scene/shapes/mesh.h"
 #include "scene/shapes/plane.h"
 #include "scene/shapes/polyhedron.h"
+#include "scene/shapes/rectangle.h"
 #include "scene/shapes/sphere.h"
 #include "scene/shapes/triangle.h"
