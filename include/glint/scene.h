@@ -107,6 +107,13 @@ struct CylinderShape {
     double radius = 1;
     friend bool operator==(const CylinderShape&, const CylinderShape&) = default;
 };
+/// A flat disk, seen from both sides; the normal may have any length.
+struct DiskShape {
+    Vec3 center{0};
+    Vec3 normal{0, 0, 1};
+    double radius = 1;
+    friend bool operator==(const DiskShape&, const DiskShape&) = default;
+};
 struct TriangleShape {
     std::array<Vec3, 3> vertices{};
     friend bool operator==(const TriangleShape&, const TriangleShape&) = default;
@@ -153,7 +160,7 @@ struct InstanceShape {
     std::string mesh; ///< name of a mesh object
     friend bool operator==(const InstanceShape&, const InstanceShape&) = default;
 };
-using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, TriangleShape, RectangleShape,
+using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, DiskShape, TriangleShape, RectangleShape,
                            PolyhedronShape, MeshShape, InstanceShape>;
 
 struct Object {

@@ -10,7 +10,7 @@
 namespace glint {
 
 /// By kind, in the plural.
-inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders"};
+inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders", "disks"};
 static_assert(quadric_names.back() != nullptr, "a kind of quadric has no name");
 
 inline QuadricShape make_sphere(const dvec3& center, double radius) {
@@ -20,7 +20,10 @@ inline QuadricShape make_sphere(const dvec3& center, double radius) {
 inline QuadricShape make_cylinder(const dvec3& base, const dvec3& axis, double height, double radius) {
     return {quadric_cylinder, base, axis, height, radius};
 }
-
+/// `normal` is of unit length.
+inline QuadricShape make_disk(const dvec3& center, const dvec3& normal, double radius) {
+    return {quadric_disk, center, normal, 0, radius};
+}
 /// The image under p ↦ m p, which must stretch all lengths alike, by `scale`.
 inline QuadricShape transformed(const QuadricShape& shape, const dmat4& m, double scale) {
     return {shape.kind, dvec3(m * dvec4(shape.base, 1.0)), glm::normalize(dmat3(m) * shape.axis),

@@ -17,7 +17,8 @@ GLINT_SHARED_BEGIN
 
 const int quadric_sphere = 0;   // base: the centre
 const int quadric_cylinder = 1; // solid, with both caps; from base along axis
-const int quadric_kinds = 2;
+const int quadric_disk = 2;     // thin: base is the centre, axis the normal
+const int quadric_kinds = 3;
 
 /// What a kind does not use is 0, but for the axis, which is always a unit vector.
 struct QuadricShape {
@@ -37,15 +38,15 @@ GLINT_FN double size_of_quadric(GLINT_IN(QuadricShape) shape) {
     return max(max(base.x, base.y), base.z) + shape.radius + shape.height;
 }
 
-/// The least and the greatest g · p over all points p of the quadric.
+/// The least and the greatest g · p over all points p of the quadric: over a sphere, or two parallel circles.
 GLINT_FN void extent_of_quadric(GLINT_IN(QuadricShape) shape, dvec3 g, GLINT_OUT(double) low,
                                 GLINT_OUT(double) high) {
     dvec3 across = shape.kind == quadric_sphere ? g : g - shape.axis * dot(shape.axis, g);
     double reach = shape.radius * sqrt(dot(across, across));
     double base = dot(g, shape.base);
-    double top = shape.kind == quadric_sphere ? base : dot(g, shape.base + shape.axis * shape.height);
-    low = (base < top ? base : top) - reach;
-    high = (base < top ? top : base) + reach;
+    double top = dot(g, shape.base + shape.axis * shape.height);
+    low = min(base - reach, top - reach);
+    high = max(base + reach, top + reach);
 }
 
 GLINT_SHARED_END
@@ -123,11 +124,25 @@ GLINT_FN truth line_in_cylinder(dvec3 o, dvec3 d, dvec3 axis, double height, dou
     return clip_to_caps(dot(axis, o), dot(axis, d), height, side_enter, side_leave, span) && met;
 }
 
+/// Where a line crosses a disk; o is the line's origin seen from the centre. There is no way out: leave is
+/// -infinity, before any ray begins.
+GLINT_FN truth line_meets_disk(dvec3 o, dvec3 d, dvec3 normal, double radius, GLINT_OUT(SolidSpan) span) {
+    // Parallel to the disk t is infinite or NaN, and p NaN: no hit.
+    real64 t = -dot(normal, o) / dot(normal, d);
+    dvec3 p = square_to(normal, o + d * t);
+    span.enter = t;
+    span.leave = -infinite_double();
+    span.enter_part = 0;
+    span.leave_part = 0;
+    return dot(p, p) <= radius * radius;
+}
+
 /// The part of the line o + t d inside a quadric.
 GLINT_FN truth line_in_quadric(GLINT_IN(QuadricShape) shape, dvec3 o, dvec3 d, GLINT_OUT(SolidSpan) span) {
     dvec3 from = o - shape.base;
     if (shape.kind == quadric_cylinder)
         return line_in_cylinder(from, d, shape.axis, shape.height, shape.radius, span);
+    if (shape.kind == quadric_disk) return line_meets_disk(from, d, shape.axis, shape.radius, span);
     span.enter_part = 0;
     span.leave_part = 0;
     return line_in_ball(from, d, shape.radius, span.enter, span.leave);
@@ -158,7 +173,11 @@ GLINT_FN void point_of_quadric(GLINT_IN(QuadricShape) shape, integer part, dvec3
                                GLINT_OUT(dvec3) n) {
     if (shape.kind == quadric_cylinder)
         point_of_cylinder(shape.base, shape.axis, shape.height, shape.radius, part, p, on, n);
-    else
+    else if (shape.kind == quadric_disk) {
+        dvec3 axis = shape.axis;
+        on = shape.base + square_to(axis, p - shape.base);
+        n = axis;
+    } else
         point_of_sphere(shape.base, shape.radius, p, on, n);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Planes, spheres and cylinders against many rays, shape by shape, several rays at once. Private to this
+// Planes and quadrics against many rays, shape by shape, several rays at once. Private to this
 // room.
 
 #include "trace/kernel_table.h"
@@ -13,11 +13,11 @@ namespace glint {
 
 /// The kernels as compiled for each SIMD target. Rays that are neighbours should go nearly the same way.
 struct SurfaceKernels {
-    /// The closest plane, sphere or cylinder of each ray, with the bits of closest_surface(). mesh_ahead[i]
+    /// The closest plane or quadric of each ray, with the bits of closest_surface(). mesh_ahead[i]
     /// is 0 where ray i surely meets no triangle before that.
     void (*closest)(const WorldData& world, const Ray* rays, std::size_t count, Hit* hits,
                     std::uint8_t* mesh_ahead);
-    /// 1 for every ray that meets a plane, sphere or cylinder, else 0. mesh_ahead[i] is 0 where ray i is
+    /// 1 for every ray that meets a plane or quadric, else 0. mesh_ahead[i] is 0 where ray i is
     /// blocked, or surely meets no triangle.
     void (*occluded)(const WorldData& world, const Ray* rays, std::size_t count, std::uint8_t* blocked,
                      std::uint8_t* mesh_ahead);

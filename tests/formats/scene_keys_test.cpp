@@ -161,6 +161,10 @@ TEST(SceneKeys, ShapesAreRead) {
     EXPECT_EQ(cylinder.height, 5);
     EXPECT_EQ(cylinder.radius, 0.5);
 
+    const auto disk = only_shape<DiskShape>(parse(
+        with_material("[[disk]]\ncenter = [1, 2, 3]\nnormal = [0, 2, 1]\nradius = 4\nmaterial = \"m\"")));
+    EXPECT_EQ(disk, (DiskShape{Vec3(1, 2, 3), Vec3(0, 2, 1), 4}));
+
     const auto rectangle = only_shape<RectangleShape>(parse(with_material(
         "[[rectangle]]\ncorner = [1, 2, 3]\nu = [0, 2, 1]\nv = [1, 0, 0.5]\nmaterial = \"m\"")));
     EXPECT_EQ(rectangle, (RectangleShape{Vec3(1, 2, 3), Vec3(0, 2, 1), Vec3(1, 0, 0.5)}));

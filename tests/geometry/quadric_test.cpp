@@ -191,6 +191,34 @@ TEST(Cylinder, SurfaceIsNearestOnThePartHit) {
     EXPECT_EQ(surface(drum, top_cap, {1, 0, 4.1}).n, dvec3(0, 0, 1));
 }
 
+/// Radius 0.5 about z, square to it at z = 2.
+const QuadricShape coin = make_disk({0, 0, 2}, {0, 0, 1}, 0.5);
+
+TEST(Disk, IsMetOnceFromEitherSide) {
+    SolidSpan t{};
+    ASSERT_TRUE(intersect({{0.25, 0.25, 0}, {0, 0, 4}}, coin, t));
+    EXPECT_EQ(t.enter, 0.5);
+    EXPECT_EQ(t.leave, -std::numeric_limits<double>::infinity()) << "there is no way out";
+    ASSERT_TRUE(intersect({{0.25, 0.25, 3}, {0, 0, -1}}, coin, t));
+    EXPECT_EQ(t.enter, 1.0);
+    EXPECT_EQ(t.leave, -std::numeric_limits<double>::infinity());
+}
+
+TEST(Disk, EndsAtItsRim) {
+    SolidSpan t{};
+    EXPECT_TRUE(intersect({{0.5, 0, 0}, {0, 0, 1}}, coin, t));
+    EXPECT_FALSE(intersect({{std::nextafter(0.5, 1.0), 0, 0}, {0, 0, 1}}, coin, t));
+    EXPECT_FALSE(intersect({{-1, 0, 3}, {1, 0, 0}}, coin, t)) << "parallel, above it";
+    EXPECT_FALSE(intersect({{-1, 0, 2}, {1, 0, 0}}, coin, t)) << "in its plane";
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(intersect({{nan, 0, 0}, {0, 0, 1}}, coin, t));
+}
+
+TEST(Disk, SurfaceIsNearest) {
+    EXPECT_EQ(surface(coin, side, {0.25, 0, 2.5}).p, dvec3(0.25, 0, 2));
+    EXPECT_EQ(surface(coin, side, {0.25, 0, 1.5}).n, dvec3(0, 0, 1)) << "the normal as given, from below too";
+}
+
 TEST(Plane, IsMetWhereItsEquationHolds) {
     const Plane plane{{0, 0, 2}, 6}; // z = 3
     double t = 0;
@@ -215,6 +243,9 @@ TEST(Extent, IsTight) {
     const Interval slanted = extent(make_cylinder({0, 0, 0}, {r, 0, r}, 2.0, 1.0), {1, 0, 0});
     EXPECT_NEAR(slanted.low, -r, 1e-15);
     EXPECT_NEAR(slanted.high, 3 * r, 1e-15);
+    const Interval disk = extent(make_disk({0, 0, 5}, {r, 0, r}, 1.0), {1, 0, 0});
+    EXPECT_NEAR(disk.low, -r, 1e-15);
+    EXPECT_NEAR(disk.high, r, 1e-15);
 }
 
 } // namespace

@@ -40,6 +40,7 @@ const std::vector<Shape>& finite_shapes() {
         TriangleShape{{Vec3(-1, 0, 0), Vec3(1, 0, 0.2), Vec3(0, 1, 0.5)}},
         prism,
         RectangleShape{Vec3(-0.8, -0.7, 0.1), Vec3(1.5, 0.1, 0.3), Vec3(0.4, 1.2, -0.2)},
+        DiskShape{Vec3(0.1, -0.1, 0.2), Vec3(0.3, -0.2, 2), 0.9},
     };
     return shapes;
 }
@@ -126,8 +127,9 @@ TEST(Shapes, SupportIsThatOfThePointsThatAreHit) {
 
 TEST(Shapes, KnowWhetherTheyBoundAVolume) {
     for (const Shape& shape : finite_shapes()) {
-        const bool thin =
-            std::holds_alternative<TriangleShape>(shape) || std::holds_alternative<RectangleShape>(shape);
+        const bool thin = std::holds_alternative<TriangleShape>(shape) ||
+                          std::holds_alternative<RectangleShape>(shape) ||
+                          std::holds_alternative<DiskShape>(shape);
         EXPECT_EQ(is_solid(shape), !thin) << shape.index();
         EXPECT_EQ(scene_of(shape, Mat4(1)).frozen().objects[0].solid, !thin) << shape.index();
     }

@@ -277,6 +277,25 @@ TEST(Frame, SeesRoundThingsWhole) {
     }
 }
 
+TEST(Frame, SeesDisksWhole) {
+    SceneDescription scene;
+    scene.objects.push_back(object_of(DiskShape{Vec3(-3, 0, 1), Vec3(1, 1, 2), 2}));
+    const dvec3 axis = glm::normalize(dvec3(1, 1, 2));
+    const dvec3 side = glm::normalize(glm::cross(axis, dvec3(0, 0, 1)));
+    std::vector<dvec3> points;
+    for (int i = 0; i < 360; i += 10) {
+        const dvec3 rim = side * cos_degrees(i) + glm::cross(axis, side) * sin_degrees(i);
+        points.push_back(dvec3(-3, 0, 1) + 2.0 * rim);
+    }
+    const CameraDescription camera = frame(scene);
+    double farthest = 0;
+    for (const dvec3& p : points) {
+        const dvec2 at = on_picture(scene, camera, p);
+        farthest = std::max(farthest, std::max(std::abs(at.x), std::abs(at.y)));
+    }
+    EXPECT_NEAR(farthest, 0.85, 0.01) << "no nearer to the edge, and as near as may be";
+}
+
 TEST(Frame, LooksAtThePlaneWhereThereIsNothingElse) {
     SceneDescription scene;
     scene.objects.push_back(object_of(PlaneShape{Vec3(0, 0, 2), -40}));

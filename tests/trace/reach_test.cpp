@@ -36,6 +36,9 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
     const dvec3 base = snapped(numbers, size);
     const dvec3 axis = numbers.direction();
     input.quadrics.push_back({object++, 0, make_cylinder(base, axis, size * 0.5, size * 0.25)});
+    const dvec3 center = snapped(numbers, size);
+    const dvec3 normal = numbers.direction();
+    input.quadrics.push_back({object++, 0, make_disk(center, normal, size * 0.4)});
     WorldInput::Triangles mesh = square(object, static_cast<float>(numbers()));
     const vec3 corner(snapped(numbers, size));
     for (vec3& p : mesh.positions) p = p * static_cast<float>(size) + corner;

@@ -187,6 +187,22 @@ WorldInput some_cylinder(Numbers& random, dvec3& about, double& reach) {
     return input;
 }
 
+WorldInput some_disk(Numbers& random, dvec3& about, double& reach) {
+    const double size = std::pow(10.0, 6.0 * random());
+    about = random.point() * size * std::pow(10.0, 3.0 * random());
+    reach = size;
+    WorldInput input;
+    input.quadrics.push_back({0, 0, make_disk(about, random.direction(), size)});
+    return input;
+}
+
+/// A quadric in a space of its own.
+WorldInput some_squeezed(const QuadricShape& shape, Numbers& random, dvec3& about, double& reach) {
+    WorldInput input = some_ellipsoid(random, about, reach);
+    input.quadrics.front().shape = shape;
+    return input;
+}
+
 WorldInput some_plane(Numbers& random, dvec3& about, double& reach) {
     const double size = std::pow(10.0, 6.0 * random());
     about = random.point() * size * std::pow(10.0, 3.0 * random());
@@ -210,6 +226,16 @@ TEST(Sphere, RayIntoItLeavesOnce) {
 TEST(Cylinder, SpawnedRayNeverReintersects) { expect_spawned_rays_leave(some_cylinder, 1.0, 0); }
 
 TEST(Cylinder, RayIntoItLeavesOnce) { expect_spawned_rays_leave(some_cylinder, -1.0, 1); }
+
+TEST(Disk, SpawnedRayNeverReintersects) {
+    const auto squeezed = [](Numbers& random, dvec3& about, double& reach) {
+        return some_squeezed(make_disk({0, 0, 0}, {0, 0, 1}, 1.0), random, about, reach);
+    };
+    for (const double side : {1.0, -1.0}) {
+        expect_spawned_rays_leave(some_disk, side, 0);
+        expect_spawned_rays_leave(squeezed, side, 0);
+    }
+}
 
 TEST(Plane, SpawnedRayNeverReintersects) {
     expect_spawned_rays_leave(some_plane, 1.0, 0);

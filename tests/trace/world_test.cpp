@@ -234,6 +234,7 @@ TEST(World, HasTheSameBitsAtAnyPowerOfTwo) {
             input.quadrics.push_back({1, 0, make_sphere(local, 0.4), 0});
             input.quadrics.push_back(
                 {2, 0, make_cylinder(center * 0.5 * scale, axis, 1.1 * scale, 0.3 * scale)});
+            input.quadrics.push_back({4, 0, make_disk(center * 0.8 * scale, axis, 0.6 * scale)});
             input.planes.push_back({3, normal, 0.3 * scale});
             return world_of(input);
         };
@@ -283,6 +284,9 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
             turned.quadrics.push_back({1, 0, make_sphere(turn(center), 0.5)});
             input.quadrics.push_back({2, 0, make_cylinder(-center, axis, 0.9, 0.3)});
             turned.quadrics.push_back({2, 0, make_cylinder(turn(-center), turn(axis), 0.9, 0.3)});
+            const dvec3 across = random.direction();
+            input.quadrics.push_back({4, 0, make_disk(center * 0.5, across, 0.4)});
+            turned.quadrics.push_back({4, 0, make_disk(turn(center * 0.5), turn(across), 0.4)});
             input.planes.push_back({3, axis, 0.2});
             turned.planes.push_back({3, turn(axis), 0.2});
             const Ray ray = ray_from(vec3(random.point() * 3.0), vec3(random.point()));

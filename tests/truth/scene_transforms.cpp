@@ -18,6 +18,10 @@ struct Scaler {
         p.height *= s;
         p.radius *= s;
     }
+    void operator()(DiskShape& p) const {
+        p.center *= s;
+        p.radius *= s;
+    }
     void operator()(RectangleShape& p) const {
         p.corner *= s;
         p.u *= s;

@@ -115,6 +115,10 @@ std::int32_t add_affine(const Placement& place, Random& random, WorldInput& worl
     return static_cast<std::int32_t>(world.world_from_local.size()) - 1;
 }
 
+QuadricShape any_standing(const dvec3& p, const dvec3& axis, double height, double radius, Random& random) {
+    return random.one_in(3) ? make_disk(p, axis, radius) : make_cylinder(p, axis, height, radius);
+}
+
 void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
     for (std::uint32_t i = 0; i < 12; ++i) {
         const bool local = random.one_in(3);
@@ -128,7 +132,7 @@ void add_quadrics(const Placement& place, Random& random, WorldInput& world) {
         }
         const dvec3 axis = random.one_in(2) ? random.along_axis() : random.direction();
         world.quadrics.push_back(
-            {40 + i, 0, make_cylinder(p, axis, radius * random.between(1, 4), radius), affine});
+            {40 + i, 0, any_standing(p, axis, radius * random.between(1, 4), radius, random), affine});
     }
     for (std::uint32_t i = random.below(3); i > 0; --i) {
         const dvec3 normal = random.one_in(2) ? dvec3(0, 0, 1) : random.in_cube(3.0);

@@ -86,6 +86,17 @@ TableSpec shape_table<CylinderShape>() {
 }
 
 template <>
+TableSpec shape_table<DiskShape>() {
+    using D = DiskShape;
+    return {.help = "A flat disk, seen from both sides.",
+            .keys = {
+                point<&D::center>("center").required(),
+                direction<&D::normal>("normal").required().help("perpendicular to the disk"),
+                extent<&D::radius>("radius").required(),
+            }};
+}
+
+template <>
 TableSpec shape_table<TriangleShape>() {
     return {.help = "One triangle, seen from both sides.",
             .keys = {

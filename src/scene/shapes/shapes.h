@@ -10,6 +10,7 @@
 // All in the shape's own space, before the object's transform.
 
 #include "scene/shapes/cylinder.h"
+#include "scene/shapes/disk.h"
 #include "scene/shapes/mesh.h"
 #include "scene/shapes/plane.h"
 #include "scene/shapes/polyhedron.h"

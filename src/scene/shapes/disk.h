@@ -1,0 +1,23 @@
+#pragma once
+#include "scene/shapes/shape_baker.h"
+
+namespace glint {
+
+inline bool has_inside(const DiskShape&) { return false; }
+
+inline double support(const DiskShape& s, const dvec3& d) {
+    const dvec3 normal = glm::normalize(s.normal);
+    return glm::dot(d, s.center) + s.radius * glm::length(d - glm::dot(d, normal) * normal);
+}
+
+inline ShapeBox box(const DiskShape& s) {
+    ShapeBox box;
+    box.grow(s.center, s.radius);
+    return box;
+}
+
+inline void bake(const DiskShape& s, ShapeBaker& out) {
+    out.quadric(make_disk(s.center, glm::normalize(s.normal), s.radius), box(s));
+}
+
+} // namespace glint
