@@ -44,12 +44,13 @@ inline constexpr NamesUpTo<VertexColors::ignore> enum_names<VertexColors>{"auto"
 
 /// The tables of objects: [[plane]], [[sphere]], …
 inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
-    "plane", "sphere", "cylinder", "disk", "triangle", "rectangle", "polyhedron", "mesh", "instance"};
+    "plane", "sphere", "cylinder", "cone", "disk", "triangle", "rectangle", "polyhedron", "mesh", "instance"};
 static_assert(!shape_names.back().empty(), "a shape has no name");
 
 /// Several of them, in prose.
 inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_plurals{
-    "planes", "spheres", "cylinders", "disks", "triangles", "rectangles", "polyhedra", "meshes", "instances"};
+    "planes",    "spheres",    "cylinders", "cones",  "disks",
+    "triangles", "rectangles", "polyhedra", "meshes", "instances"};
 static_assert(!shape_plurals.back().empty(), "a shape has no plural");
 
 /// The types of [[light]].

@@ -107,6 +107,14 @@ struct CylinderShape {
     double radius = 1;
     friend bool operator==(const CylinderShape&, const CylinderShape&) = default;
 };
+/// A solid cone with its cap; `axis` gives the direction only, from the middle of the base to the apex.
+struct ConeShape {
+    Vec3 base{0};
+    Vec3 axis{0, 0, 1};
+    double height = 1;
+    double radius = 1;
+    friend bool operator==(const ConeShape&, const ConeShape&) = default;
+};
 /// A flat disk, seen from both sides; the normal may have any length.
 struct DiskShape {
     Vec3 center{0};
@@ -160,8 +168,8 @@ struct InstanceShape {
     std::string mesh; ///< name of a mesh object
     friend bool operator==(const InstanceShape&, const InstanceShape&) = default;
 };
-using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, DiskShape, TriangleShape, RectangleShape,
-                           PolyhedronShape, MeshShape, InstanceShape>;
+using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, ConeShape, DiskShape, TriangleShape,
+                           RectangleShape, PolyhedronShape, MeshShape, InstanceShape>;
 
 struct Object {
     std::string name; ///< unique within its type, or empty

@@ -10,7 +10,8 @@
 namespace glint {
 
 /// By kind, in the plural.
-inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders", "disks"};
+inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders", "disks",
+                                                                      "cones"};
 static_assert(quadric_names.back() != nullptr, "a kind of quadric has no name");
 
 inline QuadricShape make_sphere(const dvec3& center, double radius) {
@@ -24,6 +25,11 @@ inline QuadricShape make_cylinder(const dvec3& base, const dvec3& axis, double h
 inline QuadricShape make_disk(const dvec3& center, const dvec3& normal, double radius) {
     return {quadric_disk, center, normal, 0, radius};
 }
+/// A solid cone with its cap; `axis` is of unit length and points from the middle of the base to the apex.
+inline QuadricShape make_cone(const dvec3& base, const dvec3& axis, double height, double radius) {
+    return {quadric_cone, base, axis, height, radius};
+}
+
 /// The image under p ↦ m p, which must stretch all lengths alike, by `scale`.
 inline QuadricShape transformed(const QuadricShape& shape, const dmat4& m, double scale) {
     return {shape.kind, dvec3(m * dvec4(shape.base, 1.0)), glm::normalize(dmat3(m) * shape.axis),

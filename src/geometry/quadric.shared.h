@@ -18,7 +18,8 @@ GLINT_SHARED_BEGIN
 const int quadric_sphere = 0;   // base: the centre
 const int quadric_cylinder = 1; // solid, with both caps; from base along axis
 const int quadric_disk = 2;     // thin: base is the centre, axis the normal
-const int quadric_kinds = 3;
+const int quadric_cone = 3;     // solid, with its cap; from base along axis to the apex
+const int quadric_kinds = 4;
 
 /// What a kind does not use is 0, but for the axis, which is always a unit vector.
 struct QuadricShape {
@@ -43,10 +44,11 @@ GLINT_FN void extent_of_quadric(GLINT_IN(QuadricShape) shape, dvec3 g, GLINT_OUT
                                 GLINT_OUT(double) high) {
     dvec3 across = shape.kind == quadric_sphere ? g : g - shape.axis * dot(shape.axis, g);
     double reach = shape.radius * sqrt(dot(across, across));
+    double reach_at_top = shape.kind == quadric_cone ? 0.0 : reach;
     double base = dot(g, shape.base);
     double top = dot(g, shape.base + shape.axis * shape.height);
-    low = min(base - reach, top - reach);
-    high = max(base + reach, top + reach);
+    low = min(base - reach, top - reach_at_top);
+    high = max(base + reach, top + reach_at_top);
 }
 
 GLINT_SHARED_END
@@ -137,12 +139,57 @@ GLINT_FN truth line_meets_disk(dvec3 o, dvec3 d, dvec3 normal, double radius, GL
     return dot(p, p) <= radius * radius;
 }
 
+/// The part of a line in a solid cone; o is the line's origin seen from the base. Inside the double cone
+/// about the apex a t^2 - 2 b t + c <= 0.
+GLINT_FN truth line_in_cone(dvec3 o, dvec3 d, dvec3 axis, double height, double radius,
+                            GLINT_OUT(SolidSpan) span) {
+    // t counts from the line's point nearest to the apex: no difference of large squares where o is far.
+    dvec3 from_apex = o - axis * height;
+    real64 shift = -dot(from_apex, d) / dot(d, d);
+    dvec3 f = from_apex + d * shift;
+
+    double slope = radius / height;
+    double slope2 = slope * slope;
+    real64 down = -dot(axis, f);
+    real64 fall = -dot(axis, d);
+    dvec3 f_across = square_to(axis, f);
+    dvec3 d_across = square_to(axis, d);
+    real64 a = dot(d_across, d_across) - slope2 * (fall * fall);
+    real64 b = slope2 * (down * fall) - dot(f_across, d_across);
+    real64 c = dot(f_across, f_across) - slope2 * (down * down);
+
+    // b^2 - a c with its large terms cancelled by hand. A line steeper than the side always meets the double
+    // cone.
+    dvec3 along = d_across * down - f_across * fall;
+    dvec3 around = cross(f_across, d_across);
+    real64 delta = slope2 * dot(along, along) - dot(around, around);
+    truth steep = a < 0.0;
+    truth met = steep || delta >= 0.0;
+    if (!any_lane(met)) return met;
+
+    real64 root = sqrt(pick(delta > 0.0, delta, 0.0));
+    real64 q = pick(b >= 0.0, b + root, b - root);
+    real64 one = pick(q == 0.0, 0.0, q / a); // infinite where the line is parallel to the side
+    real64 other = pick(q == 0.0, 0.0, c / q);
+    truth ordered = one < other;
+    real64 first = pick(ordered, one, other);
+    real64 second = pick(ordered, other, one);
+
+    // Steep lines are inside before the first root and after the second: one of the two is below the apex.
+    truth descends = fall > 0.0;
+    real64 side_enter = pick(steep, pick(descends, second, -infinite_double()), first) + shift;
+    real64 side_leave = pick(steep, pick(descends, infinite_double(), first), second) + shift;
+    return clip_to_caps(dot(axis, o), dot(axis, d), height, side_enter, side_leave, span) && met;
+}
+
 /// The part of the line o + t d inside a quadric.
 GLINT_FN truth line_in_quadric(GLINT_IN(QuadricShape) shape, dvec3 o, dvec3 d, GLINT_OUT(SolidSpan) span) {
     dvec3 from = o - shape.base;
     if (shape.kind == quadric_cylinder)
         return line_in_cylinder(from, d, shape.axis, shape.height, shape.radius, span);
     if (shape.kind == quadric_disk) return line_meets_disk(from, d, shape.axis, shape.radius, span);
+    if (shape.kind == quadric_cone)
+        return line_in_cone(from, d, shape.axis, shape.height, shape.radius, span);
     span.enter_part = 0;
     span.leave_part = 0;
     return line_in_ball(from, d, shape.radius, span.enter, span.leave);
@@ -168,11 +215,28 @@ GLINT_FN void point_of_cylinder(dvec3 base, dvec3 axis, double height, double ra
     on = pick(on_base, base + radial, pick(on_top, base + axis * height + radial, on_side));
 }
 
+/// The same for one part of a cone's surface. At the apex the normal is the axis.
+GLINT_FN void point_of_cone(dvec3 base, dvec3 axis, double height, double radius, integer part, dvec3 p,
+                            GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
+    dvec3 v = p - base;
+    dvec3 radial = square_to(axis, v);
+    real64 distance = sqrt(dot(radial, radial));
+    real64 slant = sqrt(height * height + radius * radius);
+    dvec3 out_of_side = radial / distance * (height / slant) + axis * (radius / slant);
+    truth on_base = part == 1;
+    n = pick(on_base, -axis, pick(distance > 0.0, out_of_side, axis));
+    // How far p is above the side.
+    real64 above = ((distance - radius) * height + dot(axis, v) * radius) / slant;
+    on = base + pick(on_base, radial, v - n * above);
+}
+
 /// The point of one part of a quadric's surface nearest to p, and the outward normal there.
 GLINT_FN void point_of_quadric(GLINT_IN(QuadricShape) shape, integer part, dvec3 p, GLINT_OUT(dvec3) on,
                                GLINT_OUT(dvec3) n) {
     if (shape.kind == quadric_cylinder)
         point_of_cylinder(shape.base, shape.axis, shape.height, shape.radius, part, p, on, n);
+    else if (shape.kind == quadric_cone)
+        point_of_cone(shape.base, shape.axis, shape.height, shape.radius, part, p, on, n);
     else if (shape.kind == quadric_disk) {
         dvec3 axis = shape.axis;
         on = shape.base + square_to(axis, p - shape.base);

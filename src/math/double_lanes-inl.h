@@ -104,6 +104,9 @@ struct dvec3 {
 HWY_INLINE dvec3 pick(truth t, const dvec3& one, const dvec3& other) {
     return {pick(t, one.x, other.x), pick(t, one.y, other.y), pick(t, one.z, other.z)};
 }
+HWY_INLINE dvec3 cross(const dvec3& a, const dvec3& b) {
+    return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
+}
 HWY_INLINE real64 dot(const dvec3& a, const dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 /// The largest |coordinate|.
 HWY_INLINE real64 largest(const dvec3& a) { return greater(abs(a.x), greater(abs(a.y), abs(a.z))); }

@@ -204,6 +204,8 @@ const Malformed malformed[] = {
     {"disk without a direction",
      "[material.m]\n[[disk]]\ncenter = [0,0,0]\nnormal = [0,0,0]\nradius = 1\nmaterial = \"m\"\n", 4, 10,
      "\"normal\" must not be zero", ""},
+    {"flat cone", "[material.m]\n[[cone]]\nbase = [0,0,0]\nheight = 0\nradius = 1\nmaterial = \"m\"\n", 4, 10,
+     "\"height\" must be above 0", ""},
     {"two vertices of a triangle",
      "[material.m]\n[[triangle]]\nvertices = [[0,0,0], [1,0,0]]\nmaterial = \"m\"\n", 3, 12,
      "expected a list of 3 points for \"vertices\", found 2", ""},

@@ -161,6 +161,10 @@ TEST(SceneKeys, ShapesAreRead) {
     EXPECT_EQ(cylinder.height, 5);
     EXPECT_EQ(cylinder.radius, 0.5);
 
+    const auto cone = only_shape<ConeShape>(parse(with_material(
+        "[[cone]]\nbase = [1, 2, 3]\naxis = [0, 1, 1]\nheight = 5\nradius = 0.5\nmaterial = \"m\"")));
+    EXPECT_EQ(cone, (ConeShape{Vec3(1, 2, 3), Vec3(0, 1, 1), 5, 0.5}));
+
     const auto disk = only_shape<DiskShape>(parse(
         with_material("[[disk]]\ncenter = [1, 2, 3]\nnormal = [0, 2, 1]\nradius = 4\nmaterial = \"m\"")));
     EXPECT_EQ(disk, (DiskShape{Vec3(1, 2, 3), Vec3(0, 2, 1), 4}));

@@ -219,6 +219,111 @@ TEST(Disk, SurfaceIsNearest) {
     EXPECT_EQ(surface(coin, side, {0.25, 0, 1.5}).n, dvec3(0, 0, 1)) << "the normal as given, from below too";
 }
 
+/// Radius 1 at z = 0, its apex at z = 2.
+const QuadricShape spike = make_cone({0, 0, 0}, {0, 0, 1}, 2.0, 1.0);
+
+TEST(Cone, IsCrossedThroughItsSideAndItsCap) {
+    SolidSpan t{};
+    ASSERT_TRUE(intersect({{-5, 0, 1}, {1, 0, 0}}, spike, t));
+    EXPECT_EQ(t.enter, 4.5);
+    EXPECT_EQ(t.leave, 5.5);
+    EXPECT_EQ(t.enter_part, side);
+    EXPECT_EQ(t.leave_part, side);
+    ASSERT_TRUE(intersect({{0.25, 0, 5}, {0, 0, -1}}, spike, t));
+    EXPECT_EQ(t.enter, 3.5);
+    EXPECT_EQ(t.leave, 5.0);
+    EXPECT_EQ(t.enter_part, side);
+    EXPECT_EQ(t.leave_part, base_cap);
+    ASSERT_TRUE(intersect({{0.25, 0, -5}, {0, 0, 1}}, spike, t));
+    EXPECT_EQ(t.enter, 5.0);
+    EXPECT_EQ(t.leave, 6.5);
+    EXPECT_EQ(t.enter_part, base_cap);
+    EXPECT_EQ(t.leave_part, side);
+    EXPECT_FALSE(intersect({{-5, 0, -0.5}, {1, 0, 0}}, spike, t)) << "below the cap";
+    EXPECT_FALSE(intersect({{-5, 0, 2.5}, {1, 0, 0}}, spike, t)) << "through its mirror image above the apex";
+    EXPECT_FALSE(intersect({{-5, 0.75, 1}, {1, 0, 0}}, spike, t)) << "past the side";
+}
+
+TEST(Cone, IsCrossedParallelToItsSide) {
+    // Down a line half a unit inside the side, along it: the quadratic has one root.
+    SolidSpan t{};
+    ASSERT_TRUE(intersect({{-2.5, 0, 6}, {1, 0, -2}}, make_cone({0, 0, 0}, {0, 0, 1}, 2.0, 1.0), t));
+    EXPECT_EQ(t.leave, 3.0);
+    EXPECT_EQ(t.leave_part, base_cap);
+    EXPECT_NEAR(t.enter, 2.25, 1e-15);
+}
+
+TEST(Cone, IsMetAtItsApex) {
+    SolidSpan t{};
+    ASSERT_TRUE(intersect({{0, 0, 5}, {0, 0, -1}}, spike, t)) << "down the axis";
+    EXPECT_EQ(t.enter, 3.0);
+    EXPECT_EQ(t.leave, 5.0);
+    ASSERT_TRUE(intersect({{-1, 0, 2}, {1, 0, 0}}, spike, t)) << "a touch";
+    EXPECT_EQ(t.enter, 1.0);
+    EXPECT_EQ(t.leave, 1.0);
+    const ExactPoint point = surface(spike, side, {0, 0, 2});
+    EXPECT_EQ(point.p, dvec3(0, 0, 2));
+    EXPECT_EQ(point.n, dvec3(0, 0, 1));
+}
+
+TEST(Cone, IsExactFromFarAway) {
+    SolidSpan t{};
+    ASSERT_TRUE(intersect({{-1e7, 0.25, 1}, {1, 0, 0}}, spike, t));
+    const double half_chord = std::sqrt(0.25 - 0.0625);
+    EXPECT_NEAR(t.enter, 1e7 - half_chord, 4e-9);
+    EXPECT_NEAR(t.leave, 1e7 + half_chord, 4e-9);
+}
+
+TEST(Cone, MissesByNaN) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    SolidSpan t{};
+    EXPECT_FALSE(intersect({{nan, 0, -5}, {0, 0, 1}}, spike, t));
+    EXPECT_FALSE(intersect({{0, 0, -5}, {0, nan, 1}}, spike, t));
+}
+
+TEST(Cone, AgreesWithPointsInside) {
+    // A point of the line is inside the solid exactly between the two roots.
+    std::mt19937_64 engine(6);
+    const auto number = [&] { return static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0; };
+    int hits = 0;
+    for (int round = 0; round < 100'000; ++round) {
+        const dvec3 axis = glm::normalize(dvec3{number(), number(), number() + 1e-3});
+        const dvec3 base{number(), number(), number()};
+        const double height = 1.0 + number() * 0.95;
+        const double radius = 1.0 + number() * 0.95;
+        const QuadricShape c = make_cone(base, axis, height, radius);
+        const dvec3 origin{number() * 4, number() * 4, number() * 4};
+        const Line line{origin, {number(), number(), number()}};
+        const auto inside = [&](double t) {
+            const dvec3 v = line.origin + line.direction * t - c.base;
+            const double h = glm::dot(axis, v);
+            return h >= 0 && h <= height && glm::length(v - axis * h) <= radius * (1 - h / height);
+        };
+        SolidSpan t{};
+        const bool hit = intersect(line, c, t);
+        hits += hit ? 1 : 0;
+        if (hit) {
+            const double length = t.leave - t.enter;
+            if (length < 1e-9) continue;
+            ASSERT_TRUE(inside(t.enter + length * 1e-4) && inside(t.leave - length * 1e-4)) << round;
+            ASSERT_FALSE(inside(t.enter - length * 1e-4) || inside(t.leave + length * 1e-4)) << round;
+        } else {
+            for (int i = -50; i <= 50; ++i) ASSERT_FALSE(inside(0.1 * i)) << round;
+        }
+    }
+    EXPECT_GT(hits, 4000);
+}
+
+TEST(Cone, SurfaceIsNearestOnThePartHit) {
+    // (0.5, 0, 1) is on the side, whose normal is (2, 0, 1) / √5.
+    const dvec3 normal = dvec3(2, 0, 1) / std::sqrt(5.0);
+    const ExactPoint point = surface(spike, side, dvec3(0.5, 0, 1) + normal * 0.01);
+    EXPECT_LT(glm::length(point.p - dvec3(0.5, 0, 1)), 1e-15);
+    EXPECT_LT(glm::length(point.n - normal), 1e-15);
+    EXPECT_EQ(surface(spike, base_cap, {0.5, 0, 0.1}).p, dvec3(0.5, 0, 0));
+    EXPECT_EQ(surface(spike, base_cap, {0.5, 0, 0.1}).n, dvec3(0, 0, -1));
+}
+
 TEST(Plane, IsMetWhereItsEquationHolds) {
     const Plane plane{{0, 0, 2}, 6}; // z = 3
     double t = 0;
@@ -246,6 +351,12 @@ TEST(Extent, IsTight) {
     const Interval disk = extent(make_disk({0, 0, 5}, {r, 0, r}, 1.0), {1, 0, 0});
     EXPECT_NEAR(disk.low, -r, 1e-15);
     EXPECT_NEAR(disk.high, r, 1e-15);
+    const Interval cone = extent(spike, {0, 0, 1});
+    EXPECT_EQ(cone.low, 0.0);
+    EXPECT_EQ(cone.high, 2.0);
+    const Interval wide = extent(spike, {1, 0, 0});
+    EXPECT_EQ(wide.low, -1.0);
+    EXPECT_EQ(wide.high, 1.0);
 }
 
 } // namespace

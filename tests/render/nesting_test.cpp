@@ -179,10 +179,11 @@ TEST(CameraInside, KnowsAllTheSolidsAroundItAndTheirOwner) {
 TEST(CameraInside, EveryKindOfSolidIsFound) {
     const PolyhedronShape box{PolyhedronKind::box, Vec3(0), Vec3(2)};
     const CylinderShape cylinder{Vec3(0, 0, -1), Vec3(0, 0, 1), 2, 1};
+    const ConeShape cone{Vec3(-2, 0, 0), Vec3(1, 0, 0), 3, 2};
     const PlaneShape ground{Vec3(1, 0, 0), 1, true};
     const MeshShape mesh = mesh_of(box_mesh(Vec3(0), Vec3(2)));
     for (const Shape& shape :
-         {Shape(box), Shape(cylinder), Shape(ground), Shape(mesh), Shape(SphereShape{})}) {
+         {Shape(box), Shape(cylinder), Shape(cone), Shape(ground), Shape(mesh), Shape(SphereShape{})}) {
         SceneDescription scene = in_sky();
         add(scene, shape, absorbing(1.5, Vec3(1)));
         EXPECT_NEAR(look(scene, Vec3(0), Vec3(1, 0, 0)).light.x, std::exp(-1.0), 1e-6) << shape.index();

@@ -210,6 +210,8 @@ TEST(Shadow, NoSurfaceShadowsItself) {
         add(scene, ball, matte());
         const CylinderShape can{Vec3(-2, 0, -1) * size, Vec3(0.3, 0.1, 1), size, size * 0.6};
         add(scene, can, matte());
+        add(scene, ConeShape{Vec3(0.4, -2, -1.2) * size, Vec3(-0.2, 0.1, 1), size * 0.8, size * 0.5},
+            matte());
         PolyhedronShape gem{PolyhedronKind::icosahedron};
         gem.center = Vec3(2, 0, 0) * size;
         gem.radius = 0.8 * size;

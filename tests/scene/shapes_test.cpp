@@ -41,6 +41,7 @@ const std::vector<Shape>& finite_shapes() {
         prism,
         RectangleShape{Vec3(-0.8, -0.7, 0.1), Vec3(1.5, 0.1, 0.3), Vec3(0.4, 1.2, -0.2)},
         DiskShape{Vec3(0.1, -0.1, 0.2), Vec3(0.3, -0.2, 2), 0.9},
+        ConeShape{Vec3(0.1, 0, -0.6), Vec3(0.2, -0.1, 1), 1.4, 0.7},
     };
     return shapes;
 }

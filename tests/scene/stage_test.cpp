@@ -277,14 +277,16 @@ TEST(Frame, SeesRoundThingsWhole) {
     }
 }
 
-TEST(Frame, SeesDisksWhole) {
+TEST(Frame, SeesConesAndDisksWhole) {
     SceneDescription scene;
+    scene.objects.push_back(object_of(ConeShape{Vec3(2, 1, 0), Vec3(1, 1, 2), 5, 1}));
     scene.objects.push_back(object_of(DiskShape{Vec3(-3, 0, 1), Vec3(1, 1, 2), 2}));
     const dvec3 axis = glm::normalize(dvec3(1, 1, 2));
     const dvec3 side = glm::normalize(glm::cross(axis, dvec3(0, 0, 1)));
-    std::vector<dvec3> points;
+    std::vector<dvec3> points{dvec3(2, 1, 0) + 5.0 * axis};
     for (int i = 0; i < 360; i += 10) {
         const dvec3 rim = side * cos_degrees(i) + glm::cross(axis, side) * sin_degrees(i);
+        points.push_back(dvec3(2, 1, 0) + rim);
         points.push_back(dvec3(-3, 0, 1) + 2.0 * rim);
     }
     const CameraDescription camera = frame(scene);

@@ -39,6 +39,7 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
     const dvec3 center = snapped(numbers, size);
     const dvec3 normal = numbers.direction();
     input.quadrics.push_back({object++, 0, make_disk(center, normal, size * 0.4)});
+    input.quadrics.push_back({object++, 0, make_cone(center, -normal, size * 0.6, size * 0.3)});
     WorldInput::Triangles mesh = square(object, static_cast<float>(numbers()));
     const vec3 corner(snapped(numbers, size));
     for (vec3& p : mesh.positions) p = p * static_cast<float>(size) + corner;

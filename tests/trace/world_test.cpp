@@ -235,6 +235,9 @@ TEST(World, HasTheSameBitsAtAnyPowerOfTwo) {
             input.quadrics.push_back(
                 {2, 0, make_cylinder(center * 0.5 * scale, axis, 1.1 * scale, 0.3 * scale)});
             input.quadrics.push_back({4, 0, make_disk(center * 0.8 * scale, axis, 0.6 * scale)});
+            input.quadrics.push_back(
+                {5, 0, make_cone(center * -0.4 * scale, axis, 0.9 * scale, 0.5 * scale)});
+            input.quadrics.push_back({6, 0, make_cone(local, axis, 0.6, 0.3), 0});
             input.planes.push_back({3, normal, 0.3 * scale});
             return world_of(input);
         };
@@ -287,6 +290,8 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
             const dvec3 across = random.direction();
             input.quadrics.push_back({4, 0, make_disk(center * 0.5, across, 0.4)});
             turned.quadrics.push_back({4, 0, make_disk(turn(center * 0.5), turn(across), 0.4)});
+            input.quadrics.push_back({5, 0, make_cone(center * -0.3, across, 0.8, 0.5)});
+            turned.quadrics.push_back({5, 0, make_cone(turn(center * -0.3), turn(across), 0.8, 0.5)});
             input.planes.push_back({3, axis, 0.2});
             turned.planes.push_back({3, turn(axis), 0.2});
             const Ray ray = ray_from(vec3(random.point() * 3.0), vec3(random.point()));

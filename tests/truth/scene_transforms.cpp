@@ -22,6 +22,11 @@ struct Scaler {
         p.center *= s;
         p.radius *= s;
     }
+    void operator()(ConeShape& p) const {
+        p.base *= s;
+        p.height *= s;
+        p.radius *= s;
+    }
     void operator()(RectangleShape& p) const {
         p.corner *= s;
         p.u *= s;

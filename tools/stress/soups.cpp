@@ -116,7 +116,14 @@ std::int32_t add_affine(const Placement& place, Random& random, WorldInput& worl
 }
 
 QuadricShape any_standing(const dvec3& p, const dvec3& axis, double height, double radius, Random& random) {
-    return random.one_in(3) ? make_disk(p, axis, radius) : make_cylinder(p, axis, height, radius);
+    switch (random.below(3)) {
+    case 0:
+        return make_cylinder(p, axis, height, radius);
+    case 1:
+        return make_cone(p, axis, height, radius);
+    default:
+        return make_disk(p, axis, radius);
+    }
 }
 
 void add_quadrics(const Placement& place, Random& random, WorldInput& world) {

@@ -86,6 +86,18 @@ TableSpec shape_table<CylinderShape>() {
 }
 
 template <>
+TableSpec shape_table<ConeShape>() {
+    using C = ConeShape;
+    return {.help = "A solid cone with its cap.",
+            .keys = {
+                point<&C::base>("base").required().help("centre of the bottom disc"),
+                direction<&C::axis>("axis").help("from the bottom disc to the apex"),
+                extent<&C::height>("height").required(),
+                extent<&C::radius>("radius").required().help("of the bottom disc"),
+            }};
+}
+
+template <>
 TableSpec shape_table<DiskShape>() {
     using D = DiskShape;
     return {.help = "A flat disk, seen from both sides.",

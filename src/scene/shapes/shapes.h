@@ -9,6 +9,7 @@
 //
 // All in the shape's own space, before the object's transform.
 
+#include "scene/shapes/cone.h"
 #include "scene/shapes/cylinder.h"
 #include "scene/shapes/disk.h"
 #include "scene/shapes/mesh.h"
