@@ -42,12 +42,33 @@ std::string block_of(const std::string& text, const std::string& opening) {
     return text.substr(begin, text.find("```", begin) - begin);
 }
 
+/// The paths in backquotes that name something of the project: those with a slash, and no space.
+std::vector<std::string> named_paths(const std::string& text) {
+    std::vector<std::string> paths;
+    for (std::size_t at = text.find('`'); at != std::string::npos;) {
+        const std::size_t end = text.find('`', at + 1);
+        if (end == std::string::npos) break;
+        const std::string code = text.substr(at + 1, end - at - 1);
+        if (code.find('/') != std::string::npos && code.find_first_of(" \n") == std::string::npos)
+            paths.push_back(code);
+        at = text.find('`', end + 1);
+    }
+    return paths;
+}
+
 TEST(Pages, LinksLeadToFilesThatAreThere) {
     for (const std::string& page : pages())
         for (const std::string& target : links_of(read_project_file(page))) {
             const fs::path path = fs::path(GLINT_SOURCE_DIR) / fs::path(page).parent_path() / target;
             EXPECT_TRUE(fs::exists(path)) << page << " links to " << target;
         }
+}
+
+TEST(Pages, TheTourNamesFilesThatAreThere) {
+    const std::vector<std::string> paths = named_paths(read_project_file("docs/reading.md"));
+    EXPECT_GT(paths.size(), 50u);
+    for (const std::string& path : paths)
+        EXPECT_TRUE(fs::exists(fs::path(GLINT_SOURCE_DIR) / path)) << "docs/reading.md names " << path;
 }
 
 TEST(Pages, TheSceneOfTheReadmeIsGood) {
