@@ -22,14 +22,14 @@ FrameResult measure_frame_of(GpuRenderer& renderer, const std::string& name, Sce
     scene.render.width = size.width;
     scene.render.height = size.height;
     scene.render.spp = 1;
-    const Scene frozen = freeze(scene);
-    result.triangles = frozen.stats().triangles;
+    const Scene scene_data = build_scene(scene);
+    result.triangles = scene_data.stats().triangles;
     try {
-        renderer.prepare(frozen);
+        renderer.prepare(scene_data);
         const Picture first =
             renderer.render(); // warm-up: the driver compiles, and the renderer adapts its dispatch size
         result.rays = first.stats.rays();
-        result.far = compare(first.image, render(frozen).image, 1.0 / 255, 1).share;
+        result.far = compare(first.image, render(scene_data).image, 1.0 / 255, 1).share;
         std::vector<double> device, whole;
         for (int round = 0; round < rounds; ++round) {
             const RenderStats stats = renderer.render().stats;

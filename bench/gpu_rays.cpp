@@ -39,13 +39,13 @@ Peer gpu_peer(GpuRays& device, Steps* steps = nullptr) {
         const std::vector<GpuHit> found = trace(device, rays, false, steps);
         for (std::size_t i = 0; i < hits.size(); ++i) {
             hits[i] = Hit{};
-            if (found[i].object != GpuHit::nothing)
+            if (found[i].object != invalid_index)
                 hits[i] = {found[i].t, found[i].u, found[i].v, found[i].prim};
         }
     };
     peer.occluded = [&device, steps](std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint) {
         const std::vector<GpuHit> found = trace(device, rays, true, steps);
-        for (std::size_t i = 0; i < blocked.size(); ++i) blocked[i] = found[i].object != GpuHit::nothing;
+        for (std::size_t i = 0; i < blocked.size(); ++i) blocked[i] = found[i].object != invalid_index;
     };
     return peer;
 }
@@ -69,7 +69,7 @@ GpuSetResult measure_set(const Job& job, GpuRays& timed, GpuRays& counted, const
 }
 
 GpuSetResult measure_frame(GpuRenderer& renderer, const Model& model, int size, int rounds) {
-    const Scene scene = freeze(scene_of(model, size));
+    const Scene scene = build_scene(scene_of(model, size));
     renderer.prepare(scene);
     const Picture picture = renderer.render();
     GpuSetResult result{"frame", picture.stats.rays(), 0, 0, 0, 0};
@@ -117,13 +117,12 @@ std::vector<GpuSetResult> measure_gpu_rays(const GpuContext& context, GpuRendere
                                            const Model& model, const JobOptions& options, int rounds) {
     const tracing::Mesh mesh = build_ours(model, tracing::BuildQuality::high, 0);
     const Peer cpu = our_peer(mesh);
-    const Scene scene = freeze(scene_of(model, options.size));
-    GpuRays timed(context, scene.frozen(), false);
-    GpuRays counted(context, scene.frozen(), true);
+    const Scene scene = build_scene(scene_of(model, options.size));
+    GpuRays timed(context, scene.data(), false);
+    GpuRays counted(context, scene.data(), true);
     // Batches as large as a buffer of the device allows.
     JobOptions whole = options;
-    whole.batch =
-        std::min<std::size_t>(context.device().largest_buffer / sizeof(GpuRay), std::size_t{1} << 22);
+    whole.batch = std::min<std::size_t>(context.device().max_buffer / sizeof(GpuRay), std::size_t{1} << 22);
     std::vector<GpuSetResult> results;
     for (const std::string set : {"primary", "shadow", "ao", "bounce"})
         results.push_back(measure_set(make_job(set, model, mesh, whole), timed, counted, cpu, rounds));

@@ -22,6 +22,8 @@
 #include <vector>
 
 namespace glint::bench {
+
+using trace::World;
 namespace {
 
 /// Side of the pixel blocks that are traced together.
@@ -35,7 +37,7 @@ struct Batch {
 /// The batches of one block: the rays of each depth, and the shadow rays to each light.
 class Square {
   public:
-    explicit Square(const FrozenScene& scene) : scene_(scene) {}
+    explicit Square(const SceneData& scene) : scene_(scene) {}
 
     void add(const RayTree& tree) {
         for (const RayNode& node : tree.nodes) {
@@ -63,11 +65,11 @@ class Square {
         batch.rays.push_back(ray);
     }
 
-    const FrozenScene& scene_;
+    const SceneData& scene_;
     std::map<std::pair<int, int>, Batch> batches_; ///< by depth and light
 };
 
-std::vector<Batch> batches_of(const FrozenScene& scene) {
+std::vector<Batch> batches_of(const SceneData& scene) {
     const RenderSettings& settings = scene.description.render;
     const CameraSampler sampler(scene.description);
     Whitted tracer(scene);
@@ -120,7 +122,7 @@ class Tracing {
 
     const World& world_;
     World::Scratch scratch_;
-    std::vector<glint::Hit> hits_;
+    std::vector<trace::Hit> hits_;
     std::vector<std::uint8_t> blocked_;
     float sum_ = 0; ///< keeps the compiler from removing the reads
 };
@@ -140,15 +142,15 @@ double seconds_of(const World& world, std::span<const Batch> batches) {
 }
 
 void run(const std::string& file, int rounds) {
-    FreezeOptions options;
+    BuildSceneOptions options;
     options.threads = 1;
-    const Scene scene = freeze(load_scene(file).description, options);
+    const Scene scene = build_scene(load_scene(file).description, options);
     if (scene.render_settings().spp != 1) throw std::invalid_argument("the scene needs spp = 1 in [render]");
-    const std::vector<Batch> batches = batches_of(scene.frozen());
+    const std::vector<Batch> batches = batches_of(scene.data());
     std::size_t rays = 0;
     for (const Batch& batch : batches) rays += batch.rays.size();
     std::vector<double> seconds;
-    for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(scene.frozen().world, batches));
+    for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(scene.data().world, batches));
     fmt::print("{} rays, {:.4f} CPU s\n", rays, median(seconds));
 }
 

@@ -81,9 +81,9 @@ std::string devices_text() {
                                               : "no: " + d.fault);
         if (!d.driver.empty()) {
             text += row("driver", d.driver);
-            text += row("largest buffer", bytes(static_cast<double>(d.largest_buffer)));
+            text += row("largest buffer", bytes(static_cast<double>(d.max_buffer)));
             text += row("buffers", with_commas(d.buffers));
-            text += row("largest group", with_commas(d.largest_group));
+            text += row("largest group", with_commas(d.max_group));
         }
     }
     return text;

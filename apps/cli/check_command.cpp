@@ -28,7 +28,7 @@ bool check_file(const std::string& file, const LoadOptions& options, const Frame
         report(loaded, console);
         if (!loaded.animation.keys.empty())
             for (const int frame : frames.of(loaded.animation)) scene_at(loaded, frame);
-        const Scene scene = freeze(loaded.description);
+        const Scene scene = build_scene(loaded.description);
         const std::vector<Diagnostic> scene_warnings = warnings(scene);
         console.warnings(scene_warnings);
         const std::size_t warning_count = loaded.warnings.size() + scene_warnings.size();

@@ -48,7 +48,7 @@ std::string page_text(const Scene& scene, const Arguments& arguments, const std:
     ProgressMeter meter(console, progress_style("auto"), "explanations");
     const auto begin = std::chrono::steady_clock::now();
     Progress progress;
-    page.explain = [&](std::span<const PixelPlace> row) {
+    page.explain = [&](std::span<const PixelCoord> row) {
         auto explained = explain_pixels(scene, row, {1, min_weight}, options.threads);
         ++progress.tiles_done;
         progress.tiles = static_cast<std::uint64_t>(std::min(page.rows, page.image.height));
@@ -110,9 +110,9 @@ int explain_command(const Arguments& arguments, Console& console) {
     SceneDescription description = at_frame(arguments, loaded);
     apply_flags(arguments, description);
     report(loaded, console);
-    FreezeOptions how;
+    BuildSceneOptions how;
     how.threads = threads(arguments);
-    const Scene scene = freeze(description, how);
+    const Scene scene = build_scene(description, how);
     console.warnings(warnings(scene));
     const std::string title = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
     const bool color = output == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));

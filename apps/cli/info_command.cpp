@@ -106,9 +106,9 @@ int info_command(const Arguments& arguments, Console& console) {
     const LoadedScene loaded = load_scene(file, load_options(arguments));
     report(loaded, console);
     const SceneDescription description = at_frame(arguments, loaded);
-    FreezeOptions how;
+    BuildSceneOptions how;
     how.threads = threads(arguments);
-    const Scene scene = freeze(description, how);
+    const Scene scene = build_scene(description, how);
     console.warnings(warnings(scene));
     print_data(arguments.has("json") ? info_json(file, description, scene)
                                      : info_text(file, description, scene));

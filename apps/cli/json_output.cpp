@@ -111,9 +111,9 @@ std::string devices_json() {
         if (!d.fault.empty()) device["fault"] = d.fault;
         if (!d.driver.empty())
             device.update({{"driver", d.driver},
-                           {"largest_buffer", d.largest_buffer},
+                           {"largest_buffer", d.max_buffer},
                            {"buffers", d.buffers},
-                           {"largest_group", d.largest_group}});
+                           {"largest_group", d.max_group}});
         devices.push_back(std::move(device));
     }
     Json json{{"glint", version()}, {"devices", devices}};

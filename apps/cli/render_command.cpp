@@ -40,8 +40,8 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
             options.layers.push_back(
                 {term_name(static_cast<Term>(i)), std::move(picture.terms[std::size_t(i)])});
     options.metadata = picture_settings(scene);
-    if (request.render.show != Aspect::final)
-        options.metadata.emplace_back("glint.show", aspect_name(request.render.show));
+    if (request.render.show != Aov::final)
+        options.metadata.emplace_back("glint.show", aov_name(request.render.show));
     if (const auto& crop = request.render.crop)
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
@@ -101,9 +101,9 @@ class Renderer {
         record.load_seconds = load_seconds_;
         console_.status("building the tree");
         const Stopwatch building;
-        FreezeOptions how;
+        BuildSceneOptions how;
         how.threads = request_.render.threads;
-        const Scene scene = last_ ? refreeze(*last_, description, how) : freeze(description, how);
+        const Scene scene = last_ ? update_scene(*last_, description, how) : build_scene(description, how);
         last_ = scene;
         record.build_seconds = building.seconds();
         warn(scene);

@@ -73,12 +73,12 @@ SimdTarget simd_target(const Arguments& arguments) {
     return target;
 }
 
-Aspect aspect(const Arguments& arguments) {
-    const std::string name = arguments.text("show").value_or(aspect_name(Aspect::final));
+Aov aov(const Arguments& arguments) {
+    const std::string name = arguments.text("show").value_or(aov_name(Aov::final));
     std::vector<std::string> names;
-    for (int i = 0; i < aspect_count; ++i) {
-        names.emplace_back(aspect_name(static_cast<Aspect>(i)));
-        if (name == names.back()) return static_cast<Aspect>(i);
+    for (int i = 0; i < aov_count; ++i) {
+        names.emplace_back(aov_name(static_cast<Aov>(i)));
+        if (name == names.back()) return static_cast<Aov>(i);
     }
     const auto near = nearest_name(name, names);
     throw Error(ErrorKind::usage, fmt::format("--show knows no \"{}\"", name),
@@ -87,11 +87,11 @@ Aspect aspect(const Arguments& arguments) {
 }
 
 /// Layers and alpha belong to the light.
-void require_light(const Arguments& arguments, Aspect show) {
+void require_light(const Arguments& arguments, Aov show) {
     for (const char* option : {"layers", "alpha"})
-        if (show != Aspect::final && arguments.has(option))
-            throw Error(ErrorKind::usage, fmt::format("--{} goes with the light, not with --show {}", option,
-                                                      aspect_name(show)));
+        if (show != Aov::final && arguments.has(option))
+            throw Error(ErrorKind::usage,
+                        fmt::format("--{} goes with the light, not with --show {}", option, aov_name(show)));
 }
 
 RenderOptions render_options(const Arguments& arguments) {
@@ -105,7 +105,7 @@ RenderOptions render_options(const Arguments& arguments) {
         options.crop = Rect{at(0), at(1), at(2), at(3)};
     }
     options.kernel = {kernel(arguments), simd_target(arguments)};
-    options.show = aspect(arguments);
+    options.show = aov(arguments);
     options.terms = arguments.has("layers");
     options.coverage = arguments.has("alpha");
     return options;

@@ -44,8 +44,8 @@ void compare(Targets& t) {
 
 /// `step` on in the list of quantities, around its end.
 void next_quantity(Targets& t, int step) {
-    t.state.show = static_cast<Aspect>((static_cast<int>(t.state.show) + step + aspect_count) % aspect_count);
-    t.messages.show(std::string("Showing: ") + aspect_name(t.state.show));
+    t.state.show = static_cast<Aov>((static_cast<int>(t.state.show) + step + aov_count) % aov_count);
+    t.messages.show(std::string("Showing: ") + aov_name(t.state.show));
 }
 
 void switch_backend(Targets& t) {
@@ -101,7 +101,7 @@ constexpr std::array commands{
     Command{Action::compare, false, compare},
     Command{Action::next_quantity, false, [](Targets& t) { next_quantity(t, 1); }},
     Command{Action::previous_quantity, false, [](Targets& t) { next_quantity(t, -1); }},
-    Command{Action::final_quantity, false, [](Targets& t) { t.state.show = Aspect::final; }},
+    Command{Action::final_quantity, false, [](Targets& t) { t.state.show = Aov::final; }},
     Command{Action::backend, false, switch_backend},
     Command{Action::undo, false, undo},
     Command{Action::redo, false, redo},

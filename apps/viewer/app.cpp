@@ -199,7 +199,7 @@ void App::report_state() {
     inspector_.report(map);
     saver_.report(map);
     presenter_.report(map);
-    map.state("show", aspect_name(state_.show));
+    map.state("show", aov_name(state_.show));
     map.state("backend", state_.gpu ? "gpu" : "cpu");
     map.state("kernel", kernel_names[static_cast<std::size_t>(state_.kernel)]);
     if (!window_.is_debugging_opengl()) return;

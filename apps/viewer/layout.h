@@ -17,7 +17,7 @@ struct Layout {
 /// `panel`, `timeline`: whether they are shown.
 Layout lay_out(const WindowSize& window, float scale, bool panel, bool timeline);
 
-/// The largest area with this aspect ratio in the middle of a space, aligned to pixels.
+/// The largest area with this aov ratio in the middle of a space, aligned to pixels.
 Area fit(const Area& space, double width, double height, float pixels_per_unit);
 
 } // namespace glint::viewer

@@ -28,7 +28,7 @@ const ExplainedSample& selected_sample(const Explanation& explanation, const Pix
 
 void PixelInspector::explain(const ViewPixel& pixel) {
     bench_.session().explain(pixel.slot, pixel.x, pixel.y);
-    inspected_.emplace();
+    inspected_ = Inspected();
     inspected_->pixel = pixel;
 }
 

@@ -33,10 +33,10 @@ int choose(Ui& ui, const char* name, int current, const std::vector<std::string>
 
 void quantity(Ui& ui, ViewState& state) {
     std::vector<std::string> words;
-    for (int i = 0; i < aspect_count; ++i) words.emplace_back(aspect_name(static_cast<Aspect>(i)));
+    for (int i = 0; i < aov_count; ++i) words.emplace_back(aov_name(static_cast<Aov>(i)));
     label_row(ui, "show", "the picture, one term of its light, or something else about each pixel (V)");
     const int chosen = choose(ui, "show", static_cast<int>(state.show), words);
-    if (chosen >= 0) state.show = static_cast<Aspect>(chosen);
+    if (chosen >= 0) state.show = static_cast<Aov>(chosen);
     label_row(ui, "tone", "the sRGB curve, as in files, or plain numbers as the report's pictures");
     const int view = choose(ui, "view", state.view == View::raw ? 1 : 0, {"sRGB", "raw"});
     if (view >= 0) state.view = view == 1 ? View::raw : View::srgb;

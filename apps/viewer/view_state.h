@@ -15,7 +15,7 @@ enum class CompareMode { off, wipe, side_by_side };
 
 struct ViewState {
     bool gpu = false; ///< render on the graphics card
-    Aspect show = Aspect::final;
+    Aov show = Aov::final;
     CompareMode compare = CompareMode::off;
     bool turntable = false;
     View view = View::srgb; ///< the sRGB curve, as in files, or linear values unchanged

@@ -48,7 +48,7 @@ class Explainer {
 
 /// Many pixels, in their order, explained by several threads (0: one for each core). Throws what
 /// Explainer::pixel() does.
-std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelPlace> pixels,
+std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelCoord> pixels,
                                         const ExplainLimits& limits = {}, int threads = 0,
                                         const CancelFlag* cancel = nullptr);
 

@@ -18,7 +18,7 @@
 namespace glint {
 
 /// A pixel of a picture: (0, 0) is top left.
-struct PixelPlace {
+struct PixelCoord {
     int x = 0; ///< from the left
     int y = 0; ///< from the top
 };

@@ -44,8 +44,8 @@ struct ExplanationPage {
     int columns = 160; ///< the page holds the explanations of so many places, at most one a pixel:
     int rows = 90;     ///< the middles of an even grid
     /// Asked for the places of one row after the other; of each the rays of its first sample are shown.
-    std::function<std::vector<Explanation>(std::span<const PixelPlace> row)> explain;
-    std::size_t most_bytes = 9'900'000; ///< rays that bring least are left out until the page is no larger
+    std::function<std::vector<Explanation>(std::span<const PixelCoord> row)> explain;
+    std::size_t max_bytes = 9'900'000; ///< rays that bring least are left out until the page is no larger
 };
 
 /// A picture that can be asked, as one HTML file that needs no network: its terms can be switched on and off,

@@ -14,13 +14,13 @@ namespace glint {
 
 /// A device that OpenGL can be had from without a window.
 struct GpuDevice {
-    std::string name;                 ///< "NVIDIA RTX A4000", "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string driver;               ///< vendor and version of OpenGL
-    std::string fault;                ///< why glint cannot use it; empty where it can
-    bool software = false;            ///< runs on the CPU
-    std::uint64_t largest_buffer = 0; ///< bytes; no part of a scene may be larger
-    std::uint64_t buffers = 0;        ///< that a shader can see at once
-    std::uint64_t largest_group = 0;  ///< invocations of one work group
+    std::string name;             ///< "NVIDIA RTX A4000", "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver;           ///< vendor and version of OpenGL
+    std::string fault;            ///< why glint cannot use it; empty where it can
+    bool software = false;        ///< runs on the CPU
+    std::uint64_t max_buffer = 0; ///< bytes; no part of a scene may be larger
+    std::uint64_t buffers = 0;    ///< that a shader can see at once
+    std::uint64_t max_group = 0;  ///< invocations of one work group
 };
 
 /// All devices, in the order of their numbers. Where there is none at all, `why` says what is missing.
@@ -49,12 +49,13 @@ class GpuRenderer {
     const GpuDevice& device() const;
 
     /// Lays a scene in the device's memory for render(), in place of the one before; of scenes that share
-    /// their trees (refreeze(), with_view()) the tree stays there. Throws Error(device) for a scene beyond
-    /// the device's limits, by name and with the sizes, or where memory runs out: then none is prepared.
+    /// their trees (update_scene(), with_view()) the tree stays there. Throws Error(device) for a scene
+    /// beyond the device's limits, by name and with the sizes, or where memory runs out: then none is
+    /// prepared.
     void prepare(const Scene& scene);
 
     /// Renders the prepared scene. Of the options show, crop, terms, coverage, progress and cancel count;
-    /// Aspect::cost has the steps of the GPU's own walk through its own tree. Cancelling ends within one
+    /// Aov::cost has the steps of the GPU's own walk through its own tree. Cancelling ends within one
     /// dispatch, some hundredths of a second. Throws Error(device) where the device is lost, or a ray is in
     /// more than eight transparent solids at once.
     Picture render(const RenderOptions& options = {});
@@ -137,7 +138,7 @@ class GpuProgressive {
     /// The same, brought into memory; without pixels where there is none.
     Image image() const;
     /// How often the device was given anything of a scene beside its camera.
-    int layings() const;
+    int upload_count() const;
 
   private:
     struct State;

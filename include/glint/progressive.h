@@ -13,13 +13,13 @@ namespace glint {
 
 struct ProgressiveOptions {
     /// The first pass measures every n-th pixel of each row and column, the next every n/2-th, and so on: a
-    /// power of two from 1 to most_coarse.
+    /// power of two from 1 to max_coarsest.
     int coarsest = 8;
-    Aspect show = Aspect::final;
+    Aov show = Aov::final;
     KernelChoice kernel;                ///< changes the time, never the picture
     const CancelFlag* cancel = nullptr; ///< once it is set, advance() returns within milliseconds
 };
-inline constexpr int most_coarse = 64;
+inline constexpr int max_coarsest = 64;
 
 /// How good a picture has become.
 struct Refinement {

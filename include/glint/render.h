@@ -33,7 +33,7 @@ struct Progress {
 
 /// What a picture shows of its scene. All but the light and its terms ask one ray through each pixel's
 /// centre, whatever the number of samples.
-enum class Aspect {
+enum class Aov {
     final,   ///< the light: the sum of its terms
     ambient, ///< the terms, in their order; see Term
     diffuse,
@@ -47,22 +47,22 @@ enum class Aspect {
     depth,   ///< the distance along the ray, in scene units; infinite where nothing is hit
     cost     ///< steps of a plain walk through the trees to the first hit: nodes, shapes tested, 0
 };
-inline constexpr int aspect_count = 12;
+inline constexpr int aov_count = 12;
 /// "final", "ambient", …
-const char* aspect_name(Aspect aspect);
+const char* aov_name(Aov aov);
 
-/// A picture for the eye of an aspect's numbers, in linear light: the terms as they are, or what they took;
+/// A picture for the eye of an aov's numbers, in linear light: the terms as they are, or what they took;
 /// shadows from white (all lights are seen) to black (none); normals with −1 … 1 as 0 … 1; depth from white
 /// (near) to black, with half the light as far as the scene's middle; cost from black through blue and yellow
 /// to white. It depends on the scene and each pixel's numbers alone.
-Image visible(const Image& numbers, Aspect aspect, const Scene& scene);
-/// Are an aspect's numbers their own picture? The light and the terms that it is the sum of, but for `clamp`.
-bool is_visible(Aspect aspect);
+Image visible(const Image& numbers, Aov aov, const Scene& scene);
+/// Are an aov's numbers their own picture? The light and the terms that it is the sum of, but for `clamp`.
+bool is_visible(Aov aov);
 
 struct RenderOptions {
-    Aspect show = Aspect::final; ///< what Picture::image holds
-    int threads = 0;             ///< 0: one for each core
-    int tile_size = 16;          ///< pixels; changes the order of the work, never the picture
+    Aov show = Aov::final; ///< what Picture::image holds
+    int threads = 0;       ///< 0: one for each core
+    int tile_size = 16;    ///< pixels; changes the order of the work, never the picture
     std::optional<Rect> crop;
     KernelChoice kernel;   ///< how rays are traced; changes the time, never the picture. Throws where the
                            ///< machine lacks the SIMD target

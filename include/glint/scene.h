@@ -212,7 +212,7 @@ bool is_solid(const Shape& shape);
 
 /// Everything a scene file says. Objects and lights stand in the order of the file: it decides ties and sums.
 struct SceneDescription {
-    std::optional<CameraDescription> camera; ///< none: the scene is framed by freeze()
+    std::optional<CameraDescription> camera; ///< none: the scene is framed by build_scene()
     RenderSettings render;
     WhittedSettings whitted;
     std::vector<Material> materials;
@@ -241,20 +241,20 @@ struct SceneStats {
     Vec3 bounds_max{0};
 };
 
-struct FrozenScene;
+struct SceneData;
 
 /// A scene ready to be traced: immutable, cheap to copy, usable by any number of threads.
 class Scene {
   public:
-    explicit Scene(std::shared_ptr<const FrozenScene> frozen) : frozen_(std::move(frozen)) {}
-    const FrozenScene& frozen() const { return *frozen_; } ///< for the library itself
+    explicit Scene(std::shared_ptr<const SceneData> scene_data) : data_(std::move(scene_data)) {}
+    const SceneData& data() const { return *data_; } ///< for the library itself
     SceneStats stats() const;
     const SceneDescription& description() const; ///< as frozen, with its camera filled in
     const CameraDescription& camera() const;
     const RenderSettings& render_settings() const;
 
   private:
-    std::shared_ptr<const FrozenScene> frozen_;
+    std::shared_ptr<const SceneData> data_;
 };
 
 /// Set from any thread or a signal handler: what is under way ends within milliseconds.
@@ -268,23 +268,24 @@ struct LoadProgress {
 /// Called now and then, from one thread at a time.
 using LoadCallback = std::function<void(const LoadProgress&)>;
 
-struct FreezeOptions {
+struct BuildSceneOptions {
     int threads = 0; ///< 0: one for each core
-    /// Find out which meshes are closed even where nothing lets light through, so that refreeze() may turn
-    /// any material into glass. It takes a pass over all edges and changes no picture.
+    /// Find out which meshes are closed even where nothing lets light through, so that update_scene() may
+    /// turn any material into glass. It takes a pass over all edges and changes no picture.
     bool find_solids = false;
     const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
     LoadCallback progress;
 };
 
 /// Checks the description, bakes transforms, builds the trees. Throws Error(input) with every error found.
-Scene freeze(const SceneDescription& description, const FreezeOptions& options = {});
+Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options = {});
 
 /// What freeze(description) gives, in less time: where `scene` has the same objects in the same places, its
 /// trees are shared, whatever has become of materials, lights, camera and settings. Meshes count as the same
 /// where they share their data. Frozen anew are scenes whose objects differ, and those with meshes that
 /// become glass unless `scene` was frozen with `find_solids`.
-Scene refreeze(const Scene& scene, const SceneDescription& description, const FreezeOptions& options = {});
+Scene update_scene(const Scene& scene, const SceneDescription& description,
+                   const BuildSceneOptions& options = {});
 
 /// The same scene from another camera, in a picture of another size. Throws Error(input) where either cannot
 /// be.
@@ -299,9 +300,9 @@ std::vector<Diagnostic> warnings(const Scene& scene);
 Axis guess_up_axis(const Mesh& mesh);
 
 /// A scene that shows one mesh: framed, lit, on a floor, turned so that `up` points up (+z).
-SceneDescription stage(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up);
+SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up);
 
 /// A camera from which everything finite in the scene is seen.
-CameraDescription frame(const SceneDescription& description);
+CameraDescription fit_camera(const SceneDescription& description);
 
 } // namespace glint

@@ -110,19 +110,19 @@ int write_all(int fd, Pieces pieces) {
 
 /// Where a file of this name really lies: renaming over a link would replace the link.
 fs::path follow_links(const fs::path& path) {
-    constexpr int most_links = 40;
-    fs::path place = path;
-    for (int i = 0; i < most_links; ++i) {
+    constexpr int max_links = 40;
+    fs::path target_path = path;
+    for (int i = 0; i < max_links; ++i) {
         std::error_code none;
-        if (!fs::is_symlink(place, none)) return place;
-        const fs::path next = fs::read_symlink(place, none);
-        place = next.is_absolute() ? next : place.parent_path() / next;
+        if (!fs::is_symlink(target_path, none)) return target_path;
+        const fs::path next = fs::read_symlink(target_path, none);
+        target_path = next.is_absolute() ? next : target_path.parent_path() / next;
     }
     fail_at(path, ELOOP);
 }
 
 struct Target {
-    fs::path place;
+    fs::path target_path;
     bool exists = false;
     bool regular = true; ///< false: a device or a pipe, which no file may replace
     mode_t mode = 0;
@@ -130,23 +130,25 @@ struct Target {
 
 Target find_target(const fs::path& path) {
     Target target;
-    target.place = follow_links(path);
+    target.target_path = follow_links(path);
     struct stat info = {};
-    if (::stat(target.place.c_str(), &info) == 0) {
+    if (::stat(target.target_path.c_str(), &info) == 0) {
         if (S_ISDIR(info.st_mode)) fail_at(path, EISDIR);
-        if (::access(target.place.c_str(), W_OK) != 0) fail_at(path, errno);
+        if (::access(target.target_path.c_str(), W_OK) != 0) fail_at(path, errno);
         target.exists = true;
         target.regular = S_ISREG(info.st_mode);
         target.mode = info.st_mode & 07777U;
     } else if (errno != ENOENT) {
         fail_at(path, errno);
-    } else if (!target.place.has_filename()) {
+    } else if (!target.target_path.has_filename()) {
         fail_at(path, path.empty() ? ENOENT : EISDIR);
     }
     return target;
 }
 
-fs::path folder_of(const fs::path& place) { return place.has_parent_path() ? place.parent_path() : "."; }
+fs::path folder_of(const fs::path& target_path) {
+    return target_path.has_parent_path() ? target_path.parent_path() : ".";
+}
 
 /// Opens a new file beside the target under a name that no other writer uses.
 int open_temporary(const fs::path& folder, fs::path& name) {
@@ -159,7 +161,7 @@ int open_temporary(const fs::path& folder, fs::path& name) {
 }
 
 void write_in_place(const fs::path& path, const Target& target, Pieces pieces) {
-    Descriptor file(::open(target.place.c_str(), O_WRONLY | O_CLOEXEC));
+    Descriptor file(::open(target.target_path.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.fd() < 0) fail_at(path, errno);
     if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
     if (file.close() != 0) fail_at(path, errno);
@@ -176,7 +178,7 @@ void sync_folder(const fs::path& folder) {
 void check_writable(const std::string& path) {
     const Target target = find_target(path);
     if (!target.regular) return;
-    const fs::path folder = folder_of(target.place);
+    const fs::path folder = folder_of(target.target_path);
     if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_at(path, errno);
     std::error_code none;
     if (!fs::is_directory(folder, none)) fail_at(path, ENOTDIR);
@@ -190,7 +192,7 @@ void write_pieces(const std::string& path, Pieces pieces) {
     const Target target = find_target(path);
     if (!target.regular) return write_in_place(path, target, pieces);
 
-    const fs::path folder = folder_of(target.place);
+    const fs::path folder = folder_of(target.target_path);
     fs::path name;
     Descriptor file(open_temporary(folder, name));
     if (file.fd() < 0) fail_at(path, errno);
@@ -201,7 +203,7 @@ void write_pieces(const std::string& path, Pieces pieces) {
     if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
     if (::fsync(file.fd()) != 0 && errno != EINVAL) fail_at(path, errno);
     if (file.close() != 0) fail_at(path, errno);
-    if (std::rename(temporary.path().c_str(), target.place.c_str()) != 0) fail_at(path, errno);
+    if (std::rename(temporary.path().c_str(), target.target_path.c_str()) != 0) fail_at(path, errno);
     temporary.keep();
     sync_folder(folder);
 }

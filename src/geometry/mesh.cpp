@@ -1,4 +1,5 @@
 #include "geometry/mesh.h"
+#include "math/index.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,8 +7,6 @@
 
 namespace glint {
 namespace {
-
-constexpr std::uint32_t nobody = 0xffffffffu;
 
 /// The bits of a position; adding +0 turns −0 into it.
 uvec3 position_key(const vec3& p) {
@@ -84,14 +83,14 @@ bool surely_has_area(const vec3& a, const vec3& b, const vec3& c) {
 std::vector<std::uint32_t> weld_by_position(std::span<const vec3> positions) {
     // Open addressing, at most half full, so that a search is a step or two.
     const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
-    std::vector<std::uint32_t> table(slots, nobody);
+    std::vector<std::uint32_t> table(slots, invalid_index);
     std::vector<std::uint32_t> first(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const uvec3 key = position_key(positions[i]);
         std::size_t slot = hash_key(key) & (slots - 1);
-        while (table[slot] != nobody && position_key(positions[table[slot]]) != key)
+        while (table[slot] != invalid_index && position_key(positions[table[slot]]) != key)
             slot = (slot + 1) & (slots - 1);
-        if (table[slot] == nobody) table[slot] = static_cast<std::uint32_t>(i);
+        if (table[slot] == invalid_index) table[slot] = static_cast<std::uint32_t>(i);
         first[i] = table[slot];
     }
     return first;

@@ -26,7 +26,7 @@ void add_ring(Polyhedron& p, int count, double first_degrees, double radius, dou
     }
 }
 
-void place(Polyhedron& p, const dvec3& center, double radius) {
+void fit(Polyhedron& p, const dvec3& center, double radius) {
     for (dvec3& v : p.positions) v = center + radius * v;
 }
 
@@ -51,7 +51,7 @@ dmat3 shortest_rotation_from_z(const dvec3& axis) {
                  dvec3(-k * a.x * a.y, 1 - k * a.y * a.y, -a.y), a);
 }
 
-void place(Polyhedron& p, const Footing& footing) {
+void fit(Polyhedron& p, const Footing& footing) {
     const dmat3 turn = shortest_rotation_from_z(footing.axis);
     for (dvec3& v : p.positions) v = footing.base + turn * v;
 }
@@ -78,7 +78,7 @@ Polyhedron make_tetrahedron(const dvec3& center, double radius) {
     add_ring(p, 3, 0, std::sqrt(8.0) / 3, -1.0 / 3);
     for (Index k = 0; k < 3; ++k) add_face(p, {0, 1 + k, 1 + (k + 1) % 3});
     add_cap(p, 1, 3, false);
-    place(p, center, radius);
+    fit(p, center, radius);
     return p;
 }
 
@@ -93,7 +93,7 @@ Polyhedron make_octahedron(const dvec3& center, double radius) {
         add_face(p, {0, here, next});
         add_face(p, {5, next, here});
     }
-    place(p, center, radius);
+    fit(p, center, radius);
     return p;
 }
 
@@ -116,7 +116,7 @@ Polyhedron make_dodecahedron(const dvec3& center, double radius) {
         add_face(p, {15 + k, 15 + next, 10 + next, 5 + next, 10 + k});
     }
     add_cap(p, 15, 5, false);
-    place(p, center, radius);
+    fit(p, center, radius);
     return p;
 }
 
@@ -137,7 +137,7 @@ Polyhedron make_icosahedron(const dvec3& center, double radius) {
         add_face(p, {upper_next, lower, lower_next});
         add_face(p, {11, lower_next, lower});
     }
-    place(p, center, radius);
+    fit(p, center, radius);
     return p;
 }
 
@@ -149,7 +149,7 @@ Polyhedron make_prism(const Footing& footing) {
     add_cap(p, 0, n, false);
     for (Index k = 0; k < n; ++k) add_face(p, {k, (k + 1) % n, n + (k + 1) % n, n + k});
     add_cap(p, n, n, true);
-    place(p, footing);
+    fit(p, footing);
     return p;
 }
 
@@ -160,7 +160,7 @@ Polyhedron make_pyramid(const Footing& footing) {
     p.positions.emplace_back(0, 0, footing.height);
     add_cap(p, 0, n, false);
     for (Index k = 0; k < n; ++k) add_face(p, {k, (k + 1) % n, n});
-    place(p, footing);
+    fit(p, footing);
     return p;
 }
 

@@ -3,8 +3,8 @@
 #include "math/shared.h"
 
 // Everything that tells one quadric from another, in double: its kind, its bounds, where lines are inside it,
-// and its points and normals. C++ (geometry/quadric.h), vectors of rays (trace/quadric_lanes-inl.h) and the
-// shader read this text; nothing else asks for a quadric's kind. Plane equations are here too.
+// and its points and normals. C++ (geometry/quadric.h), vectors of rays (trace/simd/quadric_lanes-inl.h) and
+// the shader read this text; nothing else asks for a quadric's kind. Plane equations are here too.
 //
 // Roots by Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019),
 // chapter 7. Every sum is written so that mirrored scenes, scenes with x and y exchanged and scenes scaled by

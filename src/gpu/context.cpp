@@ -28,15 +28,15 @@ struct Opened {
     std::string fault; ///< why there is no context
 };
 
-constexpr int least_major = 4;
-constexpr int least_minor = 3;
+constexpr int min_major = 4;
+constexpr int min_minor = 3;
 
 EGLContext make_context(EGLDisplay display) {
     // A context that tells of its loss, where the driver knows how.
     const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                           least_major,
+                                           min_major,
                                            EGL_CONTEXT_MINOR_VERSION,
-                                           least_minor,
+                                           min_minor,
                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                            EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
@@ -90,10 +90,10 @@ constexpr std::uint64_t buffers_needed = 8;
 void describe_current(GpuDevice& d) {
     d.name = text(glGetString(GL_RENDERER));
     d.driver = text(glGetString(GL_VENDOR)) + ", OpenGL " + text(glGetString(GL_VERSION));
-    if (epoxy_gl_version() < 10 * least_major + least_minor) return;
-    d.largest_buffer = limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
+    if (epoxy_gl_version() < 10 * min_major + min_minor) return;
+    d.max_buffer = limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE);
     d.buffers = limit(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS);
-    d.largest_group = limit(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
+    d.max_group = limit(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS);
     if (d.buffers < buffers_needed)
         d.fault = "its shaders see " + std::to_string(d.buffers) + " buffers, and glint's need " +
                   std::to_string(buffers_needed);
@@ -159,7 +159,7 @@ GpuDevice gpu_device(GpuCurrentContext) {
     describe_current(d);
     d.software = std::any_of(software.begin(), software.end(),
                              [&](const std::string& name) { return d.name.rfind(name, 0) == 0; });
-    if (version < 10 * least_major + least_minor)
+    if (version < 10 * min_major + min_minor)
         d.fault = "it has OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
                   ", and compute shaders need 4.3";
     return d;
@@ -211,7 +211,7 @@ GpuContext::~GpuContext() { close(state_->opened); }
 
 const GpuDevice& GpuContext::device() const { return state_->device; }
 
-void GpuContext::set_largest_buffer(std::uint64_t bytes) { state_->device.largest_buffer = bytes; }
+void GpuContext::set_max_buffer(std::uint64_t bytes) { state_->device.max_buffer = bytes; }
 
 void GpuContext::enter() const {
     if (!try_enter()) throw Error(ErrorKind::device, "the GPU's context cannot be used from this thread");

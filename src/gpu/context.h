@@ -25,7 +25,7 @@ class GpuContext {
 
     const GpuDevice& device() const;
     /// So many bytes stand in the place of the device's own limit.
-    void set_largest_buffer(std::uint64_t bytes);
+    void set_max_buffer(std::uint64_t bytes);
 
     /// Makes it current on this thread. Throws Error(device) where that cannot be: the device is lost, or
     /// another thread has it.

@@ -1,6 +1,6 @@
 #include "gpu/device_run.h"
 
-#include "render/aspect.h"
+#include "render/aov.h"
 
 #include <algorithm>
 
@@ -8,10 +8,10 @@ namespace glint {
 
 std::size_t device_terms(const FilmLayout& layout) { return layout.terms || layout.term ? term_count : 1; }
 
-void DeviceRun::start(const FilmLayout& layout, Aspect show, std::vector<Pass> passes) {
+void DeviceRun::start(const FilmLayout& layout, Aov show, std::vector<Pass> passes) {
     if (!work_ || terms_ != device_terms(layout)) {
         terms_ = device_terms(layout);
-        work_.emplace(studio_, terms_);
+        work_.emplace(device_state_, terms_);
         scratch_.reset();
         films_.clear();
     }
@@ -51,7 +51,7 @@ std::vector<GpuTile> DeviceRun::tiles_of_grid(const Pixel& origin, int step) con
     const int down = (layout_.area.height - origin.y + step - 1) / step;
     std::vector<GpuTile> tiles;
     if (across <= 0 || down <= 0) return tiles;
-    for (const Rect& rect : tiles_of(studio_.context(), studio_.settings(), terms_, across, down))
+    for (const Rect& rect : tiles_of(device_state_.context(), device_state_.settings(), terms_, across, down))
         tiles.push_back({rect, origin, step});
     return tiles;
 }
@@ -60,7 +60,7 @@ bool DeviceRun::step(const TileDone& done) {
     bool counted = false;
     if (tile_ < tiles_.size()) {
         if (!work_->is_under_way()) begin_tile();
-        counted = work_->step(studio_.program(terms_ > 1, first_hits_), film());
+        counted = work_->step(device_state_.program(terms_ > 1, first_hits_), film());
         if (!work_->is_under_way()) {
             done(tiles_[tile_], film());
             if (keeps_film()) samples_[tile_] = static_cast<std::uint32_t>(pass().first + pass().count);
@@ -93,7 +93,7 @@ const GpuBuffer& DeviceRun::film() {
     std::unique_ptr<GpuBuffer>& held = keeps_film() ? films_[tile_] : scratch_;
     if (held == nullptr || held->bytes() < bytes) {
         held.reset();
-        held = std::make_unique<GpuBuffer>(studio_.context(), "the pixels", nullptr, bytes);
+        held = std::make_unique<GpuBuffer>(device_state_.context(), "the pixels", nullptr, bytes);
     }
     return *held;
 }
@@ -110,7 +110,7 @@ bool DeviceRun::is_under_way(std::size_t tile) const {
 
 GpuSettings DeviceRun::settings_of(const GpuTile& tile, const Pass& pass) const {
     const Rect& area = layout_.area;
-    GpuSettings s = studio_.settings();
+    GpuSettings s = device_state_.settings();
     s.tile_x = static_cast<std::uint32_t>(area.x + tile.origin.x + tile.rect.x * tile.step);
     s.tile_y = static_cast<std::uint32_t>(area.y + tile.origin.y + tile.rect.y * tile.step);
     s.tile_width = static_cast<std::uint32_t>(tile.rect.width);

@@ -1,7 +1,7 @@
 #pragma once
 // Runs a schedule (render/schedule.h) on the device, dispatch by dispatch: the counterpart of ScheduleRun.
 
-#include "gpu/studio.h"
+#include "gpu/device_state.h"
 #include "gpu/tile_work.h"
 #include "render/film.h"
 #include "render/schedule.h"
@@ -29,10 +29,10 @@ class DeviceRun {
     /// Called when a tile is done, with the device's film of it.
     using TileDone = std::function<void(const GpuTile& tile, const GpuBuffer& film)>;
 
-    explicit DeviceRun(GpuStudio& studio) : studio_(studio) {}
+    explicit DeviceRun(GpuDeviceState& device_state) : device_state_(device_state) {}
 
     /// Begins to measure the scene that the studio holds.
-    void start(const FilmLayout& layout, Aspect show, std::vector<Pass> passes);
+    void start(const FilmLayout& layout, Aov show, std::vector<Pass> passes);
     /// Leaves nothing to go on with.
     void give_up();
     /// One dispatch, and what follows from it. True where counts of rays and slots are new. Throws
@@ -67,14 +67,14 @@ class DeviceRun {
     bool keeps_film() const;
     const GpuBuffer& film();
 
-    GpuStudio& studio_;
+    GpuDeviceState& device_state_;
     std::size_t terms_ = 0;
     std::optional<TileWork> work_;
     std::unique_ptr<GpuBuffer> scratch_;            ///< the film of tiles that are read at once
     std::vector<std::unique_ptr<GpuBuffer>> films_; ///< of samples, by tile of the picture
     std::vector<std::uint32_t> samples_;            ///< in each of them
     FilmLayout layout_;
-    Aspect show_ = Aspect::final;
+    Aov show_ = Aov::final;
     bool first_hits_ = false;
     ScheduleCursor cursor_;
     std::vector<GpuTile> tiles_; ///< of the pass

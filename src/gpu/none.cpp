@@ -45,7 +45,7 @@ bool GpuProgressive::advance(double) { return false; }
 const Refinement& GpuProgressive::reached() const { return state_->reached; }
 std::shared_ptr<const GpuPicture> GpuProgressive::picture() const { return nullptr; }
 Image GpuProgressive::image() const { return {}; }
-int GpuProgressive::layings() const { return 0; }
+int GpuProgressive::upload_count() const { return 0; }
 
 GpuPicture::~GpuPicture() = default;
 void GpuPicture::was_drawn() const {}

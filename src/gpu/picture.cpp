@@ -64,14 +64,14 @@ struct GpuPicturePool::Shelf {
 
     /// One of this size, or none; few others are kept.
     std::unique_ptr<GpuPicture> take(int width, int height) {
-        constexpr std::size_t most_spare = 2;
+        constexpr std::size_t max_spare = 2;
         const std::lock_guard lock(mutex);
         // Those of another size will not be wanted again.
         std::erase_if(pictures, [&](const auto& p) { return p->width() != width || p->height() != height; });
         if (pictures.empty()) return nullptr;
         std::unique_ptr<GpuPicture> picture = std::move(pictures.back());
         pictures.pop_back();
-        if (pictures.size() > most_spare) pictures.resize(most_spare);
+        if (pictures.size() > max_spare) pictures.resize(max_spare);
         return picture;
     }
 };

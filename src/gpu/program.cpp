@@ -14,7 +14,7 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t least_bytes = 256;
+constexpr std::size_t min_bytes = 256;
 
 std::string define(const char* name, int value) {
     return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
@@ -44,10 +44,10 @@ template <class Query, class Get>
 std::string log_of(GLuint id, Query query, Get get) {
     GLint length = 0;
     query(id, GL_INFO_LOG_LENGTH, &length);
-    std::string said(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    get(id, length, nullptr, said.data());
-    said.resize(std::min(said.size(), said.find('\0')));
-    return readable_log(said);
+    std::string info_log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    get(id, length, nullptr, info_log.data());
+    info_log.resize(std::min(info_log.size(), info_log.find('\0')));
+    return readable_log(info_log);
 }
 
 /// The files that `wanted` takes, each line with its own number.
@@ -65,8 +65,9 @@ bool has_main(const std::string& path) {
            path == "gpu/shaders/first_hit.glsl" || path == "gpu/shaders/show.glsl";
 }
 
-[[noreturn]] void refuse(const GpuContext& context, const std::string& log) {
-    throw Error(ErrorKind::device, "the driver of " + context.device().name + " refuses the shader:\n" + log,
+[[noreturn]] void refuse(const GpuContext& context, const std::string& info_log) {
+    throw Error(ErrorKind::device,
+                "the driver of " + context.device().name + " refuses the shader:\n" + info_log,
                 "this is a defect of glint or of the driver: please report it; --backend cpu needs neither");
 }
 
@@ -121,9 +122,9 @@ GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) : c
     GLint done = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
     if (done == GL_FALSE) {
-        const std::string said = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
+        const std::string info_log = log_of(shader, glGetShaderiv, glGetShaderInfoLog);
         glDeleteShader(shader);
-        refuse(context, said);
+        refuse(context, info_log);
     }
     id_ = glCreateProgram();
     glAttachShader(id_, shader);
@@ -131,9 +132,9 @@ GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) : c
     glDeleteShader(shader);
     glGetProgramiv(id_, GL_LINK_STATUS, &done);
     if (done == GL_FALSE) {
-        const std::string said = log_of(id_, glGetProgramiv, glGetProgramInfoLog);
+        const std::string info_log = log_of(id_, glGetProgramiv, glGetProgramInfoLog);
         glDeleteProgram(id_);
-        refuse(context, said);
+        refuse(context, info_log);
     }
 }
 
@@ -144,8 +145,8 @@ GpuProgram::~GpuProgram() {
 void GpuProgram::use() const { glUseProgram(id_); }
 
 GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* data, std::size_t bytes)
-    : context_(context), bytes_(std::max(bytes, least_bytes)) {
-    const std::uint64_t most = context.device().largest_buffer;
+    : context_(context), bytes_(std::max(bytes, min_bytes)) {
+    const std::uint64_t most = context.device().max_buffer;
     if (bytes > most)
         throw Error(ErrorKind::device,
                     std::string(name) + " take " + std::to_string(bytes) + " bytes, and a buffer of " +

@@ -2,28 +2,28 @@
 
 #include "glint/gpu.h"
 #include "gpu/device_run.h"
+#include "gpu/device_state.h"
 #include "gpu/picture.h"
-#include "gpu/studio.h"
-#include "render/aspect.h"
+#include "render/aov.h"
 
 #include <epoxy/gl.h>
 
 namespace glint {
 struct GpuProgressive::State {
-    explicit State(int device) : studio(device, {}) {}
-    explicit State(GpuCurrentContext current) : studio(current) {}
+    explicit State(int device) : device_state(device, {}) {}
+    explicit State(GpuCurrentContext current) : device_state(current) {}
     ~State() {
-        const GpuEnding ending(studio.context());
+        const GpuEnding ending(device_state.context());
         run.reset();
         known.reset();
         pool.reset();
         block.reset();
     }
 
-    GpuStudio studio;
-    std::optional<DeviceRun> run{std::in_place, studio};
+    GpuDeviceState device_state;
+    std::optional<DeviceRun> run{std::in_place, device_state};
     std::unique_ptr<GpuBuffer> block;
-    std::optional<GpuPicturePool> pool{std::in_place, studio.context()};
+    std::optional<GpuPicturePool> pool{std::in_place, device_state.context()};
     std::shared_ptr<GpuPicture> known; ///< centres, at the pixels that were looked at
     ProgressiveOptions options;
     Refinement reached;
@@ -42,7 +42,7 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
     const FilmLayout layout = film_layout(scene.render_settings(), render);
     std::vector<Pass> passes = refining_passes(wanted.coarsest, layout.samples);
     give_up();
-    studio.prepare(scene);
+    device_state.prepare(scene);
     options = wanted;
     const Rect& area = layout.area;
     if (known == nullptr || known->width() != area.width || known->height() != area.height) {
@@ -90,7 +90,8 @@ void GpuProgressive::State::show_centres_of(const GpuTile& tile, const GpuBuffer
 void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, const GpuPicture& shown,
                                  const Rect& rect) {
     if (block == nullptr)
-        block = std::make_unique<GpuBuffer>(studio.context(), "the settings", nullptr, sizeof(GpuSettings));
+        block =
+            std::make_unique<GpuBuffer>(device_state.context(), "the settings", nullptr, sizeof(GpuSettings));
     const auto term = term_of(options.show);
     GpuSettings s = how;
     s.film_terms = static_cast<std::uint32_t>(run->terms());
@@ -98,13 +99,13 @@ void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, 
     s.slot_count = slots_of(rect);
     s.smooth_steps = run->first_hits() ? 0u : 1u;
     block->write(0, &s, sizeof s);
-    studio.show_program().use();
+    device_state.show_program().use();
     block->bind_uniform(0);
     run->work().buffer().bind_storage(6);
     from.bind_storage(7);
     glBindImageTexture(0, known->texture(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     glBindImageTexture(1, shown.texture(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    glDispatchCompute((s.slot_count + Pace::group_size - 1) / Pace::group_size, 1, 1);
+    glDispatchCompute((s.slot_count + DispatchBudget::group_size - 1) / DispatchBudget::group_size, 1, 1);
 }
 
 std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
@@ -130,7 +131,7 @@ std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
     // Another context may look at it at once.
     glFinish();
-    studio.context().check("showing the picture");
+    device_state.context().check("showing the picture");
     return shown;
 }
 
@@ -138,31 +139,31 @@ GpuProgressive::GpuProgressive(int device) : state_(std::make_unique<State>(devi
 GpuProgressive::GpuProgressive(GpuCurrentContext context) : state_(std::make_unique<State>(context)) {}
 GpuProgressive::~GpuProgressive() = default;
 
-const GpuDevice& GpuProgressive::device() const { return state_->studio.context().device(); }
+const GpuDevice& GpuProgressive::device() const { return state_->device_state.context().device(); }
 
 void GpuProgressive::start(const Scene& scene, const ProgressiveOptions& options) {
-    const GpuScope scope(state_->studio.context());
+    const GpuScope scope(state_->device_state.context());
     state_->start(scene, options);
 }
 
 bool GpuProgressive::advance(double seconds) {
-    const GpuScope scope(state_->studio.context());
+    const GpuScope scope(state_->device_state.context());
     return state_->advance(seconds);
 }
 
 const Refinement& GpuProgressive::reached() const { return state_->reached; }
 
 std::shared_ptr<const GpuPicture> GpuProgressive::picture() const {
-    const GpuScope scope(state_->studio.context());
+    const GpuScope scope(state_->device_state.context());
     return state_->picture();
 }
 
 Image GpuProgressive::image() const {
-    const GpuScope scope(state_->studio.context());
+    const GpuScope scope(state_->device_state.context());
     const std::shared_ptr<const GpuPicture> shown = state_->picture();
     return shown ? shown->read() : Image();
 }
 
-int GpuProgressive::layings() const { return state_->studio.layings(); }
+int GpuProgressive::upload_count() const { return state_->device_state.upload_count(); }
 
 } // namespace glint

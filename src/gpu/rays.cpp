@@ -1,7 +1,7 @@
 #include "gpu/rays.h"
 
-#include "gpu/pace.h"
-#include "scene/frozen.h"
+#include "gpu/dispatch_budget.h"
+#include "scene/scene_data.h"
 
 #include <algorithm>
 #include <epoxy/gl.h>
@@ -15,7 +15,7 @@ constexpr std::size_t rays_in_software = std::size_t{1} << 14;
 
 } // namespace
 
-GpuRays::GpuRays(const GpuContext& context, const FrozenScene& scene, bool count_steps) : context_(context) {
+GpuRays::GpuRays(const GpuContext& context, const SceneData& scene, bool count_steps) : context_(context) {
     const GpuScope scope(context);
     const GpuSceneData data = flatten(scene);
     ProgramChoice choice = program_for(data);
@@ -49,8 +49,9 @@ std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
         settings.any_hit = any ? 1 : 0;
         parts_->block.write(0, &settings, sizeof settings);
         parts_->timer.start();
-        glDispatchCompute(static_cast<GLuint>((past - first + Pace::group_size - 1) / Pace::group_size), 1,
-                          1);
+        glDispatchCompute(
+            static_cast<GLuint>((past - first + DispatchBudget::group_size - 1) / DispatchBudget::group_size),
+            1, 1);
         parts_->timer.stop();
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         seconds_ += parts_->timer.seconds();

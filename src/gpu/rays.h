@@ -4,6 +4,7 @@
 #include "gpu/context.h"
 #include "gpu/program.h"
 #include "gpu/scene_buffers.h"
+#include "math/index.h"
 
 #include <cstdint>
 #include <span>
@@ -20,12 +21,10 @@ struct GpuRay {
 
 /// As it writes it, in the ray's place.
 struct GpuHit {
-    static constexpr std::uint32_t nothing = 0xffffffffu;
-
     float t = 0;
-    float u = 0; ///< u and v as in trace/world.h
+    float u = 0; ///< u and v as in trace/world/world.h
     float v = 0;
-    std::uint32_t object = nothing; ///< what was hit
+    std::uint32_t object = invalid_index; ///< what was hit
     std::uint32_t prim = 0;
     std::uint32_t nodes = 0;  ///< steps, where they were asked for: nodes whose children's boxes were tested
     std::uint32_t shapes = 0; ///< and shapes that were tested
@@ -35,7 +34,7 @@ static_assert(sizeof(GpuRay) == sizeof(GpuHit) && sizeof(GpuHit) == 7 * 4);
 class GpuRays {
   public:
     /// Throws Error(device) as GpuRenderer does. The context must outlive it.
-    GpuRays(const GpuContext& context, const FrozenScene& scene, bool count_steps);
+    GpuRays(const GpuContext& context, const SceneData& scene, bool count_steps);
     ~GpuRays();
 
     /// The closest hit of each ray; with `any` whichever was found first.

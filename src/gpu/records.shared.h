@@ -143,7 +143,7 @@ struct GpuSettings {
     uint end_slot;
     uint slot_count; ///< of the tile: the stride of their fields
     uint max_nodes;  ///< of ray trees that a slot follows
-    uint aov;        ///< what is shown of first hits (render/aspect.shared.h)
+    uint aov;        ///< what is shown of first hits (render/aov.shared.h)
     uint any_hit;    ///< rays.glsl: 1 ends each search with the first hit that is found
 
     // From a film to a picture: show.glsl.

@@ -2,8 +2,8 @@
 
 #include "glint/gpu.h"
 #include "gpu/device_run.h"
-#include "gpu/studio.h"
-#include "render/aspect.h"
+#include "gpu/device_state.h"
+#include "render/aov.h"
 #include "render/film.h"
 
 namespace glint {
@@ -11,14 +11,14 @@ namespace {
 
 class Rendering {
   public:
-    Rendering(GpuStudio& studio, const RenderOptions& options)
-        : studio_(studio), options_(options), film_(film_layout(studio.scene()->render_settings(), options)),
-          run_(studio) {}
+    Rendering(GpuDeviceState& device_state, const RenderOptions& options)
+        : device_state_(device_state), options_(options),
+          film_(film_layout(device_state.scene()->render_settings(), options)), run_(device_state) {}
 
     Picture run() {
         film_.begin_pass({});
         run_.start(film_.layout(), options_.show, one_pass(film_.layout().samples));
-        progress_.tiles = run_.slots_of_pass() / Pace::group_size;
+        progress_.tiles = run_.slots_of_pass() / DispatchBudget::group_size;
         const auto read = [this](const GpuTile& tile, const GpuBuffer& film) { read_tile(tile.rect, film); };
         while (!run_.cursor().is_finished() && !is_cancelled(options_.cancel))
             if (run_.step(read)) report();
@@ -37,7 +37,7 @@ class Rendering {
         add_rays(run_.work().rays(), stats_);
         stats_.device_seconds = run_.work().device_seconds();
         progress_.rays = stats_.rays();
-        progress_.tiles_done = run_.slots_done() / Pace::group_size;
+        progress_.tiles_done = run_.slots_done() / DispatchBudget::group_size;
         progress_.seconds = wall_seconds() - start_;
         if (options_.progress) options_.progress(progress_);
     }
@@ -46,7 +46,7 @@ class Rendering {
         const std::uint32_t slots = slots_of(tile);
         std::vector<float> fields(film_fields(run_.terms()) * slots);
         buffer.read(0, fields.data(), fields.size() * sizeof(float));
-        studio_.context().check("reading the picture");
+        device_state_.context().check("reading the picture");
         const int columns = tile.width / 8;
         const Rect& area = film_.layout().area;
         for (std::uint32_t slot = 0; slot < slots; ++slot) {
@@ -72,7 +72,7 @@ class Rendering {
         film_.set_pixel(pixel, sums, static_cast<std::uint32_t>(field(film_fields_of_term * terms + 1)));
     }
 
-    GpuStudio& studio_;
+    GpuDeviceState& device_state_;
     const RenderOptions& options_;
     const double start_ = wall_seconds();
     Film film_;
@@ -84,7 +84,7 @@ class Rendering {
 } // namespace
 
 struct GpuRenderer::State {
-    GpuStudio studio;
+    GpuDeviceState device_state;
 };
 
 GpuRenderer::GpuRenderer(int device, const GpuLimits& limits) : state_(new State{{device, limits}}) {}
@@ -92,18 +92,18 @@ GpuRenderer::~GpuRenderer() = default;
 GpuRenderer::GpuRenderer(GpuRenderer&&) noexcept = default;
 GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
 
-const GpuDevice& GpuRenderer::device() const { return state_->studio.context().device(); }
+const GpuDevice& GpuRenderer::device() const { return state_->device_state.context().device(); }
 
 void GpuRenderer::prepare(const Scene& scene) {
-    const GpuScope scope(state_->studio.context());
-    state_->studio.prepare(scene);
+    const GpuScope scope(state_->device_state.context());
+    state_->device_state.prepare(scene);
 }
 
 Picture GpuRenderer::render(const RenderOptions& options) {
-    GpuStudio& studio = state_->studio;
-    if (!studio.scene()) throw Error(ErrorKind::usage, "no scene was prepared");
-    const GpuScope scope(studio.context());
-    return Rendering(studio, options).run();
+    GpuDeviceState& device_state = state_->device_state;
+    if (!device_state.scene()) throw Error(ErrorKind::usage, "no scene was prepared");
+    const GpuScope scope(device_state.context());
+    return Rendering(device_state, options).run();
 }
 
 } // namespace glint

@@ -3,7 +3,7 @@
 #include "glint/error.h"
 #include "glint/term.h"
 #include "render/camera_sampler.h"
-#include "trace/world_data.h"
+#include "trace/world/data.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,6 +11,13 @@
 #include <map>
 
 namespace glint {
+
+using trace::Affine;
+using trace::InstanceData;
+using trace::PlanePrim;
+using trace::Quadric;
+using trace::WorldData;
+using trace::WorldInput;
 namespace {
 
 static_assert(static_cast<uint>(Term::ambient) == term_ambient);
@@ -26,7 +33,7 @@ constexpr std::size_t max_transparent_solids = 0xffff;
 
 class Flattener {
   public:
-    explicit Flattener(const FrozenScene& scene) : scene_(scene), world_(scene.world.data()) {}
+    explicit Flattener(const SceneData& scene) : scene_(scene), world_(scene.world.data()) {}
 
     GpuSceneData run(const GpuTree* tree) {
         data_.tree = tree != nullptr ? *tree : build_gpu_tree(world_);
@@ -55,7 +62,7 @@ class Flattener {
     }
 
     void add_shapes() {
-        for (const NumberedPlane& plane : world_.planes) {
+        for (const PlanePrim& plane : world_.planes) {
             ShapeRecord record{};
             record.object = plane.object;
             record.axis = plane.plane.normal;
@@ -71,7 +78,7 @@ class Flattener {
     }
 
     bool is_transparent_solid(std::uint32_t object) const {
-        const FrozenObject& o = scene_.objects[object];
+        const ObjectData& o = scene_.objects[object];
         return o.solid && scene_.materials[o.material].transparency > 0.0f;
     }
 
@@ -99,7 +106,7 @@ class Flattener {
     }
 
     void add_objects() {
-        for (const FrozenObject& o : scene_.objects) {
+        for (const ObjectData& o : scene_.objects) {
             ObjectRecord record{};
             record.material = scene_.materials[o.material];
             record.rank = o.rank;
@@ -128,7 +135,7 @@ class Flattener {
     }
 
     void add_instance(std::uint32_t i) {
-        const PlacedMesh& placed = world_.instances[i];
+        const InstanceData& placed = world_.instances[i];
         ObjectRecord& record = data_.objects[placed.object];
         set_local_space(
             record, {placed.linear, world_.instance_tree.inverse(i), world_.instance_tree.translation(i)});
@@ -139,7 +146,7 @@ class Flattener {
         record.mesh_max_coordinate = data_.tree.mesh_corners[placed.mesh];
     }
 
-    void add_attributes(const FrozenObject& object, ObjectRecord& record) {
+    void add_attributes(const ObjectData& object, ObjectRecord& record) {
         record.corners = record.normals = record.colors = invalid_index;
         if (object.attributes == no_attributes) return;
         const MeshAttributes& a = scene_.attributes[static_cast<std::size_t>(object.attributes)];
@@ -193,13 +200,13 @@ class Flattener {
         s.modes.highlight = w.highlight_model == HighlightModel::phong ? highlight_phong : highlight_blinn;
     }
 
-    const FrozenScene& scene_;
+    const SceneData& scene_;
     const WorldData& world_;
     GpuSceneData data_;
     std::map<const void*, std::uint32_t> arrays_; ///< that are among the words
 };
 
-/// As rays carry them: highest rank first, while camera_media has the lowest first.
+/// As rays carry them: highest rank first, while camera_interiors has the lowest first.
 uvec4 interiors_at_eye(const GpuSceneData& data, const std::vector<std::uint32_t>& objects) {
     if (objects.size() > max_interiors)
         throw Error(ErrorKind::device,
@@ -218,9 +225,9 @@ uvec4 interiors_at_eye(const GpuSceneData& data, const std::vector<std::uint32_t
 
 } // namespace
 
-void set_view(GpuSceneData& data, const FrozenScene& scene) {
+void set_view(GpuSceneData& data, const SceneData& scene) {
     GpuSettings& s = data.settings;
-    s.interiors_at_eye = interiors_at_eye(data, scene.camera_media);
+    s.interiors_at_eye = interiors_at_eye(data, scene.camera_interiors);
     const PinholeCamera camera = camera_of(scene.description);
     s.camera_eye = camera.eye;
     s.image_width = camera.width;
@@ -231,6 +238,6 @@ void set_view(GpuSceneData& data, const FrozenScene& scene) {
     s.index_outside = scene.index_outside;
 }
 
-GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }
+GpuSceneData flatten(const SceneData& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }
 
 } // namespace glint

@@ -4,7 +4,7 @@
 
 #include "gpu/records.shared.h"
 #include "gpu/tree.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <cstdint>
 #include <vector>
@@ -25,9 +25,9 @@ struct GpuSceneData {
 
 /// Where `tree` is given it is the scene's, made before. Throws Error(device) for a scene that the shader's
 /// numbers cannot name, with the sizes.
-GpuSceneData flatten(const FrozenScene& scene, const GpuTree* tree = nullptr);
+GpuSceneData flatten(const SceneData& scene, const GpuTree* tree = nullptr);
 
 /// Another camera or size of the scene that was flattened. Throws as flatten() does.
-void set_view(GpuSceneData& data, const FrozenScene& scene);
+void set_view(GpuSceneData& data, const SceneData& scene);
 
 } // namespace glint

@@ -32,11 +32,10 @@ std::size_t film_fields(std::size_t terms) { return film_fields_of_term * terms 
 
 std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, std::size_t terms, int width,
                            int height) {
-    const std::size_t largest =
-        std::min<std::uint64_t>(context.device().largest_buffer, std::size_t{1} << 28);
+    const std::size_t largest = std::min<std::uint64_t>(context.device().max_buffer, std::size_t{1} << 28);
     const std::size_t bytes = 4 * std::max(slot_fields(scene, terms), film_fields(terms));
     const auto slots = static_cast<int>(
-        std::clamp<std::size_t>((largest - 4 * work_counters) / bytes, 64, Pace::most_slots));
+        std::clamp<std::size_t>((largest - 4 * work_counters) / bytes, 64, DispatchBudget::max_slots));
     const int across = std::min(whole_squares(width), slots / 64 * 8);
     const int down = std::min(whole_squares(height), std::max(slots / std::max(across, 8) / 8 * 8, 8));
     std::vector<Rect> tiles;
@@ -49,46 +48,47 @@ std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, 
 
 void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     settings_ = settings;
-    settings_.max_walk_steps = studio_.pace().steps();
+    settings_.max_walk_steps = device_state_.budget().steps();
     slots_ = slots;
     const std::size_t bytes = 4 * (work_counters + slot_fields(settings, terms_) * slots);
     if (work_ == nullptr || work_->bytes() < bytes) {
         work_.reset();
-        work_ = std::make_unique<GpuBuffer>(studio_.context(), "the rays under way", nullptr, bytes);
+        work_ = std::make_unique<GpuBuffer>(device_state_.context(), "the rays under way", nullptr, bytes);
     } else {
         work_->clear(4 * (work_counters + state_fields(terms_) * slots));
     }
     if (block_ == nullptr) {
-        block_ = std::make_unique<GpuBuffer>(studio_.context(), "the settings", nullptr, sizeof(GpuSettings));
-        timer_ = std::make_unique<GpuTimer>(studio_.context());
+        block_ = std::make_unique<GpuBuffer>(device_state_.context(), "the settings", nullptr,
+                                             sizeof(GpuSettings));
+        timer_ = std::make_unique<GpuTimer>(device_state_.context());
     }
     first_ = 0;
     unfinished_ = slots;
-    studio_.pace().next_tile();
+    device_state_.budget().next_tile();
 }
 
 bool TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     program.use();
-    studio_.buffers().bind();
+    device_state_.buffers().bind();
     work_->bind_storage(6);
     film.bind_storage(7);
     block_->bind_uniform(0);
-    Pace& pace = studio_.pace();
-    const std::uint32_t past = std::min(first_ + pace.slots(), slots_);
-    const bool whole = past - first_ == pace.slots();
+    DispatchBudget& budget = device_state_.budget();
+    const std::uint32_t past = std::min(first_ + budget.slots(), slots_);
+    const bool whole = past - first_ == budget.slots();
     settings_.first_slot = first_;
     settings_.end_slot = past;
     settings_.slot_count = slots_;
-    settings_.max_nodes = pace.nodes();
+    settings_.max_nodes = budget.nodes();
     const double start = wall_seconds();
     block_->write(0, &settings_, sizeof settings_);
     timer_->start();
-    glDispatchCompute((past - first_ + Pace::group_size - 1) / Pace::group_size, 1, 1);
+    glDispatchCompute((past - first_ + DispatchBudget::group_size - 1) / DispatchBudget::group_size, 1, 1);
     timer_->stop();
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     glFinish();
-    studio_.context().check("rendering");
-    pace.learn(wall_seconds() - start, whole);
+    device_state_.context().check("rendering");
+    budget.learn(wall_seconds() - start, whole);
     seconds_ += timer_->seconds();
     first_ = past < slots_ ? past : 0;
     if (first_ == 0) count();
@@ -107,7 +107,7 @@ void TileWork::count() {
                     "render on the CPU");
     if ((c.faults & fault_loops) != 0)
         throw Error(ErrorKind::device,
-                    "the driver of " + studio_.context().device().name +
+                    "the driver of " + device_state_.context().device().name +
                         " ended the walk of a ray before its end",
                     "the scene asks for too many steps at once: render on the CPU");
     rays_.primary += c.rays[0];
@@ -115,7 +115,7 @@ void TileWork::count() {
     rays_.refracted += c.rays[2];
     rays_.shadow += c.rays[3];
     unfinished_ = c.unfinished;
-    if (unfinished_ < slots_ / 4) studio_.pace().few_left();
+    if (unfinished_ < slots_ / 4) device_state_.budget().few_left();
 }
 
 } // namespace glint

@@ -2,7 +2,7 @@
 // A tile under way on the device: its slots are dispatched again and again until their samples are done.
 // Short dispatches keep the desktop responsive, avoid driver timeouts, and make cancelling quick.
 
-#include "gpu/studio.h"
+#include "gpu/device_state.h"
 
 #include "glint/render.h"
 #include "render/camera_sample.h"
@@ -24,7 +24,7 @@ std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, 
 
 class TileWork {
   public:
-    TileWork(GpuStudio& studio, std::size_t terms) : studio_(studio), terms_(terms) {}
+    TileWork(GpuDeviceState& device_state, std::size_t terms) : device_state_(device_state), terms_(terms) {}
 
     /// Begins a tile of so many slots. `settings` say which pixels and samples.
     void begin(const GpuSettings& settings, std::uint32_t slots);
@@ -44,7 +44,7 @@ class TileWork {
   private:
     void count();
 
-    GpuStudio& studio_;
+    GpuDeviceState& device_state_;
     const std::size_t terms_;
     std::unique_ptr<GpuBuffer> work_, block_;
     std::unique_ptr<GpuTimer> timer_;

@@ -1,13 +1,23 @@
 #include "gpu/tree.h"
 
 #include "glint/error.h"
-#include "trace/world_data.h"
+#include "trace/world/data.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace glint {
+
+using bvh::Tree;
+using bvh::TreeNode;
+using bvh::TreeRef;
+using trace::leaf_bit;
+using trace::MeshTree;
+using trace::SharedMesh;
+using trace::wide_children;
+using trace::WideNode;
+using trace::WorldData;
 namespace {
 
 constexpr std::uint32_t max_nodes = 0x00ffffffu;

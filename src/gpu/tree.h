@@ -5,7 +5,7 @@
 // A node is a NodeRecord (gpu/records.shared.h). A side of a child's box is origin + byte · 2^exponent,
 // rounded outward. Child i lies toward +x, +y, +z of the others where bits 0, 1, 2 of i are set: rays enter
 // the children in the order of i xor the signs of their direction, unsorted. Codes: bit 31: a leaf of
-// triangles (trace/mesh_tree.h: LeafCode); bits 31 … 29 = 011: an instance, by its object; 010: quadrics,
+// triangles (trace/mesh/tree.h: LeafCode); bits 31 … 29 = 011: an instance, by its object; 010: quadrics,
 // count − 1 (5 bits) and the first (24 bits); else a node.
 
 #include "gpu/records.shared.h"
@@ -15,7 +15,9 @@
 
 namespace glint {
 
+namespace trace {
 struct WorldData;
+}
 
 struct GpuTree {
     std::vector<NodeRecord> nodes;
@@ -28,6 +30,6 @@ struct GpuTree {
 };
 
 /// Throws Error(device) for a world with too many nodes or leaves for codes of 32 bits.
-GpuTree build_gpu_tree(const WorldData& world);
+GpuTree build_gpu_tree(const trace::WorldData& world);
 
 } // namespace glint

@@ -28,7 +28,10 @@ GLINT_FN FilterOffset filter_offset(float u, float radius, int step, int negativ
                                     float inner) {
     float share = (filter_tail(u) - outer) / (inner - outer);
     float distance_to = radius * (1.0f - (float(step) + share) / float(filter_steps));
-    return FilterOffset(u < 0.5f ? -distance_to : distance_to, step < negative_steps ? -1.0f : 1.0f);
+    FilterOffset offset;
+    offset.distance_to = u < 0.5f ? -distance_to : distance_to;
+    offset.weight = step < negative_steps ? -1.0f : 1.0f;
+    return offset;
 }
 
 GLINT_SHARED_END

@@ -13,9 +13,9 @@ namespace glint {
 
 struct Explainer::State {
     State(const Scene& whole, const CancelFlag* stop)
-        : scene(whole), settings(whole.render_settings()), sampler(whole.frozen().description),
-          parts(whole.frozen()), cancel(stop),
-          estimator(whole.frozen(), whole.frozen().description.whitted, stop) {}
+        : scene(whole), settings(whole.render_settings()), sampler(whole.data().description),
+          parts(whole.data()), cancel(stop), estimator(whole.data(), whole.data().description.whitted, stop) {
+    }
 
     ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
         const bool with_rays = i < limits.samples;
@@ -95,7 +95,7 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     return out;
 }
 
-std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelPlace> pixels,
+std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelCoord> pixels,
                                         const ExplainLimits& limits, int threads, const CancelFlag* cancel) {
     std::vector<Explanation> out(pixels.size());
     TaskPool pool(threads);

@@ -21,8 +21,8 @@ class BounceSteps {
         if (material_.transparency > 0.0f && !solid_) pane();
         weights();
         if (node_.reflected >= 0) mirror();
-        if (node_.reflected >= 0) bring("reflection", "L_R", "w_R", node_.reflected);
-        if (node_.refracted >= 0) bring("transmission", "L_T", "w_T", node_.refracted);
+        if (node_.reflected >= 0) add_to_parent("reflection", "L_R", "w_R", node_.reflected);
+        if (node_.refracted >= 0) add_to_parent("transmission", "L_T", "w_T", node_.refracted);
     }
 
   private:
@@ -134,7 +134,7 @@ class BounceSteps {
     }
 
     /// What a branch brings, and what its ray weighs in the sample.
-    void bring(const char* topic, const char* light, const char* weight, int index) {
+    void add_to_parent(const char* topic, const char* light, const char* weight, int index) {
         const bool mirror = node_.reflected == index;
         const bool absorbs = node_.transmittance != vec3(1.0f);
         const float share = mirror ? node_.reflected_weight : node_.refracted_weight;

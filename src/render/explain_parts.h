@@ -4,7 +4,7 @@
 
 #include "glint/explain.h"
 #include "render/ray_tree.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace glint {
 
 /// What the parts need of a scene, put together once.
 struct ExplainedScene {
-    explicit ExplainedScene(const FrozenScene& scene);
+    explicit ExplainedScene(const SceneData& scene);
 
     std::string label(std::uint32_t object) const { return object_label(scene.description, object); }
     const std::string& material_name(std::uint32_t object) const;
@@ -21,10 +21,10 @@ struct ExplainedScene {
         return scene.materials[scene.objects[object].material];
     }
 
-    const FrozenScene& scene;
+    const SceneData& scene;
     const WhittedSettings& settings;
     const WhittedModes modes;                 ///< of the settings
-    std::vector<std::uint32_t> light_numbers; ///< by FrozenScene::lights: index in SceneDescription::lights
+    std::vector<std::uint32_t> light_numbers; ///< by SceneData::lights: index in SceneDescription::lights
 };
 
 /// "τ₁₂"
@@ -37,7 +37,7 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
 void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& ray);
 
 /// All rays of a recorded tree; those of less weight without lights and steps.
-std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight,
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float min_weight,
                                        const CancelFlag* cancel);
 
 /// Throws Error(cancelled) once the flag, if any, is set.

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 namespace glint {
+
+using trace::Hit;
 namespace {
 
 /// One ray: what it met, its local terms, its branches, their sum.
@@ -47,7 +49,7 @@ class RayWorking {
         out_.terms = node_.terms.value;
         out_.radiance = node_.radiance;
         out_.transmittance = node_.transmittance;
-        for (const std::uint32_t object : node_.media) out_.inside.push_back(scene_.label(object));
+        for (const std::uint32_t object : node_.interiors) out_.inside.push_back(scene_.label(object));
         for (const Hit& hit : node_.passed_over) out_.passed_over.push_back(scene_.label(hit.object));
         out_.why = reason();
     }
@@ -71,7 +73,8 @@ class RayWorking {
         case RayEnd::background:
             return "ends: nothing was hit, the background shows";
         case RayEnd::absorbed:
-            return "ends: it never leaves " + scene_.label(node_.media.front()) + ", so nothing comes back";
+            return "ends: it never leaves " + scene_.label(node_.interiors.front()) +
+                   ", so nothing comes back";
         }
         return "";
     }
@@ -180,7 +183,7 @@ class RayWorking {
 
     void absorb() {
         if (!absorbs()) return;
-        give({"σ", "", scene_.material(node_.media.front()).absorption, "absorption",
+        give({"σ", "", scene_.material(node_.interiors.front()).absorption, "absorption",
               "absorption a unit of length, in the solid around the ray"});
         step({"β", "e^(−σ · t)", node_.transmittance, "absorption",
               "what is left after the way (Beer, Lambert)", "", "ours: the report's glass does not absorb"});
@@ -259,9 +262,9 @@ std::string numbered(const char* symbol, std::size_t number) {
     return symbol + subscript;
 }
 
-ExplainedScene::ExplainedScene(const FrozenScene& frozen)
-    : scene(frozen), settings(frozen.description.whitted), modes(whitted_modes(settings)) {
-    const std::vector<Light>& lights = frozen.description.lights;
+ExplainedScene::ExplainedScene(const SceneData& scene_data)
+    : scene(scene_data), settings(scene_data.description.whitted), modes(whitted_modes(settings)) {
+    const std::vector<Light>& lights = scene_data.description.lights;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
 }
@@ -280,7 +283,7 @@ const std::string& ExplainedScene::material_name(std::uint32_t object) const {
     return scene.description.materials[scene.objects[object].material].name;
 }
 
-std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float least_weight,
+std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTree& tree, float min_weight,
                                        const CancelFlag* cancel) {
     std::vector<ExplainedRay> rays(tree.nodes.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -296,7 +299,7 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
         }
         RayWorking working(scene, tree, node, rays[i]);
         const vec3& w = rays[i].weight;
-        max(w.x, max(w.y, w.z)) < least_weight ? working.copy_path() : working.explain();
+        max(w.x, max(w.y, w.z)) < min_weight ? working.copy_path() : working.explain();
     }
     return rays;
 }

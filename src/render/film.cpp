@@ -3,7 +3,7 @@
 #include "glint/error.h"
 #include "glint/limits.h"
 #include "parallel/large_pages.h"
-#include "render/aspect.h"
+#include "render/aov.h"
 #include "render/camera_sampler.h"
 #include "render/upsample.h"
 

@@ -2,12 +2,12 @@
 
 namespace glint {
 
-bool is_dielectric(std::uint32_t object, const FrozenScene& scene) {
-    const FrozenObject& o = scene.objects[object];
+bool is_dielectric(std::uint32_t object, const SceneData& scene) {
+    const ObjectData& o = scene.objects[object];
     return o.solid && scene.materials[o.material].transparency > 0.0f;
 }
 
-const InteriorList* entered(const InteriorList* list, std::uint32_t object, const FrozenScene& scene,
+const InteriorList* entered(const InteriorList* list, std::uint32_t object, const SceneData& scene,
                             InteriorArena& arena) {
     if (list == nullptr || scene.objects[list->object].rank <= scene.objects[object].rank)
         return arena.push(object, list);
@@ -22,16 +22,16 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, Interio
 }
 
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
-                            const FrozenScene& scene, InteriorArena& arena) {
+                            const SceneData& scene, InteriorArena& arena) {
     return entering ? entered(list, object, scene, arena) : left(list, object, arena);
 }
 
-bool is_hidden(const InteriorList* list, std::uint32_t object, const FrozenScene& scene) {
+bool is_hidden(const InteriorList* list, std::uint32_t object, const SceneData& scene) {
     if (list == nullptr || !scene.objects[object].solid) return false;
     return scene.objects[list->object].rank > scene.objects[object].rank;
 }
 
-float refractive_index(const InteriorList* list, const FrozenScene& scene) {
+float refractive_index(const InteriorList* list, const SceneData& scene) {
     if (list == nullptr) return scene.index_outside;
     return scene.materials[scene.objects[list->object].material].index;
 }

@@ -3,7 +3,7 @@
 // surfaces of the others inside it are skipped. C. M. Schmidt and B. Budge, "Simple Nested Dielectrics in Ray
 // Traced Images", Journal of Graphics Tools 7 (2), 2002.
 
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <array>
 #include <cstddef>
@@ -39,10 +39,10 @@ class InteriorArena {
 };
 
 /// True for transparent solids; only those can be in a list.
-bool is_dielectric(std::uint32_t object, const FrozenScene& scene);
+bool is_dielectric(std::uint32_t object, const SceneData& scene);
 
 /// The list with `object` added at its rank.
-const InteriorList* entered(const InteriorList* list, std::uint32_t object, const FrozenScene& scene,
+const InteriorList* entered(const InteriorList* list, std::uint32_t object, const SceneData& scene,
                             InteriorArena& arena);
 
 /// The list without one entry of `object`; the same list if it has none.
@@ -50,12 +50,12 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, Interio
 
 /// The list behind a surface of `object`: entered() where `entering`, else left().
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
-                            const FrozenScene& scene, InteriorArena& arena);
+                            const SceneData& scene, InteriorArena& arena);
 
 /// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
-bool is_hidden(const InteriorList* list, std::uint32_t object, const FrozenScene& scene);
+bool is_hidden(const InteriorList* list, std::uint32_t object, const SceneData& scene);
 
 /// The index of refraction of the space that the list stands for.
-float refractive_index(const InteriorList* list, const FrozenScene& scene);
+float refractive_index(const InteriorList* list, const SceneData& scene);
 
 } // namespace glint

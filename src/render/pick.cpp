@@ -9,7 +9,7 @@ namespace glint {
 
 std::optional<Pick> pick(const Scene& scene, double x, double y) {
     const RenderSettings& settings = scene.render_settings();
-    const auto within = [](double place, int count) { return place >= 0 && place < count; };
+    const auto within = [](double coordinate, int count) { return coordinate >= 0 && coordinate < count; };
     if (!within(x, settings.width) || !within(y, settings.height)) return std::nullopt;
     const int px = static_cast<int>(x);
     const int py = static_cast<int>(y);
@@ -20,12 +20,12 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
         pinhole_direction(camera, px, py, static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5));
 
     RayTree tree;
-    Whitted(scene.frozen(), first_hit_settings(scene.frozen())).trace(sample, &tree);
+    Whitted(scene.data(), first_hit_settings(scene.data())).trace(sample, &tree);
     const RayNode& node = tree.nodes.front();
     if (!node.hit) return std::nullopt;
     Pick found;
     found.object = node.hit.object;
-    found.material = scene.frozen().objects[node.hit.object].material;
+    found.material = scene.data().objects[node.hit.object].material;
     found.position = Vec3(node.position);
     found.normal = Vec3(node.geometric_normal);
     found.distance = static_cast<double>(node.hit.t);

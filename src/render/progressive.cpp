@@ -28,7 +28,7 @@ void Progressive::start(const Scene& scene, const ProgressiveOptions& options) {
     s.run.reset();
     s.scene = scene;
     s.film.start(layout);
-    s.run.emplace(scene.frozen(), std::move(schedule), s.film, s.pool,
+    s.run.emplace(scene.data(), std::move(schedule), s.film, s.pool,
                   RunOptions{options.show, options.kernel, options.cancel, {}});
 }
 

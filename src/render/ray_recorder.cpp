@@ -3,6 +3,8 @@
 #include <utility>
 
 namespace glint {
+
+using trace::Hit;
 namespace {
 
 std::vector<std::uint32_t> objects_of(const InteriorList* interior) {
@@ -32,7 +34,7 @@ void RayRecorder::skip_hidden(const Hit& hit) { node().passed_over.push_back(hit
 
 void RayRecorder::miss(const InteriorList* interior) {
     node().end = interior == nullptr ? RayEnd::background : RayEnd::absorbed;
-    node().media = objects_of(interior);
+    node().interiors = objects_of(interior);
 }
 
 void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const InteriorList* interior) {
@@ -44,7 +46,7 @@ void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const Interi
     ray.color = at.surface.color;
     ray.lit_side = at.surface.lit_side;
     ray.entering = at.entering;
-    ray.media = objects_of(interior);
+    ray.interiors = objects_of(interior);
 }
 
 void RayRecorder::end_at(RayEnd end) { node().end = end; }

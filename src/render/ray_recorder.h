@@ -18,9 +18,9 @@ class RayRecorder {
 
     // One ray: begin_ray(), then what it meets, with its branches between, then end_ray().
     void begin_ray(RayKind kind, int depth, const vec3& origin, const vec3& direction);
-    void skip_hidden(const Hit& hit);
+    void skip_hidden(const trace::Hit& hit);
     void miss(const InteriorList* interior);
-    void hit(const Hit& hit, const SurfaceInteraction& at, const InteriorList* interior);
+    void hit(const trace::Hit& hit, const SurfaceInteraction& at, const InteriorList* interior);
     void end_at(RayEnd end);
     void bounce(float local_weight, const Bounce& bounce);
     void absorb(const vec3& transmittance);

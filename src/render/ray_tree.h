@@ -5,7 +5,7 @@
 #include "math/vec.h"
 #include "render/camera_sample.h"
 #include "shading/whitted_steps.shared.h"
-#include "trace/world.h"
+#include "trace/world/world.h"
 
 #include <cstdint>
 #include <vector>
@@ -48,15 +48,15 @@ struct RayNode {
     int depth = 0;
     vec3 origin{0.0f};
     vec3 direction{0.0f}; ///< unit
-    Hit hit;
+    trace::Hit hit;
     vec3 position{0.0f};
     vec3 geometric_normal{0.0f}; ///< toward the viewer
     vec3 shading_normal{0.0f};
     vec3 color{0.0f};
-    float lit_side = 1;               ///< −1: lights find both normals turned away from the viewer
-    bool entering = true;             ///< from the object's outer side
-    std::vector<std::uint32_t> media; ///< transparent solids around the ray, the owner of the space first
-    std::vector<Hit> passed_over;     ///< hidden inside one of those
+    float lit_side = 1;                   ///< −1: lights find both normals turned away from the viewer
+    bool entering = true;                 ///< from the object's outer side
+    std::vector<std::uint32_t> interiors; ///< transparent solids around the ray, the owner of the space first
+    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those
     std::vector<LightNode> lights;
     std::vector<ShadowNode> shadows; ///< parallel to lights
     float index_before = 1;          ///< indices of refraction on the two sides, where the ray goes through

@@ -22,7 +22,7 @@ Picture render(const Scene& scene, const RenderOptions& options) {
     Film film(film_layout(scene.render_settings(), options));
     const FilmLayout& layout = film.layout();
     TaskPool pool(options.threads);
-    ScheduleRun run(scene.frozen(), {layout.area, layout.tile_size, one_pass(layout.samples), {}}, film, pool,
+    ScheduleRun run(scene.data(), {layout.area, layout.tile_size, one_pass(layout.samples), {}}, film, pool,
                     {options.show, options.kernel, options.cancel, options.progress});
     run.run(no_deadline);
     Picture picture;

@@ -36,7 +36,7 @@ TileGrid Schedule::grid_of(const Pass& pass) const {
 std::vector<Pass> one_pass(int samples) { return {{1, false, 0, samples}}; }
 
 std::vector<Pass> refining_passes(int coarsest, int samples) {
-    if (coarsest < 1 || coarsest > most_coarse || !std::has_single_bit(static_cast<unsigned>(coarsest)))
+    if (coarsest < 1 || coarsest > max_coarsest || !std::has_single_bit(static_cast<unsigned>(coarsest)))
         throw Error(ErrorKind::usage, "the coarsest step is not a power of two",
                     "expected 1, 2, 4, 8, 16, 32 or 64");
     std::vector<Pass> passes;

@@ -79,7 +79,7 @@ std::vector<Pass> one_pass(int samples);
 /// Previews of every `coarsest`-th pixel of each row and column, then between these, until all have had one
 /// ray through their centre. Then, unless one sample is all, samples double: 1, 1, 2, 4 … of each pixel and
 /// what is left, so that one sum is all that a pixel needs to go on (PixelSum). Throws Error(usage) if
-/// `coarsest` is no power of two from 1 to most_coarse.
+/// `coarsest` is no power of two from 1 to max_coarsest.
 std::vector<Pass> refining_passes(int coarsest, int samples);
 
 /// The samples of shard i of n: aligned blocks of a power of two of samples (the last of all may be shorter),

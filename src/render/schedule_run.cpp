@@ -32,7 +32,7 @@ struct ScheduleRun::PixelSamples {
     }
 };
 
-ScheduleRun::ScheduleRun(const FrozenScene& scene, Schedule schedule, Film& film, TaskPool& pool,
+ScheduleRun::ScheduleRun(const SceneData& scene, Schedule schedule, Film& film, TaskPool& pool,
                          RunOptions options)
     : schedule_(std::move(schedule)), film_(film), pool_(pool), options_(std::move(options)),
       sampler_(scene.description), cursor_(schedule_.passes) {
@@ -152,7 +152,7 @@ ScheduleRun::Visit ScheduleRun::visit_of(const Pass& pass, std::size_t tile) con
     }
     // As many pixels as fit a batch, in a square or two: rays of neighbours go the same way.
     const auto pixels = static_cast<unsigned>(std::max(1, batch_samples / std::max(1, pass.count)));
-    const int levels = std::bit_width(pixels) - 1;
+    const int levels = static_cast<int>(std::bit_width(pixels)) - 1;
     visit.block_width = 1 << (levels + 1) / 2;
     visit.block_height = 1 << levels / 2;
     return visit;

@@ -19,7 +19,7 @@ namespace glint {
 inline constexpr double no_deadline = std::numeric_limits<double>::infinity();
 
 struct RunOptions {
-    Aspect show = Aspect::final;
+    Aov show = Aov::final;
     KernelChoice kernel;
     const CancelFlag* cancel = nullptr;
     std::function<void(const Progress&)> progress; ///< called from the threads, one at a time
@@ -29,7 +29,7 @@ struct RunOptions {
 /// often the run was interrupted or cancelled.
 class ScheduleRun {
   public:
-    ScheduleRun(const FrozenScene& scene, Schedule schedule, Film& film, TaskPool& pool, RunOptions options);
+    ScheduleRun(const SceneData& scene, Schedule schedule, Film& film, TaskPool& pool, RunOptions options);
 
     /// Goes on until wall_seconds() is `deadline`, but to the end of the first pass in any case, and over one
     /// tile a thread at least. Once the flag is set it returns within milliseconds; the tiles that were whole

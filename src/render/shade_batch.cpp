@@ -15,6 +15,8 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
+
+using trace::kernel_targets;
 namespace HWY_NAMESPACE {
 namespace {
 

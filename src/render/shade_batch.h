@@ -2,7 +2,7 @@
 // The steps of shading/whitted_steps.shared.h for many paths at once, compiled for each SIMD target.
 
 #include "render/estimators/path_states.h"
-#include "trace/kernel_table.h"
+#include "trace/simd/kernel_table.h"
 
 #include <array>
 #include <cstddef>
@@ -30,6 +30,6 @@ struct ShadeKernels {
     /// Sets the terms of the parents that the wave's sums are.
     void (*add_to_parents)(Wave wave, PathStates& states);
 };
-extern const std::array<ShadeKernels, kernel_targets> shade_kernels;
+extern const std::array<ShadeKernels, trace::kernel_targets> shade_kernels;
 
 } // namespace glint

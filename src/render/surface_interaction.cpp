@@ -3,16 +3,19 @@
 #include "geometry/surface.shared.h"
 
 namespace glint {
+
+using trace::Hit;
+using trace::PrimKind;
 namespace {
 
-void step_off_edge(const FrozenScene& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
+void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
     Hit middle = hit;
     middle.u = 1.0f / 3.0f;
     middle.v = 1.0f / 3.0f;
     point = moved_off_edge(point, scene.world.surface(ray, middle).p);
 }
 
-vec3 vertex_normal(const FrozenScene& scene, const Hit& hit, const std::vector<vec3>& normals,
+vec3 vertex_normal(const SceneData& scene, const Hit& hit, const std::vector<vec3>& normals,
                    std::uint32_t vertex) {
     const vec3& n = normals[vertex];
     const std::int32_t matrix = scene.objects[hit.object].normal_matrix;
@@ -21,7 +24,7 @@ vec3 vertex_normal(const FrozenScene& scene, const Hit& hit, const std::vector<v
 }
 
 /// Colour and shading normal, where the mesh has them by vertex. A cloud of spheres has a colour for each.
-void interpolate_vertices(const FrozenScene& scene, const Hit& hit, SurfaceRecord& s) {
+void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord& s) {
     const MeshAttributes& attributes =
         scene.attributes[static_cast<std::size_t>(scene.objects[hit.object].attributes)];
     if (hit.kind == PrimKind::quadric) {
@@ -43,8 +46,8 @@ void interpolate_vertices(const FrozenScene& scene, const Hit& hit, SurfaceRecor
 
 } // namespace
 
-SurfaceInteraction surface_interaction(const FrozenScene& scene, const Ray& ray, const Hit& hit) {
-    const FrozenObject& object = scene.objects[hit.object];
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
+    const ObjectData& object = scene.objects[hit.object];
     SurfacePoint point = scene.world.surface(ray, hit);
     if (hit.on_edge) step_off_edge(scene, ray, hit, point);
     SurfaceInteraction at;
@@ -63,7 +66,7 @@ SurfaceInteraction surface_interaction(const FrozenScene& scene, const Ray& ray,
     return at;
 }
 
-bool enters(const FrozenScene& scene, const Ray& ray, const Hit& hit) {
+bool enters(const SceneData& scene, const Ray& ray, const Hit& hit) {
     return dot(scene.world.surface(ray, hit).n, ray.direction) < 0.0f;
 }
 

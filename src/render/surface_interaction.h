@@ -3,7 +3,7 @@
 
 #include "math/ray.h"
 #include "render/interior_list.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 #include "shading/whitted_steps.shared.h"
 
 #include <cstdint>
@@ -19,10 +19,10 @@ struct SurfaceInteraction {
 
 /// The surface at a hit of a ray (unit direction): off the edge that it may lie on, with colour and shading
 /// normal of the mesh's vertices.
-SurfaceInteraction surface_interaction(const FrozenScene& scene, const Ray& ray, const Hit& hit);
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const trace::Hit& hit);
 
 /// True if the ray comes from the outer side of the object that it hits.
-bool enters(const FrozenScene& scene, const Ray& ray, const Hit& hit);
+bool enters(const SceneData& scene, const Ray& ray, const trace::Hit& hit);
 
 /// How light goes on from a surface.
 struct Bounce {

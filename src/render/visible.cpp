@@ -1,8 +1,8 @@
 // AOVs as pictures for the eye.
 
 #include "math/vec.h"
-#include "render/aspect.h"
-#include "scene/frozen.h"
+#include "render/aov.h"
+#include "scene/scene_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ Image mapped(const Image& numbers, const Show& show) {
 
 /// The distance from the eye to the middle of all finite objects; without any, to the origin.
 float middle_distance(const Scene& scene) {
-    const Bounds bounds = scene.frozen().world.bounds();
+    const Bounds bounds = scene.data().world.bounds();
     const dvec3 middle = bounds.empty() ? dvec3(0.0) : (dvec3(bounds.lo) + dvec3(bounds.hi)) * 0.5;
     const double distance = glm::length(middle - scene.camera().eye);
     return distance > 0 ? static_cast<float>(distance) : 1.0f;
@@ -36,7 +36,7 @@ float middle_distance(const Scene& scene) {
 
 /// Ambient lights are not counted: nothing hides them.
 float light_count(const Scene& scene) {
-    return static_cast<float>(std::max<std::size_t>(1, scene.frozen().lights.size()));
+    return static_cast<float>(std::max<std::size_t>(1, scene.data().lights.size()));
 }
 
 Image cost_in_colours(const Image& numbers) {
@@ -47,24 +47,22 @@ Image cost_in_colours(const Image& numbers) {
 
 } // namespace
 
-bool is_visible(Aspect aspect) {
-    return aspect == Aspect::final || (is_light(aspect) && aspect != Aspect::clamp);
-}
+bool is_visible(Aov aov) { return aov == Aov::final || (is_light(aov) && aov != Aov::clamp); }
 
-Image visible(const Image& numbers, Aspect aspect, const Scene& scene) {
-    switch (aspect) {
-    case Aspect::clamp:
+Image visible(const Image& numbers, Aov aov, const Scene& scene) {
+    switch (aov) {
+    case Aov::clamp:
         return mapped(numbers, [](const vec3& n) { return -n; });
-    case Aspect::shadows:
+    case Aov::shadows:
         return mapped(numbers, [all = light_count(scene)](const vec3& n) { return vec3(1.0f) - n / all; });
-    case Aspect::normal:
+    case Aov::normal:
         return mapped(numbers, [](const vec3& n) { return n == vec3(0.0f) ? n : n * 0.5f + vec3(0.5f); });
-    case Aspect::depth:
+    case Aov::depth:
         return mapped(numbers, [middle = middle_distance(scene)](const vec3& n) {
             const float x = n.x / middle;
             return vec3(1.0f / (1.0f + x * x));
         });
-    case Aspect::cost:
+    case Aov::cost:
         return cost_in_colours(numbers);
     default:
         return numbers;

@@ -1,7 +1,7 @@
 #pragma once
 // From described objects to what the tracing core takes: transforms applied in double, rounded once.
 
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <functional>
 
@@ -9,8 +9,8 @@ namespace glint {
 
 /// What baking fills in: the core's input, and the attributes of meshes.
 struct Baked {
-    WorldInput input;
-    std::vector<FrozenObject> objects;
+    trace::WorldInput input;
+    std::vector<ObjectData> objects;
     std::vector<MeshAttributes> attributes;
     std::vector<dmat3> normal_matrices; ///< of instances
 };

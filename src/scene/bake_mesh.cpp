@@ -7,11 +7,13 @@
 #include <cmath>
 
 namespace glint {
+
+using trace::WorldInput;
 namespace {
 
 using Normals = std::shared_ptr<const std::vector<vec3>>;
 
-double largest_stretch(const dmat4& m) {
+double max_stretch(const dmat4& m) {
     const dvec3 x(m[0]), y(m[1]), z(m[2]);
     return std::sqrt(std::max({glm::dot(x, x), glm::dot(y, y), glm::dot(z, z)}));
 }
@@ -112,13 +114,13 @@ void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t
     const dmat4 m = with_scale(transform, s.scale);
     if (s.data->triangles.empty()) return bake_points(s, m, id);
     baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
-    if (uses_[&source] > 1) return place(shared(source), m, id);
+    if (uses_[&source] > 1) return add_instance(shared(source), m, id);
     bake_once(s, m, id);
 }
 
 void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id) {
     const double radius = s.point_radius ? *s.point_radius : default_point_radius(s.data->positions);
-    const double stretched = radius * largest_stretch(m);
+    const double stretched = radius * max_stretch(m);
     std::uint32_t prim = 0;
     for (const vec3& p : s.data->positions) {
         const dvec3 center = transform_point(m, dvec3(p));
@@ -172,8 +174,8 @@ const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
     return shared_.emplace(&source, shared).first->second;
 }
 
-void MeshBaker::place(const Shared& mesh, const dmat4& m, std::uint32_t id) {
-    FrozenObject& object = baked_.objects[id];
+void MeshBaker::add_instance(const Shared& mesh, const dmat4& m, std::uint32_t id) {
+    ObjectData& object = baked_.objects[id];
     if (!mesh.bounds.empty()) object.bounds = transform_box(m, dvec3(mesh.bounds.lo), dvec3(mesh.bounds.hi));
     object.solid = mesh.closed;
     object.attributes = mesh.attributes;

@@ -14,7 +14,7 @@ Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi);
 
 /// Adds triangles in world space as object `id`. Closed shapes are turned outward: a mirror in the transform,
 /// or a winding inside out, shows in the volume.
-void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t id, bool closed);
+void add_triangles(Baked& baked, trace::WorldInput::Triangles triangles, std::uint32_t id, bool closed);
 
 /// A mesh that is seen once is baked into world space; one that is seen more often is stored once, as it is,
 /// and placed.
@@ -40,7 +40,7 @@ class MeshBaker {
     void bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id);
     void bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id);
     const Shared& shared(const Object& source);
-    void place(const Shared& mesh, const dmat4& m, std::uint32_t id);
+    void add_instance(const Shared& mesh, const dmat4& m, std::uint32_t id);
     std::int32_t add_attributes(const MeshShape& s, std::shared_ptr<const std::vector<vec3>> normals);
 
     bool need_closedness_;

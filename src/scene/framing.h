@@ -24,7 +24,7 @@ inline constexpr double default_elevation = 20; // degrees
 
 struct Lens {
     double fov = 40;    ///< full angle in y, degrees
-    double aspect = 1;  ///< width / height
+    double aov = 1;     ///< width / height
     double fill = 0.85; ///< share of the picture that may be filled
 };
 

@@ -107,19 +107,19 @@ class Checker {
                     (mesh.colors.empty() || mesh.colors.size() == vertices),
                 o.where, "the mesh has not one normal and one colour a vertex",
                 "as many as positions, or none");
-        require(!inside || has_places(mesh), o.where, "a vertex of the mesh is not a place",
+        require(!inside || has_valid_positions(mesh), o.where, "a vertex of the mesh is not a place",
                 "coordinates of what is shown must be finite");
     }
     // Vertices that no face uses do not matter.
-    static bool has_places(const Mesh& mesh) {
-        const auto is_place = [](const glm::vec3& p) {
+    static bool has_valid_positions(const Mesh& mesh) {
+        const auto is_valid = [](const glm::vec3& p) {
             return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
         };
         if (mesh.triangles.empty())
-            return std::all_of(mesh.positions.begin(), mesh.positions.end(), is_place);
+            return std::all_of(mesh.positions.begin(), mesh.positions.end(), is_valid);
         return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
-            return is_place(mesh.positions[t.x]) && is_place(mesh.positions[t.y]) &&
-                   is_place(mesh.positions[t.z]);
+            return is_valid(mesh.positions[t.x]) && is_valid(mesh.positions[t.y]) &&
+                   is_valid(mesh.positions[t.z]);
         });
     }
 

@@ -1,8 +1,9 @@
 #include "geometry/mesh.h"
 #include "glint/names.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 #include "scene/validate.h"
 
+#include "math/index.h"
 #include "math/random.shared.h"
 #include "shading/light_gain.h"
 
@@ -12,6 +13,8 @@
 #include <cmath>
 
 namespace glint {
+
+using trace::Hit;
 namespace {
 
 constexpr std::uint32_t probes_per_object = 64;
@@ -23,7 +26,7 @@ std::string title(const Object& object) {
 
 class Watcher {
   public:
-    explicit Watcher(const FrozenScene& scene) : scene_(scene), description_(scene.description) {
+    explicit Watcher(const SceneData& scene) : scene_(scene), description_(scene.description) {
         for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
             if (glass(id) && scene.objects[id].solid) glass_solids_.push_back(id);
     }
@@ -119,7 +122,7 @@ class Watcher {
                 continue;
             Probe probe;
             for (std::uint32_t i = 0; i < probes_per_object; ++i) shoot(id, i, probe);
-            if (probe.twin != none)
+            if (probe.twin != invalid_index)
                 warn(object(id).where,
                      title(object(id)) + " and " + title(object(probe.twin)) + " have coincident glass faces",
                      "let one overlap the other a little, or leave a gap");
@@ -131,13 +134,11 @@ class Watcher {
         }
     }
 
-    static constexpr std::uint32_t none = 0xffffffffu;
-
     struct Probe {
         int faces = 0;
         int hidden = 0;
-        std::uint32_t twin = none;
-        std::uint32_t owner = none;
+        std::uint32_t twin = invalid_index;
+        std::uint32_t owner = invalid_index;
     };
 
     // A chord of the object's box between two points drawn by number.
@@ -158,7 +159,7 @@ class Watcher {
     void shoot(std::uint32_t id, std::uint32_t i, Probe& probe) {
         hits_.clear();
         const Ray ray = chord(id, i);
-        scene_.world.crossings(ray, hits_);
+        scene_.world.all_hits(ray, hits_);
         for (std::size_t k = 0; k < hits_.size(); ++k) {
             if (hits_[k].object != id) continue;
             ++probe.faces;
@@ -190,7 +191,7 @@ class Watcher {
         if (b.t - a.t <= a.t * 0x1p-20f) probe.twin = b.object;
     }
 
-    const FrozenScene& scene_;
+    const SceneData& scene_;
     const SceneDescription& description_;
     std::vector<std::uint32_t> glass_solids_;
     std::vector<Hit> hits_;
@@ -199,6 +200,6 @@ class Watcher {
 
 } // namespace
 
-std::vector<Diagnostic> warnings(const Scene& scene) { return Watcher(scene.frozen()).run(); }
+std::vector<Diagnostic> warnings(const Scene& scene) { return Watcher(scene.data()).run(); }
 
 } // namespace glint

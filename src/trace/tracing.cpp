@@ -11,6 +11,9 @@
 
 namespace glint::tracing {
 
+using trace::build_mesh_tree;
+using trace::MeshTree;
+
 namespace {
 
 static_assert(sizeof(vec3) == 12 && sizeof(uvec3) == 12);
@@ -96,28 +99,28 @@ void Mesh::refit(const Vertices& vertices, const Triangles& triangles, int threa
     const auto data =
         is_sole_owner ? std::const_pointer_cast<Data>(data_) : std::make_shared<Data>(Data{data_->tree});
     parallel::TaskPool pool(threads);
-    glint::refit(data->tree, source.positions(), source.triangles(), pool);
+    trace::refit(data->tree, source.positions(), source.triangles(), pool);
     data_ = data;
 }
 
 void Mesh::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
                    const KernelChoice& choice) const {
     if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
-    glint::closest(data_->tree, inner(rays), hits, hint, choice);
+    trace::closest(data_->tree, inner(rays), hits, hint, choice);
 }
 
 Hit Mesh::closest(const Ray& ray, const KernelChoice& choice) const {
-    return glint::closest(data_->tree, inner(ray), choice);
+    return trace::closest(data_->tree, inner(ray), choice);
 }
 
 void Mesh::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                     const KernelChoice& choice) const {
     if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
-    glint::occluded(data_->tree, inner(rays), blocked, hint, choice);
+    trace::occluded(data_->tree, inner(rays), blocked, hint, choice);
 }
 
 bool Mesh::occluded(const Ray& ray, const KernelChoice& choice) const {
-    return glint::occluded(data_->tree, inner(ray), choice);
+    return trace::occluded(data_->tree, inner(ray), choice);
 }
 
 Box Mesh::bounds() const { return outer(data_->tree.bounds); }

@@ -3,7 +3,7 @@
 
 #include "glint/trace.h"
 
-#include "trace/mesh_tree.h"
+#include "trace/mesh/tree.h"
 
 #include <cstddef>
 #include <span>
@@ -12,7 +12,7 @@
 namespace glint::tracing {
 
 struct Mesh::Data {
-    MeshTree tree;
+    trace::MeshTree tree;
 };
 
 // Rays and hits are passed to the kernels without conversion. This is safe because nothing here accesses them

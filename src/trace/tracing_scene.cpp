@@ -1,7 +1,7 @@
 // The public interface to instances.
 
-#include "trace/instance_tree.h"
 #include "trace/tracing.h"
+#include "trace/world/instance_tree.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,6 +9,10 @@
 #include <vector>
 
 namespace glint::tracing {
+
+using trace::InstanceTree;
+using trace::MeshInstance;
+using trace::MeshTree;
 
 struct Scene::Data {
     std::vector<Mesh> meshes; ///< each once

@@ -1,9 +1,9 @@
 // Scenes and values written as TOML.
 
 #include "document_support.h"
-#include "formats/key_table.h"
-#include "formats/scene_tree.h"
-#include "formats/scene_write.h"
+#include "formats/scene/key_table.h"
+#include "formats/scene/tree.h"
+#include "formats/scene/write.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,9 +1,9 @@
 // The key tables: each key is bound to one member, its default is the member's initializer, what is written
 // reads back as the same, and files and descriptions made in memory are refused for the same cause.
 
-#include "formats/key_table.h"
-#include "formats/scene_table.h"
-#include "formats/scene_write.h"
+#include "formats/scene/key_table.h"
+#include "formats/scene/table.h"
+#include "formats/scene/write.h"
 #include "glint/document.h"
 #include "glint/names.h"
 #include "scene/keys/check.h"

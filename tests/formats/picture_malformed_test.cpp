@@ -146,7 +146,7 @@ TEST_F(MalformedExr, EveryCut) {
 #endif
 
 /// Changes single bytes all over a file; reading must end in a picture or in an Error about the input.
-void read_with_changes(const Bytes& good, int least_refused) {
+void read_with_changes(const Bytes& good, int min_refused) {
     int refused = 0;
     for (std::size_t at = 0; at < good.size(); ++at)
         for (const unsigned change : {0x01U, 0x80U, 0xffU}) {
@@ -160,7 +160,7 @@ void read_with_changes(const Bytes& good, int least_refused) {
                 ++refused;
             }
         }
-    EXPECT_GE(refused, least_refused);
+    EXPECT_GE(refused, min_refused);
 }
 
 #ifdef GLINT_WITH_EXR

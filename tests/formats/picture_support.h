@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of pictures share.
 
-#include "formats/picture_codecs.h"
+#include "formats/picture/codecs.h"
 #include "glint/formats.h"
 
 #include <gtest/gtest.h>

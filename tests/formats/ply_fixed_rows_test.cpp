@@ -1,7 +1,7 @@
 // Files are read part by part where they are as most are. Whatever the bytes, that gives what reading them
 // from memory gives, the error's text included.
 
-#include "formats/ply_fixed_rows.h"
+#include "formats/ply/fixed_rows.h"
 #include "ply_files.h"
 
 #include <cmath>

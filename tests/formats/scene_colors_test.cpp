@@ -1,6 +1,6 @@
 // Colours as people write them.
 
-#include "formats/colors.h"
+#include "formats/scene/colors.h"
 #include "scene_support.h"
 
 #include <cmath>

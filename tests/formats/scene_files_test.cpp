@@ -195,7 +195,7 @@ TEST(SceneFiles, ABareMeshTakesOverridesOfSettings) {
     EXPECT_EQ(d.whitted.max_depth, 2);
     ASSERT_TRUE(d.camera);
     EXPECT_EQ(d.camera->fov, 20);
-    EXPECT_EQ(d.camera->eye, plain.camera ? plain.camera->eye : frame(plain).eye);
+    EXPECT_EQ(d.camera->eye, plain.camera ? plain.camera->eye : fit_camera(plain).eye);
     EXPECT_EQ(d.materials.size(), plain.materials.size());
     EXPECT_EQ(d.objects.size(), plain.objects.size());
     EXPECT_EQ(d.lights.size(), plain.lights.size());

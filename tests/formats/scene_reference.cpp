@@ -1,6 +1,6 @@
 // The reference page and the starter scenes: what they say is what the reader does.
 
-#include "formats/key_table.h"
+#include "formats/scene/key_table.h"
 #include "scene_support.h"
 
 #include <cstdlib>

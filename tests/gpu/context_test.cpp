@@ -3,10 +3,10 @@
 #include "gpu_kit.h"
 
 #include "gpu/context.h"
+#include "gpu/device_state.h"
 #include "gpu/picture.h"
 #include "gpu/rays.h"
-#include "gpu/studio.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <gtest/gtest.h>
 
@@ -36,18 +36,18 @@ TEST(GpuContexts, OneThreadAtATimeHasThem) {
 
 TEST(GpuContexts, WhatEndsWhereTheyCannotBeEnteredIsLeftToThem) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors"));
+    const Scene scene = build_scene(exhibit("mirrors"));
     const GpuContext context(-1);
-    auto rays = std::make_unique<GpuRays>(context, scene.frozen(), false);
-    auto studio = std::make_unique<GpuStudio>(-1, GpuLimits{});
+    auto rays = std::make_unique<GpuRays>(context, scene.data(), false);
+    auto device_state = std::make_unique<GpuDeviceState>(-1, GpuLimits{});
     {
-        const GpuScope scope(studio->context());
-        studio->prepare(scene);
-        studio->program(false, false);
-        auto pool = std::make_unique<GpuPicturePool>(studio->context());
+        const GpuScope scope(device_state->context());
+        device_state->prepare(scene);
+        device_state->program(false, false);
+        auto pool = std::make_unique<GpuPicturePool>(device_state->context());
         pool->take(8, 8)->was_drawn();
         elsewhere([&] { pool.reset(); });
-        studio->context().check("ending a pool elsewhere");
+        device_state->context().check("ending a pool elsewhere");
     }
     {
         const GpuScope scope(context);
@@ -55,8 +55,8 @@ TEST(GpuContexts, WhatEndsWhereTheyCannotBeEnteredIsLeftToThem) {
         context.check("ending rays elsewhere");
     }
     // Its own context goes with it, and is current here until another takes its place.
-    studio->context().enter();
-    elsewhere([&] { studio.reset(); });
+    device_state->context().enter();
+    elsewhere([&] { device_state.reset(); });
     const GpuScope scope(context);
     context.check("ending a studio elsewhere");
 }

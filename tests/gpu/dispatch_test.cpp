@@ -21,7 +21,7 @@ const GpuLimits sizes[] = {dispatches_of(64, 1), dispatches_of(4096, 4), dispatc
 
 /// The pictures of dispatches of all sizes against that of sizes that are learned.
 void expect_same_bits(const SceneDescription& description, const std::string& name) {
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     gpu()->prepare(scene);
     RenderOptions options;
     options.coverage = true;
@@ -67,7 +67,7 @@ TEST(GpuDispatches, WhatADriverCutShortIsToldAndNotShown) {
     if (renderer.device().name.rfind("llvmpipe", 0) != 0) GTEST_SKIP() << "not llvmpipe";
     SceneDescription drink = small_drink();
     drink.render.spp = 16;
-    renderer.prepare(freeze(drink));
+    renderer.prepare(build_scene(drink));
     EXPECT_NE(refusal([&] { renderer.render(); }).find("ended the walk of a ray before its end"),
               std::string::npos);
 }

@@ -65,7 +65,7 @@ void expect_agreement(const Image& gpu, const Image& cpu, const std::string& nam
 }
 
 void expect_agreement(const SceneDescription& description, const std::string& name) {
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     gpu()->prepare(scene);
     const Picture ours = gpu()->render();
     EXPECT_TRUE(ours.complete) << name;

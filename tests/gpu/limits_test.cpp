@@ -85,7 +85,7 @@ TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
     };
     for (const Large& large : parts) {
         const auto renderer = renderer_with(large.bytes);
-        const Scene scene = freeze(large.scene);
+        const Scene scene = build_scene(large.scene);
         const std::string said = refusal([&] { renderer->prepare(scene); });
         EXPECT_NE(said.find(large.part + " take "), std::string::npos) << large.part << ": " << said;
         EXPECT_NE(said.find(" holds " + std::to_string(large.bytes)), std::string::npos) << said;
@@ -96,17 +96,17 @@ TEST(GpuLimits, EachPartOfASceneIsRefusedByNameWithItsSizes) {
 
 TEST(GpuLimits, MoreThanTheDeviceAllowsIsWhatItAllows) {
     GLINT_NEEDS_GPU();
-    EXPECT_EQ(renderer_with(std::uint64_t{1} << 60)->device().largest_buffer, gpu()->device().largest_buffer);
-    EXPECT_EQ(renderer_with(60000)->device().largest_buffer, 60000u);
+    EXPECT_EQ(renderer_with(std::uint64_t{1} << 60)->device().max_buffer, gpu()->device().max_buffer);
+    EXPECT_EQ(renderer_with(60000)->device().max_buffer, 60000u);
 }
 
 TEST(GpuLimits, ARefusedSceneLeavesRoomForTheNext) {
     GLINT_NEEDS_GPU();
     const auto renderer = renderer_with(60000);
-    const Scene scene = freeze(kit::gallery().front().scene);
+    const Scene scene = build_scene(kit::gallery().front().scene);
     renderer->prepare(scene);
     const std::string hash = picture_hash(renderer->render().image);
-    EXPECT_NE(refusal([&] { renderer->prepare(freeze(one_mesh())); }), "nothing was refused");
+    EXPECT_NE(refusal([&] { renderer->prepare(build_scene(one_mesh())); }), "nothing was refused");
     renderer->prepare(scene);
     EXPECT_EQ(picture_hash(renderer->render().image), hash);
 }
@@ -116,7 +116,7 @@ TEST(GpuLimits, PicturesAreCutIntoTilesThatFit) {
     SceneDescription description = kit::gallery().front().scene;
     description.render.width = 50;
     description.render.height = 43;
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     gpu()->prepare(scene);
     RenderOptions options;
     options.terms = true;
@@ -133,7 +133,7 @@ TEST(GpuLimits, SpentMemoryIsToldWithWhatItWasFor) {
     GLINT_NEEDS_GPU();
     constexpr std::size_t bytes = std::size_t{1} << 46; // more than any machine has
     GpuContext context(-1);
-    context.set_largest_buffer(bytes);
+    context.set_max_buffer(bytes);
     const GpuScope scope(context);
     const std::string said = refusal([&] { const GpuBuffer buffer(context, "the pixels", nullptr, bytes); });
     EXPECT_NE(said.find("ran out of memory while taking 70368744177664 bytes for the pixels"),
@@ -145,11 +145,11 @@ TEST(GpuLimits, SpentMemoryIsToldWithWhatItWasFor) {
 TEST(GpuLimits, ScenesOverTheSameTreeKeepIt) {
     GLINT_NEEDS_GPU();
     SceneDescription description = kit::gallery().front().scene;
-    const Scene first = freeze(description);
+    const Scene first = build_scene(description);
     description.materials.front().color = Vec3(0.1, 0.9, 0.4);
     description.whitted.max_depth += 1;
-    const Scene second = refreeze(first, description);
-    gpu()->prepare(freeze(description));
+    const Scene second = update_scene(first, description);
+    gpu()->prepare(build_scene(description));
     const std::string anew = picture_hash(gpu()->render().image);
     gpu()->prepare(first);
     const std::string before = picture_hash(gpu()->render().image);

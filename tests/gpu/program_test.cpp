@@ -38,7 +38,7 @@ TEST(GpuProgram, ABufferBeyondTheDevicesLimitIsRefusedWithTheSizes) {
     GLINT_NEEDS_GPU();
     const GpuContext context(-1);
     const GpuScope scope(context);
-    const auto bytes = static_cast<std::size_t>(context.device().largest_buffer) + 1;
+    const auto bytes = static_cast<std::size_t>(context.device().max_buffer) + 1;
     try {
         const GpuBuffer buffer(context, "the triangles", nullptr, bytes);
         FAIL() << "was taken";

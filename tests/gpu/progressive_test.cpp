@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace glint {
 namespace {
 
@@ -42,7 +41,7 @@ TEST(GpuProgressive, ComesToTheBitsOfTheWholePicture) {
     };
     for (const Case& c : {Case{"mirrors", 61, 47, 1, 8}, Case{"fresnel_glass", 64, 48, 5, 4},
                           Case{"nested", 3, 5, 2, 64}, Case{"sunlight", 120, 7, 17, 1}}) {
-        const Scene scene = freeze(exhibit(c.name, c.width, c.height, c.samples));
+        const Scene scene = build_scene(exhibit(c.name, c.width, c.height, c.samples));
         progressive().start(scene, from(c.coarsest));
         EXPECT_EQ(finished(), whole(scene)) << c.name;
         const Refinement& reached = progressive().reached();
@@ -56,38 +55,38 @@ TEST(GpuProgressive, ComesToTheBitsOfTheWholePicture) {
 
 TEST(GpuProgressive, EveryViewComesToTheBitsOfTheWholePicture) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors", 61, 47, 3));
+    const Scene scene = build_scene(exhibit("mirrors", 61, 47, 3));
     gpu()->prepare(scene);
-    for (const Aspect aspect : {Aspect::normal, Aspect::depth, Aspect::shadows, Aspect::cost, Aspect::diffuse,
-                                Aspect::reflection, Aspect::clamp, Aspect::final}) {
+    for (const Aov aov : {Aov::normal, Aov::depth, Aov::shadows, Aov::cost, Aov::diffuse, Aov::reflection,
+                          Aov::clamp, Aov::final}) {
         RenderOptions options;
-        options.show = aspect;
+        options.show = aov;
         ProgressiveOptions how = from(4);
-        how.show = aspect;
+        how.show = aov;
         progressive().start(scene, how);
-        EXPECT_EQ(finished(), picture_hash(gpu()->render(options).image)) << aspect_name(aspect);
+        EXPECT_EQ(finished(), picture_hash(gpu()->render(options).image)) << aov_name(aov);
     }
 }
 
 TEST(GpuProgressive, CoarseNumbersStandInBlocks) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors", 61, 47, 3));
-    for (const Aspect aspect : {Aspect::normal, Aspect::depth, Aspect::ambient}) {
+    const Scene scene = build_scene(exhibit("mirrors", 61, 47, 3));
+    for (const Aov aov : {Aov::normal, Aov::depth, Aov::ambient}) {
         ProgressiveOptions how = from(8);
-        how.show = aspect;
+        how.show = aov;
         Progressive cpu(1);
         cpu.start(scene, how);
         cpu.advance(0);
         progressive().start(scene, how);
         progressive().advance(0);
         ASSERT_EQ(progressive().reached().step, cpu.reached().step);
-        expect_agreement(progressive().image(), cpu.image(), std::string("coarse ") + aspect_name(aspect));
+        expect_agreement(progressive().image(), cpu.image(), std::string("coarse ") + aov_name(aov));
     }
 }
 
 TEST(GpuProgressive, ShowsWhatTheCpuShowsOnTheWay) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors", 61, 47, 4));
+    const Scene scene = build_scene(exhibit("mirrors", 61, 47, 4));
     Progressive cpu(1);
     cpu.start(scene, from(8));
     progressive().start(scene, from(8));
@@ -113,7 +112,7 @@ TEST(GpuProgressive, ShowsWhatTheCpuShowsOnTheWay) {
 
 TEST(GpuProgressive, TheFirstPassIsThereAfterOneCall) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors", 200, 150, 4));
+    const Scene scene = build_scene(exhibit("mirrors", 200, 150, 4));
     progressive().start(scene, from(4));
     EXPECT_EQ(progressive().picture(), nullptr);
     EXPECT_TRUE(progressive().advance(0));
@@ -127,31 +126,31 @@ TEST(GpuProgressive, TheFirstPassIsThereAfterOneCall) {
 TEST(GpuProgressive, AnotherCameraOrSizeLaysNothingAnew) {
     GLINT_NEEDS_GPU();
     const SceneDescription description = exhibit("fresnel_glass", 40, 30, 2);
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     progressive().start(scene);
     progressive().advance(0);
-    const int layings = progressive().layings();
+    const int upload_count = progressive().upload_count();
     CameraDescription camera = scene.camera();
     for (int i = 0; i < 3; ++i) {
         camera.eye.x += 0.3;
         const Scene moved = with_view(scene, camera, 40 + 7 * i, 30);
         progressive().start(moved);
-        EXPECT_EQ(finished(), whole(freeze(moved.description()))) << i;
+        EXPECT_EQ(finished(), whole(build_scene(moved.description()))) << i;
     }
-    EXPECT_EQ(progressive().layings(), layings);
+    EXPECT_EQ(progressive().upload_count(), upload_count);
 
     SceneDescription painted = description;
     painted.materials.front().color = Vec3(0.9, 0.1, 0.4);
     painted.materials.front().reflectivity = 0.25;
-    const Scene edited = refreeze(scene, painted);
+    const Scene edited = update_scene(scene, painted);
     progressive().start(edited);
-    EXPECT_EQ(finished(), whole(freeze(painted)));
-    EXPECT_EQ(progressive().layings(), layings + 1);
+    EXPECT_EQ(finished(), whole(build_scene(painted)));
+    EXPECT_EQ(progressive().upload_count(), upload_count + 1);
 }
 
 TEST(GpuProgressive, CancellingLosesNothing) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors", 160, 120, 6));
+    const Scene scene = build_scene(exhibit("mirrors", 160, 120, 6));
     CancelFlag cancel = false;
     progressive().start(scene, from(2, &cancel));
     bool more = true;
@@ -170,8 +169,8 @@ TEST(GpuProgressive, CancellingLosesNothing) {
 
 TEST(GpuProgressive, APictureGivenUpLeavesNoTrace) {
     GLINT_NEEDS_GPU();
-    const Scene first = freeze(exhibit("nested", 160, 120, 16));
-    const Scene second = freeze(exhibit("mirrors", 160, 120, 2));
+    const Scene first = build_scene(exhibit("nested", 160, 120, 16));
+    const Scene second = build_scene(exhibit("mirrors", 160, 120, 2));
     progressive().start(first, from(1));
     progressive().advance(0.2);
     progressive().start(second, from(8));
@@ -184,7 +183,7 @@ TEST(GpuProgressive, APictureStaysAsItWas) {
     const GpuScope scope(context);
     GpuProgressive picture{GpuCurrentContext{}};
     EXPECT_EQ(picture.device().name, context.device().name);
-    picture.start(freeze(exhibit("mirrors", 40, 30, 4)), from(8));
+    picture.start(build_scene(exhibit("mirrors", 40, 30, 4)), from(8));
     picture.advance(0);
     std::shared_ptr<const GpuPicture> coarse = picture.picture();
     const std::string hash = picture_hash(coarse->read());
@@ -210,13 +209,13 @@ TEST(GpuProgressive, APictureStaysAsItWas) {
 
 TEST(GpuProgressive, WhatItCannotDrawIsRefused) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors", 16, 16, 1));
+    const Scene scene = build_scene(exhibit("mirrors", 16, 16, 1));
     EXPECT_THROW(progressive().start(scene, from(3)), Error);
 
     SceneDescription onion = kit::empty_scene(Vec3(0, -30, 0), Vec3(0, 1, 0), 16, 40);
     for (int i = 0; i < 9; ++i) kit::add(onion, SphereShape{Vec3(0), 10.0 - i}, kit::glass(1.1, 0.9));
     onion.whitted.max_depth = 12;
-    progressive().start(freeze(onion), from(1));
+    progressive().start(build_scene(onion), from(1));
     EXPECT_NE(refusal([] {
                   while (progressive().advance(1)) {
                   }
@@ -232,7 +231,7 @@ TEST(GpuProgressive, WhatItCannotDrawIsRefused) {
     expect_nothing_left();
 
     // Larger than a texture can be: the second time as well.
-    const Scene wide = freeze(exhibit("mirrors", 65536, 1, 1));
+    const Scene wide = build_scene(exhibit("mirrors", 65536, 1, 1));
     for (int i = 0; i < 2; ++i) {
         EXPECT_NE(refusal([&] { progressive().start(wide, from(1)); }).find("making room for the picture"),
                   std::string::npos);

@@ -5,18 +5,20 @@
 
 #include "gpu/rays.h"
 #include "math/random.shared.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace glint {
+
+using trace::Hit;
 namespace {
 
 /// From places in and about the scene, everywhere; some end early.
 std::vector<GpuRay> rays_about(const Scene& scene, uint count) {
-    const Bounds bounds = scene.frozen().world.bounds();
+    const Bounds bounds = scene.data().world.bounds();
     const vec3 middle = bounds.empty() ? vec3(0.0f) : (bounds.lo + bounds.hi) * 0.5f;
     const float size = bounds.empty() ? 10.0f : glm::length(bounds.hi - bounds.lo);
     std::vector<GpuRay> rays;
@@ -37,9 +39,9 @@ TEST(GpuRays, MeetWhatTheyMeetOnTheCpu) {
     GLINT_NEEDS_GPU();
     const GpuContext context(-1);
     for (const kit::Exhibit& exhibit : kit::gallery()) {
-        const Scene scene = freeze(exhibit.scene);
+        const Scene scene = build_scene(exhibit.scene);
         const std::vector<GpuRay> rays = rays_about(scene, 3000);
-        GpuRays gpu(context, scene.frozen(), true);
+        GpuRays gpu(context, scene.data(), true);
         const std::vector<GpuHit> closest = gpu.trace(rays, false);
         const std::vector<GpuHit> any = gpu.trace(rays, true);
         int differ = 0;
@@ -48,9 +50,9 @@ TEST(GpuRays, MeetWhatTheyMeetOnTheCpu) {
             ray.origin = rays[i].origin;
             ray.direction = rays[i].direction;
             ray.tmax = rays[i].limit;
-            const Hit hit = scene.frozen().world.closest(ray);
-            const bool found = closest[i].object != GpuHit::nothing;
-            const bool same = found == bool(hit) && found == (any[i].object != GpuHit::nothing) &&
+            const Hit hit = scene.data().world.closest(ray);
+            const bool found = closest[i].object != invalid_index;
+            const bool same = found == bool(hit) && found == (any[i].object != invalid_index) &&
                               (!found || (closest[i].object == hit.object && closest[i].prim == hit.prim &&
                                           std::abs(closest[i].t - hit.t) <= 1e-5f * hit.t));
             differ += same ? 0 : 1;

@@ -14,11 +14,11 @@ TEST(GpuRenderer, GivesTheSameBitsTwice) {
     GLINT_NEEDS_GPU();
     SceneDescription description = exhibit("fresnel_glass");
     description.render.spp = 5;
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     gpu()->prepare(scene);
     const std::string first = picture_hash(gpu()->render().image);
     EXPECT_EQ(picture_hash(gpu()->render().image), first);
-    gpu()->prepare(freeze(exhibit("mirrors")));
+    gpu()->prepare(build_scene(exhibit("mirrors")));
     gpu()->prepare(scene);
     EXPECT_EQ(picture_hash(gpu()->render().image), first);
 }
@@ -28,7 +28,7 @@ TEST(GpuRenderer, TermsAddUpToThePictureAndMatchTheCpu) {
     for (const char* name : {"phong_clamped", "colored_glass", "sunlight"}) {
         SceneDescription description = exhibit(name);
         description.render.spp = 3;
-        const Scene scene = freeze(description);
+        const Scene scene = build_scene(description);
         RenderOptions options;
         options.terms = true;
         options.coverage = true;
@@ -50,9 +50,9 @@ TEST(GpuRenderer, TermsAddUpToThePictureAndMatchTheCpu) {
 
 TEST(GpuRenderer, NumbersOfFirstHitsHaveNeitherTermsNorCoverage) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors"));
+    const Scene scene = build_scene(exhibit("mirrors"));
     RenderOptions options;
-    options.show = Aspect::normal;
+    options.show = Aov::normal;
     options.terms = true;
     options.coverage = true;
     gpu()->prepare(scene);
@@ -65,7 +65,7 @@ TEST(GpuRenderer, NumbersOfFirstHitsHaveNeitherTermsNorCoverage) {
 
 TEST(GpuRenderer, CountsTheRaysOfTheCpu) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("nested"));
+    const Scene scene = build_scene(exhibit("nested"));
     gpu()->prepare(scene);
     const RenderStats ours = gpu()->render().stats;
     const RenderStats cpu = render(scene).stats;
@@ -81,7 +81,7 @@ TEST(GpuRenderer, CountsTheRaysOfTheCpu) {
 
 TEST(GpuRenderer, ACropIsAPartOfTheWhole) {
     GLINT_NEEDS_GPU();
-    const Scene scene = freeze(exhibit("mirrors"));
+    const Scene scene = build_scene(exhibit("mirrors"));
     gpu()->prepare(scene);
     const Image whole = gpu()->render().image;
     RenderOptions options;
@@ -112,7 +112,7 @@ TEST(GpuRenderer, TreesOfRaysAreFollowedAcrossDispatches) {
 
 TEST(GpuRenderer, CancellingLeavesAnIncompletePicture) {
     GLINT_NEEDS_GPU();
-    gpu()->prepare(freeze(exhibit("mirrors")));
+    gpu()->prepare(build_scene(exhibit("mirrors")));
     CancelFlag cancel = true;
     RenderOptions options;
     options.cancel = &cancel;
@@ -123,7 +123,7 @@ TEST(GpuRenderer, CancellingLeavesAnIncompletePicture) {
 
 TEST(GpuRenderer, TellsOfItsProgress) {
     GLINT_NEEDS_GPU();
-    gpu()->prepare(freeze(exhibit("mirrors")));
+    gpu()->prepare(build_scene(exhibit("mirrors")));
     Progress last;
     RenderOptions options;
     options.progress = [&](const Progress& progress) {
@@ -141,12 +141,13 @@ TEST(GpuRenderer, MoreThanEightSolidsAroundARayAreRefused) {
     SceneDescription scene = kit::empty_scene(Vec3(0, -30, 0), Vec3(0, 1, 0), 16, 40);
     for (int i = 0; i < 9; ++i) kit::add(scene, SphereShape{Vec3(0), 10.0 - i}, kit::glass(1.1, 0.9));
     scene.whitted.max_depth = 12;
-    gpu()->prepare(freeze(scene));
+    gpu()->prepare(build_scene(scene));
     EXPECT_NE(refusal([] { gpu()->render(); }).find("more than eight transparent solids"), std::string::npos);
 
     scene.camera->eye = Vec3(0);
-    EXPECT_NE(refusal([&] { gpu()->prepare(freeze(scene)); }).find("the camera is in 9 transparent solids"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal([&] { gpu()->prepare(build_scene(scene)); }).find("the camera is in 9 transparent solids"),
+        std::string::npos);
 }
 
 TEST(GpuRenderer, ADeviceThatIsNotThereIsRefused) {
@@ -161,7 +162,7 @@ TEST(GpuRenderer, DevicesAreDescribed) {
     ASSERT_NE(usable, devices.end());
     EXPECT_NE(usable->name, "");
     EXPECT_NE(usable->driver.find("OpenGL"), std::string::npos);
-    EXPECT_GE(usable->largest_buffer, 1u << 24);
+    EXPECT_GE(usable->max_buffer, 1u << 24);
     EXPECT_GE(usable->buffers, 8u);
 }
 

@@ -3,8 +3,8 @@
 #include "gallery.h"
 
 #include "gpu/tree.h"
-#include "scene/frozen.h"
-#include "trace/world_data.h"
+#include "scene/scene_data.h"
+#include "trace/world/data.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,9 @@
 #include <set>
 
 namespace glint {
+
+using trace::LeafCode;
+using trace::WorldData;
 namespace {
 
 /// The box of a node's child as the shader reads it.
@@ -76,8 +79,8 @@ void visit(const GpuTree& tree, std::uint32_t node, int depth, Found& found) {
 
 TEST(GpuTree, HoldsEverythingOnce) {
     for (const kit::Exhibit& exhibit : kit::gallery()) {
-        const Scene scene = freeze(exhibit.scene);
-        const WorldData& world = scene.frozen().world.data();
+        const Scene scene = build_scene(exhibit.scene);
+        const WorldData& world = scene.data().world.data();
         const GpuTree tree = build_gpu_tree(world);
         if (tree.root == invalid_index) continue;
         Found found;

@@ -91,8 +91,8 @@ TEST(Layers, AnIncludeFromAHigherFloorIsFoundWithItsLine) {
 
 TEST(Layers, AnIncludeInACommentOrAStringIsNone) {
     const Source source{"src/math/a.cpp",
-                        "// #include \"scene/frozen.h\"\n/*\n#include \"scene/frozen.h\"\n*/\n"
-                        "const char* text = R\"(\n#include \"scene/frozen.h\"\n)\";\n"};
+                        "// #include \"scene/scene_data.h\"\n/*\n#include \"scene/scene_data.h\"\n*/\n"
+                        "const char* text = R\"(\n#include \"scene/scene_data.h\"\n)\";\n"};
     EXPECT_EQ(joined(complaints(source)), "");
 }
 
@@ -110,8 +110,8 @@ TEST(Layers, AForeignHeaderInAHeaderOrInTheWrongRoomIsFound) {
 TEST(Layers, AProgramThatLooksBehindThePublicHeadersIsFound) {
     EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"text.h\"\n#include \"glint/render.h\"\n"})),
               "");
-    EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"scene/frozen.h\"\n"})),
-              "apps/cli/a.cpp:1: programs use public headers and their own, not \"scene/frozen.h\"");
+    EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"scene/scene_data.h\"\n"})),
+              "apps/cli/a.cpp:1: programs use public headers and their own, not \"scene/scene_data.h\"");
 }
 
 TEST(Layers, ProgramsDoNotIncludeEachOther) {

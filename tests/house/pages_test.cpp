@@ -2,7 +2,7 @@
 
 #include "sources.h"
 
-#include "formats/explain_page.h"
+#include "formats/explain/page.h"
 #include "glint/formats.h"
 
 #include <gtest/gtest.h>
@@ -76,13 +76,13 @@ TEST(Pages, TheSceneOfTheReadmeIsGood) {
     ASSERT_NE(scene, "");
     const LoadedScene loaded = parse_scene(scene, "README.md");
     EXPECT_TRUE(loaded.warnings.empty()) << to_string(loaded.warnings.front());
-    const std::vector<Diagnostic> found = warnings(freeze(loaded.description));
+    const std::vector<Diagnostic> found = warnings(build_scene(loaded.description));
     EXPECT_TRUE(found.empty()) << to_string(found.front());
 }
 
 TEST(Pages, TheExplainPageEmbedsItsStyleAndScript) {
-    EXPECT_EQ(page_style(), read_project_file("src/formats/explain_page.css"));
-    EXPECT_EQ(page_script(), read_project_file("src/formats/explain_page.js"));
+    EXPECT_EQ(page_style(), read_project_file("src/formats/explain/page.css"));
+    EXPECT_EQ(page_script(), read_project_file("src/formats/explain/page.js"));
 }
 
 TEST(Pages, TheReadmeNamesAllScriptsAndNoOthers) {

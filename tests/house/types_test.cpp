@@ -12,7 +12,7 @@ namespace {
 
 /// Sources of which the build takes either these or those that they stand for.
 bool is_alternative(const std::string& path) {
-    return path == "src/gpu/none.cpp" || path == "src/formats/exr_none.cpp";
+    return path == "src/gpu/none.cpp" || path == "src/formats/picture/exr_none.cpp";
 }
 
 /// "name: path:line and path:line" for each type that several files define.

@@ -159,10 +159,10 @@ Look look(SceneDescription scene, const Vec3& eye, const Vec3& direction) {
     camera.direction = direction;
     camera.up = std::abs(direction.z) < 0.5 * glm::length(direction) ? Vec3(0, 0, 1) : Vec3(0.6, 0.8, 0);
     scene.camera = camera;
-    FreezeOptions one_thread;
+    BuildSceneOptions one_thread;
     one_thread.threads = 1;
-    Look result{freeze(scene, one_thread), {}, {}, vec3(0.0f), {}};
-    Whitted tracer(result.scene.frozen());
+    Look result{build_scene(scene, one_thread), {}, {}, vec3(0.0f), {}};
+    Whitted tracer(result.scene.data());
     result.terms = tracer.trace(camera_ray(vec3(eye), vec3(glm::normalize(direction))), &result.tree).terms;
     result.light = result.terms.sum();
     result.counts = tracer.counts();
@@ -170,10 +170,10 @@ Look look(SceneDescription scene, const Vec3& eye, const Vec3& direction) {
 }
 
 Picture rendered(const SceneDescription& scene, RenderOptions options) {
-    FreezeOptions one_thread;
+    BuildSceneOptions one_thread;
     one_thread.threads = 1;
     if (options.threads == 0) options.threads = 1;
-    return render(freeze(scene, one_thread), options);
+    return render(build_scene(scene, one_thread), options);
 }
 
 double angle_between(const vec3& a, const vec3& b) {

@@ -52,7 +52,7 @@ void expect_near(const glm::vec3& found, const glm::vec3& expected) {
 
 class ByHand : public testing::Test {
   protected:
-    const Explanation e_ = explain(freeze(ball_before_a_mirror()), 0, 0);
+    const Explanation e_ = explain(build_scene(ball_before_a_mirror()), 0, 0);
     const ExplainedSample& sample_ = e_.samples.at(0);
     const ExplainedRay& ray(std::size_t i) const { return sample_.rays.at(i); }
 };

@@ -45,7 +45,7 @@ class JsonOf : public testing::TestWithParam<Exhibit> {
         description.render.width = 160;
         description.render.height = 120;
         description.render.spp = 2;
-        const Scene scene = freeze(description);
+        const Scene scene = build_scene(description);
         Explainer explainer(scene);
         for (int i = 0; i < count; ++i) {
             const Explanation e = explainer.pixel((i * 67 + 13) % 160, (i * 89 + 7) % 120);

@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Gallery, ExplanationOf, testing::ValuesIn(gallery()),
                          [](const auto& exhibit) { return exhibit.param.name; });
 
 TEST_P(ExplanationOf, EveryPixelSumsToThePictureBitForBit) {
-    const Scene scene = freeze(sized(160, 120, 1));
+    const Scene scene = build_scene(sized(160, 120, 1));
     RenderOptions options;
     options.terms = true;
     const Picture picture = render(scene, options);
@@ -50,7 +50,7 @@ TEST_P(ExplanationOf, EveryPixelSumsToThePictureBitForBit) {
 
 TEST_P(ExplanationOf, SamplesMakeThePixelHoweverManyThereAre) {
     for (const int spp : {2, 5, 16, 23}) {
-        const Scene scene = freeze(sized(16, 12, spp));
+        const Scene scene = build_scene(sized(16, 12, spp));
         const Picture picture = render(scene);
         Explainer explainer(scene);
         for (int y = 0; y < 12; ++y)
@@ -63,7 +63,7 @@ TEST_P(ExplanationOf, SamplesMakeThePixelHoweverManyThereAre) {
 }
 
 TEST(ExplainedPixel, MustLieInThePicture) {
-    const Scene scene = freeze(empty_scene());
+    const Scene scene = build_scene(empty_scene());
     for (const auto& [x, y] : {std::pair{-1, 0}, {0, -1}, {16, 0}, {0, 16}})
         EXPECT_THROW(explain(scene, x, y), Error) << x << "," << y;
 }
@@ -71,7 +71,7 @@ TEST(ExplainedPixel, MustLieInThePicture) {
 TEST(ExplainedPixel, ItsMakingCanBeCancelled) {
     SceneDescription description = empty_scene();
     description.render.spp = 16384;
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     CancelFlag cancel{true};
     Explainer explainer(scene, &cancel);
     try {
@@ -90,8 +90,8 @@ TEST(ExplainedPixels, AreTheSameOnAnyNumberOfThreads) {
     add(description, SphereShape{Vec3(0), 1}, glass(1.5));
     add(description, PlaneShape{}, mirror(0.5));
     add_light(description, Vec3(2, -3, 4), 20);
-    const Scene scene = freeze(description);
-    std::vector<PixelPlace> pixels;
+    const Scene scene = build_scene(description);
+    std::vector<PixelCoord> pixels;
     for (int i = 0; i < 40; ++i) pixels.push_back({i % 16, i * 7 % 16});
     for (const int threads : {1, 2, 3, 7}) {
         const std::vector<Explanation> explained = explain_pixels(scene, pixels, {}, threads);
@@ -101,7 +101,7 @@ TEST(ExplainedPixels, AreTheSameOnAnyNumberOfThreads) {
                       explanation_json(explain(scene, pixels[i].x, pixels[i].y)))
                 << "pixel " << i << ", " << threads << " threads";
     }
-    EXPECT_THROW(explain_pixels(scene, std::vector<PixelPlace>{{0, 0}, {16, 0}}), Error);
+    EXPECT_THROW(explain_pixels(scene, std::vector<PixelCoord>{{0, 0}, {16, 0}}), Error);
 }
 
 TEST(Labels, CountAllObjectsAndAllLights) {

@@ -22,7 +22,7 @@ Scene exhibit(int samples) {
     scene.render.width = 21;
     scene.render.height = 13;
     scene.render.spp = samples;
-    return freeze(scene);
+    return build_scene(scene);
 }
 
 RenderOptions in_tiles(int tile_size) {
@@ -38,7 +38,7 @@ void run(const Scene& scene, const RenderOptions& options, Film& film, std::vect
          const Shard& shard = {}, const CancelFlag* cancel = nullptr,
          std::function<void(const Progress&)> progress = {}) {
     TaskPool pool(1);
-    ScheduleRun run(scene.frozen(), {film.layout().area, film.layout().tile_size, std::move(passes), shard},
+    ScheduleRun run(scene.data(), {film.layout().area, film.layout().tile_size, std::move(passes), shard},
                     film, pool, {options.show, {}, cancel, std::move(progress)});
     run.run(no_deadline);
 }
@@ -116,7 +116,7 @@ TEST(Film, RandomCancelsSavesAndLoadsChangeNoBit) {
 TEST(Film, PassesThatDoubleGoOnAfterALoad) {
     const Scene scene = exhibit(11);
     RenderOptions options;
-    options.show = Aspect::diffuse;
+    options.show = Aov::diffuse;
     Film film(film_layout(scene.render_settings(), options));
     for (const Pass& pass : refining_passes(1, 11)) {
         run(scene, options, film, {pass});
@@ -130,10 +130,10 @@ TEST(Film, WhatIsDoneIsNotMeasuredAgain) {
     const RenderOptions options = in_tiles(4);
     Film film = film_of(scene, options, one_pass(4), {0, 2});
     TaskPool pool(1);
-    ScheduleRun rest(scene.frozen(), {film.layout().area, 4, one_pass(4), {}}, film, pool, {});
+    ScheduleRun rest(scene.data(), {film.layout().area, 4, one_pass(4), {}}, film, pool, {});
     rest.run(no_deadline);
     Film odd(film_layout(scene.render_settings(), options));
-    ScheduleRun alone(scene.frozen(), {film.layout().area, 4, one_pass(4), {1, 2}}, odd, pool, {});
+    ScheduleRun alone(scene.data(), {film.layout().area, 4, one_pass(4), {1, 2}}, odd, pool, {});
     alone.run(no_deadline);
     EXPECT_EQ(rest.reached().rays, alone.reached().rays);
     EXPECT_TRUE(film.is_complete());

@@ -2,7 +2,7 @@
 
 #include "scene_kit.h"
 
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <gtest/gtest.h>
 
@@ -172,21 +172,21 @@ TEST(Instances, AreSolidsThatLightEntersAndLeaves) {
 }
 
 TEST(Instances, AreAroundThePointsWithinThem) {
-    const Scene scene = freeze(two_boxes());
+    const Scene scene = build_scene(two_boxes());
     using Ids = std::vector<std::uint32_t>;
-    EXPECT_EQ(objects_around(scene.frozen(), vec3(-1, 0, 0)), Ids{1});
-    EXPECT_EQ(objects_around(scene.frozen(), vec3(0, 0, 0)), (Ids{1, 2}));
-    EXPECT_EQ(objects_around(scene.frozen(), vec3(1, 0, 0)), Ids{2});
-    EXPECT_TRUE(objects_around(scene.frozen(), vec3(2, 0, 0)).empty());
+    EXPECT_EQ(objects_around(scene.data(), vec3(-1, 0, 0)), Ids{1});
+    EXPECT_EQ(objects_around(scene.data(), vec3(0, 0, 0)), (Ids{1, 2}));
+    EXPECT_EQ(objects_around(scene.data(), vec3(1, 0, 0)), Ids{2});
+    EXPECT_TRUE(objects_around(scene.data(), vec3(2, 0, 0)).empty());
 }
 
 TEST(Instances, TakeTheMemoryOfTheirMeshOnce) {
     SceneDescription scene = empty_scene();
     add(scene, mesh_of(sphere_mesh(1, 50)), matte()).name = "ball";
-    const std::uint64_t one = freeze(scene).stats().bytes;
+    const std::uint64_t one = build_scene(scene).stats().bytes;
     for (int i = 0; i < 1000; ++i)
         add(scene, InstanceShape{"ball"}, std::string()).transform[3] = {3.0 * i, 0, 0, 1};
-    const SceneStats stats = freeze(scene).stats();
+    const SceneStats stats = build_scene(scene).stats();
     EXPECT_LT(stats.bytes, 3 * one);
     EXPECT_EQ(stats.triangles, 1001u * 9800u);
 }

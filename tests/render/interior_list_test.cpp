@@ -8,15 +8,15 @@ namespace glint {
 namespace {
 
 /// Glass balls, ranked by `ranks`; object i has index 1 + i / 10.
-FrozenScene balls(const std::vector<std::uint32_t>& ranks) {
-    FrozenScene scene;
+SceneData balls(const std::vector<std::uint32_t>& ranks) {
+    SceneData scene;
     scene.index_outside = 1.05f;
     for (std::uint32_t i = 0; i < ranks.size(); ++i) {
         MaterialRecord m{};
         m.transparency = 1;
         m.index = 1 + static_cast<float>(i) / 10;
         scene.materials.push_back(m);
-        FrozenObject o;
+        ObjectData o;
         o.material = i;
         o.rank = ranks[i];
         o.solid = true;
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> listed(const InteriorList* list) {
 using Objects = std::vector<std::uint32_t>;
 
 TEST(InteriorList, TheHighestRankStandsFirstWhateverTheOrderOfEntering) {
-    const FrozenScene scene = balls({2, 0, 1});
+    const SceneData scene = balls({2, 0, 1});
     InteriorArena arena;
     for (const Objects& order : {Objects{0, 1, 2}, Objects{2, 1, 0}, Objects{1, 2, 0}, Objects{0, 2, 1}}) {
         const InteriorList* list = nullptr;
@@ -44,7 +44,7 @@ TEST(InteriorList, TheHighestRankStandsFirstWhateverTheOrderOfEntering) {
 }
 
 TEST(InteriorList, LeavingTakesOneEntryAway) {
-    const FrozenScene scene = balls({0, 1, 2});
+    const SceneData scene = balls({0, 1, 2});
     InteriorArena arena;
     const InteriorList* list = nullptr;
     for (const std::uint32_t object : {0u, 1u, 2u, 1u}) list = entered(list, object, scene, arena);
@@ -55,7 +55,7 @@ TEST(InteriorList, LeavingTakesOneEntryAway) {
 }
 
 TEST(InteriorList, LeavingWhatWasNotEnteredChangesNothing) {
-    const FrozenScene scene = balls({0, 1, 2});
+    const SceneData scene = balls({0, 1, 2});
     InteriorArena arena;
     const InteriorList* list = entered(entered(nullptr, 0, scene, arena), 2, scene, arena);
     EXPECT_EQ(left(list, 1, arena), list);
@@ -63,7 +63,7 @@ TEST(InteriorList, LeavingWhatWasNotEnteredChangesNothing) {
 }
 
 TEST(InteriorList, ListsThatOthersShareStayAsTheyAre) {
-    const FrozenScene scene = balls({0, 1, 2, 3});
+    const SceneData scene = balls({0, 1, 2, 3});
     InteriorArena arena;
     const InteriorList* shared = entered(entered(nullptr, 0, scene, arena), 2, scene, arena);
     entered(shared, 1, scene, arena);
@@ -73,7 +73,7 @@ TEST(InteriorList, ListsThatOthersShareStayAsTheyAre) {
 }
 
 TEST(InteriorList, AcrossEntersOrLeaves) {
-    const FrozenScene scene = balls({0, 1});
+    const SceneData scene = balls({0, 1});
     InteriorArena arena;
     const InteriorList* in = crossed(nullptr, 1, true, scene, arena);
     EXPECT_EQ(listed(in), Objects{1});
@@ -81,7 +81,7 @@ TEST(InteriorList, AcrossEntersOrLeaves) {
 }
 
 TEST(InteriorList, SolidsOfLowerRankAreHiddenOthersNot) {
-    FrozenScene scene = balls({0, 1, 2});
+    SceneData scene = balls({0, 1, 2});
     InteriorArena arena;
     const InteriorList* list = entered(nullptr, 1, scene, arena);
     EXPECT_TRUE(is_hidden(list, 0, scene));
@@ -93,7 +93,7 @@ TEST(InteriorList, SolidsOfLowerRankAreHiddenOthersNot) {
 }
 
 TEST(InteriorList, TheOwnerGivesTheIndex) {
-    const FrozenScene scene = balls({0, 2, 1});
+    const SceneData scene = balls({0, 2, 1});
     InteriorArena arena;
     EXPECT_EQ(refractive_index(nullptr, scene), 1.05f);
     const InteriorList* list = entered(entered(nullptr, 1, scene, arena), 2, scene, arena);

@@ -161,7 +161,7 @@ TEST(CameraInside, StartsInItsGlass) {
     SceneDescription scene = in_sky();
     add(scene, SphereShape{}, absorbing(1.5, Vec3(1)));
     const Look seen = look(scene, Vec3(0.5, 0, 0), Vec3(-1, 0, 0));
-    EXPECT_EQ(seen.node(0).media, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(seen.node(0).interiors, std::vector<std::uint32_t>{0});
     EXPECT_FALSE(seen.node(0).entering);
     EXPECT_EQ(seen.node(0).index_before, 1.5f);
     EXPECT_NEAR(seen.light.x, std::exp(-1.5), 1e-6);
@@ -170,7 +170,7 @@ TEST(CameraInside, StartsInItsGlass) {
 TEST(CameraInside, KnowsAllTheSolidsAroundItAndTheirOwner) {
     SceneDescription scene = two_balls();
     const Look seen = look(scene, Vec3(0.1, 0, 0), Vec3(1, 0, 0));
-    EXPECT_EQ(seen.node(0).media, (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(seen.node(0).interiors, (std::vector<std::uint32_t>{1}));
     EXPECT_EQ(seen.node(0).hit.object, 1u);
     EXPECT_NEAR(seen.light.y, std::exp(-1.4), 1e-6);
     EXPECT_EQ(seen.light.x, 1);

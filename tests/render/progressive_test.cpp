@@ -28,9 +28,9 @@ ProgressiveOptions from(int coarsest) {
     return options;
 }
 
-ProgressiveOptions showing(Aspect aspect) {
+ProgressiveOptions showing(Aov aov) {
     ProgressiveOptions options;
-    options.show = aspect;
+    options.show = aov;
     return options;
 }
 
@@ -43,7 +43,7 @@ TEST_P(Refining, EndsWithThePictureOfRenderToTheBit) {
     for (const int spp : {1, 5, 18}) {
         SceneDescription description = GetParam().scene;
         description.render.spp = spp;
-        const Scene scene = freeze(description);
+        const Scene scene = build_scene(description);
         const std::string expected = picture_hash(render(scene).image);
         for (const int threads : {1, 3}) {
             Progressive progressive(threads);
@@ -68,32 +68,32 @@ TEST(Progressive, MoreSamplesThanABatchHoldsAreStillTheSame) {
     SceneDescription description = exhibit(700);
     description.render.width = 5;
     description.render.height = 3;
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     Progressive progressive(1);
     progressive.start(scene);
     finish(progressive);
     EXPECT_EQ(picture_hash(progressive.image()), picture_hash(render(scene).image));
 }
 
-TEST(Progressive, EveryAspectEndsAsRenderShowsIt) {
-    const Scene scene = freeze(exhibit());
-    for (int i = 0; i < aspect_count; ++i) {
-        const auto show = static_cast<Aspect>(i);
+TEST(Progressive, EveryAovEndsAsRenderShowsIt) {
+    const Scene scene = build_scene(exhibit());
+    for (int i = 0; i < aov_count; ++i) {
+        const auto show = static_cast<Aov>(i);
         RenderOptions options;
         options.show = show;
         Progressive progressive(2);
         progressive.start(scene, showing(show));
         finish(progressive);
         EXPECT_EQ(picture_hash(progressive.image()), picture_hash(render(scene, options).image))
-            << aspect_name(show);
+            << aov_name(show);
     }
 }
 
 TEST(Progressive, TheFirstPassShowsThePixelsThatItLookedAt) {
     SceneDescription description = exhibit();
-    const Scene scene = freeze(description);
+    const Scene scene = build_scene(description);
     description.render.spp = 1;
-    const Image centres = render(freeze(description)).image;
+    const Image centres = render(build_scene(description)).image;
     for (const int step : {2, 8, 64}) {
         Progressive progressive(2);
         progressive.start(scene, from(step));
@@ -108,7 +108,7 @@ TEST(Progressive, TheFirstPassShowsThePixelsThatItLookedAt) {
 }
 
 TEST(Progressive, CancellingInTheMiddleOfAnythingLosesNothing) {
-    const Scene scene = freeze(exhibit(7));
+    const Scene scene = build_scene(exhibit(7));
     const std::string expected = picture_hash(render(scene).image);
     for (int delay = 0; delay < 12; ++delay) {
         CancelFlag cancel{false};
@@ -134,7 +134,7 @@ TEST(Progressive, AnotherSceneSizeOrCameraBeginsAnew) {
     for (const int size : {40, 17, 64}) {
         SceneDescription description = exhibit(3);
         description.render.width = size;
-        const Scene scene = freeze(description);
+        const Scene scene = build_scene(description);
         progressive.start(scene);
         progressive.advance(0);
         EXPECT_EQ(progressive.image().width, size);
@@ -148,14 +148,14 @@ TEST(Progressive, AnotherSceneSizeOrCameraBeginsAnew) {
 }
 
 TEST(Progressive, RefusesAStepThatIsNoPowerOfTwo) {
-    const Scene scene = freeze(exhibit());
+    const Scene scene = build_scene(exhibit());
     Progressive progressive(1);
     for (const int step : {0, -1, 3, 128}) EXPECT_THROW(progressive.start(scene, from(step)), Error);
     EXPECT_FALSE(progressive.advance(1)) << "nothing was started";
 }
 
 TEST(Progressive, TheWayIsToldFromNothingToTheEnd) {
-    const Scene scene = freeze(exhibit(8));
+    const Scene scene = build_scene(exhibit(8));
     Progressive progressive(1);
     progressive.start(scene);
     EXPECT_EQ(progressive.reached().step, 0);

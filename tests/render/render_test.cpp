@@ -32,11 +32,11 @@ RenderOptions with(int threads, int tile_size) {
 }
 
 TEST_P(Rendering, ThreadsAndTilesChangeNoBit) {
-    const Scene frozen = freeze(scene(2));
-    const std::string expected = picture_hash(render(frozen, with(1, 16)).image);
+    const Scene scene_data = build_scene(scene(2));
+    const std::string expected = picture_hash(render(scene_data, with(1, 16)).image);
     for (const int tile_size : {8, 16, 37})
         for (const int threads : {1, 2, 7, 64}) {
-            const Picture picture = render(frozen, with(threads, tile_size));
+            const Picture picture = render(scene_data, with(threads, tile_size));
             EXPECT_EQ(picture_hash(picture.image), expected) << threads << " threads, tiles of " << tile_size;
             EXPECT_TRUE(picture.complete);
             const int tiles = ((44 + tile_size - 1) / tile_size) * ((36 + tile_size - 1) / tile_size);
@@ -45,33 +45,33 @@ TEST_P(Rendering, ThreadsAndTilesChangeNoBit) {
 }
 
 TEST_P(Rendering, KernelsAndSimdTargetsChangeNoBit) {
-    const Scene frozen = freeze(scene(2));
-    const std::string expected = picture_hash(render(frozen, with(1, 16)).image);
+    const Scene scene_data = build_scene(scene(2));
+    const std::string expected = picture_hash(render(scene_data, with(1, 16)).image);
     for (const Kernel kernel : {Kernel::scalar, Kernel::single, Kernel::packets, Kernel::streams})
         for (const SimdTarget target :
              {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
             if (!is_available(target)) continue;
             RenderOptions options = with(2, 16);
             options.kernel = {kernel, target};
-            EXPECT_EQ(picture_hash(render(frozen, options).image), expected)
+            EXPECT_EQ(picture_hash(render(scene_data, options).image), expected)
                 << "kernel " << static_cast<int>(kernel) << ", target " << static_cast<int>(target);
         }
 }
 
-TEST_P(Rendering, TheNumberOfThreadsThatFreezeChangesNoBit) {
-    FreezeOptions one, seven;
+TEST_P(Rendering, DoesNotDependOnTheNumberOfThreads) {
+    BuildSceneOptions one, seven;
     one.threads = 1;
     seven.threads = 7;
-    EXPECT_EQ(picture_hash(render(freeze(scene(), one)).image),
-              picture_hash(render(freeze(scene(), seven)).image));
+    EXPECT_EQ(picture_hash(render(build_scene(scene(), one)).image),
+              picture_hash(render(build_scene(scene(), seven)).image));
 }
 
 TEST_P(Rendering, ACropIsThatPartOfTheWhole) {
-    const Scene frozen = freeze(scene(2));
-    const Picture whole = render(frozen, with(2, 16));
+    const Scene scene_data = build_scene(scene(2));
+    const Picture whole = render(scene_data, with(2, 16));
     RenderOptions options = with(2, 8);
     options.crop = Rect{13, 7, 19, 22};
-    const Picture part = render(frozen, options);
+    const Picture part = render(scene_data, options);
     ASSERT_EQ(part.image.width, 19);
     ASSERT_EQ(part.image.height, 22);
     for (int y = 0; y < 22; ++y)
@@ -188,7 +188,7 @@ TEST(Render, TheBackgroundCountsAsEmission) {
 }
 
 TEST(Render, RefusesACropOutsideThePicture) {
-    const Scene scene = freeze(lamp_ball(16));
+    const Scene scene = build_scene(lamp_ball(16));
     const Rect bad[] = {{-1, 0, 4, 4}, {0, 0, 17, 1}, {15, 15, 2, 1},
                         {0, 0, 0, 4},  {0, 0, 4, -1}, {2147483647, 0, 1, 1}};
     for (const Rect& crop : bad) {
@@ -235,7 +235,7 @@ TEST(PictureSettings, NameWhatDecidesThePicture) {
     SceneDescription scene = lamp_ball(4);
     scene.render.seed = 7;
     scene.whitted.shadows = Shadows::opaque;
-    const auto settings = picture_settings(freeze(scene));
+    const auto settings = picture_settings(build_scene(scene));
     const auto value = [&](const std::string& key) -> std::string {
         for (const auto& [name, text] : settings)
             if (name == key) return text;

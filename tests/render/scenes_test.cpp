@@ -57,7 +57,7 @@ TEST(Scenes, LoadWithoutWarnings) {
 
 TEST(Scenes, GiveNothingToWarnOf) {
     for (const fs::path& file : scene_files(scenes)) {
-        const std::vector<Diagnostic> found = warnings(freeze(load_scene(file.string()).description));
+        const std::vector<Diagnostic> found = warnings(build_scene(load_scene(file.string()).description));
         EXPECT_TRUE(found.empty()) << to_string(found.front());
     }
 }
@@ -109,7 +109,7 @@ TEST(Scenes, FiguresMatchThoseOfTheReport) {
             options.overrides.push_back("mesh.cat.file=" + (shared / "models" / "cat-2.ply").string());
         }
         const fs::path file = scenes / "report" / (std::string(figure.name) + ".toml");
-        const Picture picture = render(freeze(load_scene(file.string(), options).description));
+        const Picture picture = render(build_scene(load_scene(file.string(), options).description));
         const fs::path copy =
             fs::path(testing::TempDir()) / (std::string("glint_figure_") + figure.name + ".png");
         PictureOptions raw;

@@ -217,8 +217,8 @@ TEST(Shadow, NoSurfaceShadowsItself) {
         gem.radius = 0.8 * size;
         add(scene, gem, matte());
         add_light(scene, Vec3(0.3, -9, 2) * size, size * size);
-        const Scene frozen = freeze(scene);
-        Whitted tracer(frozen.frozen());
+        const Scene scene_data = build_scene(scene);
+        Whitted tracer(scene_data.data());
         int lit = 0;
         for (int i = 0; i < 4000; ++i) {
             const Vec3 d = Vec3(0.9 * std::sin(1.7 * i), 6, -1 + 0.5 * std::sin(2.9 * i));

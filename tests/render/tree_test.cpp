@@ -17,11 +17,10 @@ class RayTreeOf : public testing::TestWithParam<Exhibit> {
     /// Calls check(origin, direction, tracer) for rays all over the picture.
     template <class Check>
     void for_rays(const Check& check) {
-        const Scene scene = freeze(GetParam().scene);
-        Whitted tracer(scene.frozen());
+        const Scene scene = build_scene(GetParam().scene);
+        Whitted tracer(scene.data());
         const CameraDescription& c = scene.camera();
-        const PinholeCamera camera =
-            pinhole_camera(c.eye, c.direction, c.up, c.fov, FovAxis::y, 97, 83);
+        const PinholeCamera camera = pinhole_camera(c.eye, c.direction, c.up, c.fov, FovAxis::y, 97, 83);
         for (int i = 0; i < 300; ++i)
             check(camera.eye, pinhole_direction(camera, (i * 37) % 97, (i * 53) % 83, 0.1f, -0.2f), tracer);
     }
@@ -48,8 +47,8 @@ TEST_P(RayTreeOf, AWavefrontHasTheBitsOfSingleRays) {
         samples.push_back(camera_ray(origin, direction));
         single.push_back(tracer.trace(samples.back()));
     });
-    const Scene scene = freeze(GetParam().scene);
-    WhittedWavefront tracer(scene.frozen(), scene.frozen().description.whitted);
+    const Scene scene = build_scene(GetParam().scene);
+    WhittedWavefront tracer(scene.data(), scene.data().description.whitted);
     std::vector<Channels> out(samples.size());
     tracer.estimate(samples, out);
     for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -2,7 +2,7 @@
 
 #include "scene_kit.h"
 
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 #include "scene/support.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +12,8 @@
 #include <random>
 
 namespace glint {
+
+using trace::Hit;
 namespace {
 
 using namespace kit;
@@ -49,7 +51,7 @@ const std::vector<Shape>& finite_shapes() {
 Scene scene_of(const Shape& shape, const Mat4& transform) {
     SceneDescription scene = empty_scene();
     add(scene, shape, matte()).transform = transform;
-    return freeze(scene);
+    return build_scene(scene);
 }
 
 Ray ray_between(const dvec3& from, const dvec3& to) {
@@ -80,15 +82,15 @@ TEST(Shapes, AreHitUnderATransformWhereTheyAreHitAtRest) {
             for (int i = 0; i < 4000; ++i) {
                 const dvec3 from = random.point() * 3.0;
                 const dvec3 to = random.point() * 0.8;
-                const Hit a = rest.frozen().world.closest(ray_between(from, to));
+                const Hit a = rest.data().world.closest(ray_between(from, to));
                 const Ray ray = ray_between(dvec3(m * dvec4(from, 1)), dvec3(m * dvec4(to, 1)));
-                const Hit b = moved.frozen().world.closest(ray);
+                const Hit b = moved.data().world.closest(ray);
                 if (bool(a) != bool(b)) ++different;
                 if (!a || !b) continue;
                 ++both;
                 ASSERT_NEAR(a.t, b.t, 1e-3 * a.t + 1e-5) << shape.index();
-                const SurfacePoint p = rest.frozen().world.surface(ray_between(from, to), a);
-                const SurfacePoint q = moved.frozen().world.surface(ray, b);
+                const SurfacePoint p = rest.data().world.surface(ray_between(from, to), a);
+                const SurfacePoint q = moved.data().world.surface(ray, b);
                 if (glm::length(dvec3(m * dvec4(dvec3(p.p), 1)) - dvec3(q.p)) > 1e-4) continue;
                 const dvec3 normal = glm::normalize(glm::transpose(glm::inverse(dmat3(m))) * dvec3(p.n));
                 const bool flat_mesh = std::holds_alternative<TriangleShape>(shape) ||
@@ -114,9 +116,9 @@ TEST(Shapes, SupportIsThatOfThePointsThatAreHit) {
             for (int i = 0; i < 20'000; ++i) {
                 const Ray ray = ray_between(dvec3(m * dvec4(random.point() * 3.0, 1)),
                                             dvec3(m * dvec4(random.point() * 0.8, 1)));
-                scene.frozen().world.crossings(ray, hits);
+                scene.data().world.all_hits(ray, hits);
                 for (const Hit& hit : hits)
-                    most = std::max(most, glm::dot(d, dvec3(scene.frozen().world.surface(ray, hit).p)));
+                    most = std::max(most, glm::dot(d, dvec3(scene.data().world.surface(ray, hit).p)));
             }
             const double expected = support(scene.description(), object, d).value();
             const bool bounded = std::holds_alternative<PolyhedronShape>(shape); // by its cylinder
@@ -132,7 +134,7 @@ TEST(Shapes, KnowWhetherTheyBoundAVolume) {
                           std::holds_alternative<RectangleShape>(shape) ||
                           std::holds_alternative<DiskShape>(shape);
         EXPECT_EQ(is_solid(shape), !thin) << shape.index();
-        EXPECT_EQ(scene_of(shape, Mat4(1)).frozen().objects[0].solid, !thin) << shape.index();
+        EXPECT_EQ(scene_of(shape, Mat4(1)).data().objects[0].solid, !thin) << shape.index();
     }
     EXPECT_FALSE(is_solid(PlaneShape{}));
     EXPECT_TRUE(is_solid(PlaneShape{Vec3(0, 0, 1), 0, true}));

@@ -267,13 +267,13 @@ TEST(Validate, FindsFaultsOfLights) {
     });
 }
 
-TEST(Validate, FreezeReportsAllFaultsTogether) {
+TEST(Validate, BuildSceneReportsAllErrorsTogether) {
     SceneDescription scene = sound();
     scene.render.spp = 0;
     shape<SphereShape>(scene, 1).radius = -1;
     light<SpotLight>(scene, 3).angle = 100;
     try {
-        freeze(scene);
+        build_scene(scene);
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::input);

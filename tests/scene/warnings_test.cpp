@@ -21,7 +21,7 @@ SceneDescription plain() {
 
 std::vector<std::string> warned(const SceneDescription& scene) {
     std::vector<std::string> messages;
-    for (const Diagnostic& d : warnings(freeze(scene))) {
+    for (const Diagnostic& d : warnings(build_scene(scene))) {
         EXPECT_EQ(d.severity, Severity::warning);
         EXPECT_FALSE(d.hint.empty());
         messages.push_back(d.message);
@@ -50,7 +50,7 @@ TEST(Warnings, TellOfALightInsideSomething) {
     std::get<PointLight>(scene.lights[0].kind).position = Vec3(0.5, 0, 0);
     scene.lights[0].where.line = 4;
     EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
-    EXPECT_EQ(warnings(freeze(scene)).at(0).location.line, 4);
+    EXPECT_EQ(warnings(build_scene(scene)).at(0).location.line, 4);
     SpotLight spot;
     spot.position = Vec3(0, 0.5, 0);
     scene.lights[0].kind = spot;
@@ -90,7 +90,7 @@ TEST(Warnings, TellOfMaterialsThatGiveMoreThanTheyGet) {
     m.where.line = 3;
     m.reflectivity = 0.3;
     EXPECT_EQ(warned(scene), Messages{"material \"clay\" gives 1.10 times the light that it gets"});
-    EXPECT_EQ(warnings(freeze(scene)).at(0).location.line, 3);
+    EXPECT_EQ(warnings(build_scene(scene)).at(0).location.line, 3);
     scene.whitted.energy = Energy::balanced;
     EXPECT_EQ(warned(scene), Messages{});
     scene.whitted.energy = Energy::report;

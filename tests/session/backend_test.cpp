@@ -97,7 +97,7 @@ class Backend : public testing::Test {
     ~Backend() override { EXPECT_EQ(card.on_other_threads, 0); }
 
     void show(const SceneDescription& description) {
-        scene = freeze(description);
+        scene = build_scene(description);
         renderer.set_camera(scene->camera(), 48, 36);
         renderer.set_scene(ViewSlot::main, *scene);
     }
@@ -177,13 +177,13 @@ TEST_F(Backend, TheCardDrawsEveryView) {
     show(ball(2));
     finished("card");
     RenderOptions options;
-    options.show = Aspect::normal;
+    options.show = Aov::normal;
     const Image numbers = render(with_view(*scene, scene->camera(), 48, 36), options).image;
-    renderer.set_show(ViewSlot::main, Aspect::normal);
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->show == Aspect::normal; }));
+    renderer.set_show(ViewSlot::main, Aov::normal);
+    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->show == Aov::normal; }));
     const auto normals = finished("card");
     EXPECT_EQ(normals->why_cpu, "");
-    EXPECT_EQ(picture_hash(normals->image), picture_hash(visible(numbers, Aspect::normal, *scene)));
+    EXPECT_EQ(picture_hash(normals->image), picture_hash(visible(numbers, Aov::normal, *scene)));
 }
 
 TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
@@ -270,7 +270,7 @@ TEST_F(Backend, AFaultMakesNothingCoarserThanItWas) {
 TEST_F(Backend, TheCardRendersBothViews) {
     renderer.set_backend(card.maker());
     show(ball(2));
-    renderer.set_scene(ViewSlot::reference, freeze(ball(3)));
+    renderer.set_scene(ViewSlot::reference, build_scene(ball(3)));
     finished("card");
     ASSERT_TRUE(comes_true([&] {
         const auto frame = renderer.latest(ViewSlot::reference);
@@ -284,7 +284,7 @@ TEST_F(Backend, TheCardRendersBothViews) {
 
 TEST_F(Backend, ARemovedSceneLeavesNoFrameBehind) {
     show(ball(4096));
-    const Scene other = freeze(ball(4096));
+    const Scene other = build_scene(ball(4096));
     for (int i = 0; i < 20; ++i) {
         renderer.set_scene(ViewSlot::reference, other);
         ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::reference) != nullptr; }));

@@ -152,10 +152,10 @@ TEST(CameraControl, TheFieldOfViewStaysPossible) {
 TEST(CameraControl, TheTargetIsWhatStandsInTheMiddle) {
     SceneDescription scene = kit::empty_scene();
     kit::add(scene, SphereShape{Vec3(0, 5, 0), 1}, kit::matte());
-    EXPECT_NEAR(target_distance(freeze(scene)), 4, 1e-5);
+    EXPECT_NEAR(target_distance(build_scene(scene)), 4, 1e-5);
     scene.camera->direction = Vec3(1, 1, 0);
-    EXPECT_NEAR(target_distance(freeze(scene)), 5 / std::sqrt(2.0), 1e-5);
-    EXPECT_EQ(target_distance(freeze(kit::empty_scene())), 1);
+    EXPECT_NEAR(target_distance(build_scene(scene)), 5 / std::sqrt(2.0), 1e-5);
+    EXPECT_EQ(target_distance(build_scene(kit::empty_scene())), 1);
 }
 
 // ── Frame times ──────────────────────────────────────────────────────────────────────────────────────────

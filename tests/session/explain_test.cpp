@@ -25,7 +25,7 @@ Scene ball(const Vec3& color, int samples = 1) {
     material.color = color;
     kit::add(scene, SphereShape{Vec3(0), 1}, material);
     kit::add_light(scene, Vec3(3, -5, 4), 40);
-    return freeze(scene);
+    return build_scene(scene);
 }
 
 /// Shells of glass that split the ray at each surface: a sample takes longer than any test.
@@ -37,7 +37,7 @@ Scene endless() {
     glass.transparency = 0.5;
     glass.index = 1.1;
     for (int i = 0; i < 8; ++i) kit::add(scene, SphereShape{Vec3(0), 1 - 0.1 * i}, glass);
-    return freeze(scene);
+    return build_scene(scene);
 }
 
 class ExplainerTest : public testing::Test {

@@ -137,9 +137,9 @@ TEST_F(SessionTest, CameraSizeAndWhatIsShownLeadToTheirPictures) {
     EXPECT_TRUE(shows_what_it_should(session));
     session.resize(31, 57);
     EXPECT_TRUE(shows_what_it_should(session));
-    for (const Aspect show : {Aspect::normal, Aspect::diffuse, Aspect::shadows}) {
+    for (const Aov show : {Aov::normal, Aov::diffuse, Aov::shadows}) {
         session.set_show(show);
-        EXPECT_TRUE(shows_what_it_should(session)) << aspect_name(show);
+        EXPECT_TRUE(shows_what_it_should(session)) << aov_name(show);
     }
 }
 
@@ -233,7 +233,7 @@ TEST_F(SessionTest, ComparingShowsBothFromTheSameCamera) {
     SceneDescription other = session.scene()->scene.description();
     other.materials[0].color = Vec3(0, 1, 0);
     session.compare(other);
-    session.set_show(Aspect::diffuse, ViewSlot::reference);
+    session.set_show(Aov::diffuse, ViewSlot::reference);
     ASSERT_TRUE(comes_true([&] { return session.scene_in_view(ViewSlot::reference).has_value(); }));
     session.move([](CameraControl& c) { c.zoom(2); });
     EXPECT_TRUE(shows_what_it_should(session, ViewSlot::main));
@@ -291,7 +291,7 @@ TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
         if (i % 11 == 0) session.reload();
         if (i % 13 == 0) session.cancel_loading();
         if (i % 17 == 0) session.open(path);
-        if (i % 19 == 0) session.set_show(i % 2 == 0 ? Aspect::final : Aspect::cost);
+        if (i % 19 == 0) session.set_show(i % 2 == 0 ? Aov::final : Aov::cost);
         if (const auto scene = session.scene()) {
             SceneDescription edited = scene->scene.description();
             edited.materials[0].reflectivity = i / 100.0;

@@ -11,6 +11,10 @@
 #include <filesystem>
 
 namespace glint {
+
+using trace::Hit;
+using trace::World;
+using trace::WorldInput;
 namespace {
 
 TEST(ClosedScan, IsCrossedEvenly) {
@@ -33,7 +37,7 @@ TEST(ClosedScan, IsCrossedEvenly) {
         // At vertices, or anywhere.
         const auto vertex = random.below(static_cast<std::uint32_t>(mesh->positions.size()));
         const vec3 goal = i % 2 == 0 ? mesh->positions[vertex] : vec3(middle + random.point() * size * 0.3);
-        world.crossings(ray_from(from, goal - from), hits);
+        world.all_hits(ray_from(from, goal - from), hits);
         const bool on_edge =
             std::any_of(hits.begin(), hits.end(), [](const Hit& hit) { return hit.on_edge; });
         crossed += hits.empty() ? 0 : 1;

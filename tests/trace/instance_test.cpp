@@ -1,6 +1,6 @@
 // Instances give the bits of brute force over all of them, and refuse what is no place.
 
-#include "trace/instance_tree.h"
+#include "trace/world/instance_tree.h"
 #include "traced.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,10 @@
 #include <stdexcept>
 
 namespace glint::tracing {
+
+using trace::InstanceTree;
+using trace::MeshInstance;
+using trace::MeshTree;
 namespace {
 
 /// In [-1, 1), a function of both.

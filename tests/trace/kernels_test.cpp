@@ -1,6 +1,6 @@
 // Every kernel on every SIMD target gives the bits of the plain walk.
 
-#include "trace/mesh_tree.h"
+#include "trace/mesh/tree.h"
 
 #include "math/random.shared.h"
 
@@ -13,6 +13,11 @@
 #include <string>
 
 namespace glint {
+
+using trace::build_mesh_tree;
+using trace::closest_scalar;
+using trace::MeshTree;
+using trace::TriangleRecord;
 namespace {
 
 float draw(uint key, uint index) { return unit_float(hash_with(key, index)); }

@@ -1,6 +1,6 @@
 // Trees over triangles: complete, conservative, small, the same on any number of threads, whatever the input.
 
-#include "trace/mesh_tree.h"
+#include "trace/mesh/tree.h"
 
 #include "bvh/tree.h"
 #include "geometry/triangle.h"
@@ -16,6 +16,15 @@
 #include <utility>
 
 namespace glint {
+
+using trace::build_mesh_tree;
+using trace::closest_scalar;
+using trace::leaf_bit;
+using trace::LeafCode;
+using trace::MeshTree;
+using trace::TriangleRecord;
+using trace::wide_children;
+using trace::WideNode;
 namespace {
 
 constexpr BuildQuality qualities[] = {BuildQuality::fast, BuildQuality::high};
@@ -82,7 +91,7 @@ class Inspector {
         if (!tree.nodes.empty()) visit(0, tree.bounds, 1);
         EXPECT_EQ(nodes_, tree.nodes.size()) << "nodes that nothing leads to";
         EXPECT_EQ(deepest_, tree.depth);
-        EXPECT_LE(tree.depth, max_tree_depth);
+        EXPECT_LE(tree.depth, bvh::max_tree_depth);
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) check(mesh, i);
     }
     std::size_t references() const { return references_; }

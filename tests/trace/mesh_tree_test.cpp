@@ -1,6 +1,6 @@
 // Every way through a MeshTree gives the bits of the plain one.
 
-#include "trace/mesh_tree.h"
+#include "trace/mesh/tree.h"
 
 #include "math/random.shared.h"
 
@@ -10,6 +10,11 @@
 #include <cstring>
 
 namespace glint {
+
+using trace::build_mesh_tree;
+using trace::closest_scalar;
+using trace::MeshTree;
+using trace::TriangleRecord;
 namespace {
 
 float draw(uint key, uint index) { return unit_float(hash_with(key, index)); }

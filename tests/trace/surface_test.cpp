@@ -3,13 +3,19 @@
 #include "worlds.h"
 
 #include "math/offset.shared.h"
-#include "trace/world_data.h"
+#include "trace/world/data.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 namespace glint {
+
+using trace::Affine;
+using trace::Hit;
+using trace::Quadric;
+using trace::World;
+using trace::WorldInput;
 namespace {
 
 TEST(Surface, OfATriangleIsInItsPlane) {
@@ -38,7 +44,7 @@ TEST(Surface, OfQuadricsHasOutwardNormals) {
 
     const Ray through_sphere = ray_from({1, 2, -3}, {0, 0, 1});
     std::vector<Hit> hits;
-    world.crossings(through_sphere, hits);
+    world.all_hits(through_sphere, hits);
     ASSERT_EQ(hits.size(), 2u);
     EXPECT_EQ(world.surface(through_sphere, hits[0]).p, vec3(1, 2, 1));
     EXPECT_EQ(world.surface(through_sphere, hits[0]).n, vec3(0, 0, -1));
@@ -46,7 +52,7 @@ TEST(Surface, OfQuadricsHasOutwardNormals) {
     EXPECT_EQ(world.surface(through_sphere, hits[1]).n, vec3(0, 0, 1));
 
     const Ray along_cylinder = ray_from({5, 0.5f, 0}, {1, 0, 0});
-    world.crossings(along_cylinder, hits);
+    world.all_hits(along_cylinder, hits);
     ASSERT_EQ(hits.size(), 2u);
     EXPECT_EQ(world.surface(along_cylinder, hits[0]).p, vec3(10, 0.5f, 0));
     EXPECT_EQ(world.surface(along_cylinder, hits[0]).n, vec3(-1, 0, 0));
@@ -168,7 +174,7 @@ void expect_spawned_rays_leave(const std::function<WorldInput(Numbers&, dvec3&, 
             if (ray.tmax == 0.0f) continue;
             if (side < 0 && expected > 0 && at_sharp_edge(spawning.world(), ray.origin)) continue;
             ++spawned;
-            spawning.world().crossings(ray, hits);
+            spawning.world().all_hits(ray, hits);
             if (hits.size() != expected && failures++ == 0)
                 ADD_FAILURE() << "world " << i << " ray " << k << " has " << hits.size() << " hits";
         }

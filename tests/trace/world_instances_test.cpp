@@ -12,6 +12,11 @@
 #include <stdexcept>
 
 namespace glint {
+
+using trace::Hit;
+using trace::World;
+using trace::WorldInput;
+using trace::WorldStats;
 namespace {
 
 WorldInput::SharedMesh shared(std::vector<vec3> positions, std::vector<uvec3> triangles) {
@@ -100,7 +105,7 @@ TEST(WorldInstances, AreHitWhereTheyStandInTheOrderOfObjects) {
     const World world = world_of(input);
     const Ray ray = ray_from({0.75f, 0.25f, 0}, {0, 0, 1});
     std::vector<Hit> hits;
-    world.crossings(ray, hits);
+    world.all_hits(ray, hits);
     ASSERT_EQ(hits.size(), 3u);
     EXPECT_EQ(hits[0].object, 3u);
     EXPECT_EQ(hits[1].object, 5u);
@@ -125,11 +130,11 @@ TEST(WorldInstances, ASharedEdgeIsCrossedOnce) {
     input.instances = {{0, 0, moved_by({0, 0, 2}), false}, {1, 0, quarter, false}};
     const World world = world_of(input);
     std::vector<Hit> hits;
-    world.crossings(ray_from({0.5f, 0.5f, 0}, {0, 0, 1}), hits);
+    world.all_hits(ray_from({0.5f, 0.5f, 0}, {0, 0, 1}), hits);
     ASSERT_EQ(hits.size(), 1u) << "the diagonal";
     EXPECT_TRUE(hits[0].on_edge);
     const Ray ray = ray_from({2, 2, 0}, {0, 0, 1});
-    world.crossings(ray, hits);
+    world.all_hits(ray, hits);
     ASSERT_EQ(hits.size(), 1u) << "the diagonal of what is turned";
     EXPECT_TRUE(world.closest(ray).on_edge);
     EXPECT_FALSE(world.next(ray, hits[0]));
@@ -167,7 +172,7 @@ TEST(WorldInstances, HaveTheSurfacesOfBakedOnes) {
 }
 
 /// Rays that leave the ball on the given side must cross it `expected` times more.
-void expect_leave(double side, std::size_t expected, double far, int most_squeezed) {
+void expect_leave(double side, std::size_t expected, double far, int max_condition) {
     Numbers random(17);
     std::size_t spawned = 0, failures = 0;
     for (int i = 0; i < 150; ++i) {
@@ -176,7 +181,7 @@ void expect_leave(double side, std::size_t expected, double far, int most_squeez
         WorldInput input;
         input.shared_meshes = {shared_ball(5 + random.below(12))};
         dmat4 m = any_transform(random, at, size);
-        m[i % 3] *= std::exp2(-static_cast<int>(random.below(static_cast<std::uint32_t>(most_squeezed) + 1)));
+        m[i % 3] *= std::exp2(-static_cast<int>(random.below(static_cast<std::uint32_t>(max_condition) + 1)));
         input.instances = {{0, 0, m, false}};
         const World world = world_of(input);
         std::vector<Hit> hits;
@@ -191,7 +196,7 @@ void expect_leave(double side, std::size_t expected, double far, int most_squeez
             const dvec3 d = random.direction();
             const double height = std::pow(10.0, -0.001 * random.below(4001));
             const vec3 w(d - n * glm::dot(d, n) + n * (side * height));
-            world.crossings(ray_from(offset_ray_origin(p.p, p.p_error, p.n, w), w), hits);
+            world.all_hits(ray_from(offset_ray_origin(p.p, p.p_error, p.n, w), w), hits);
             ++spawned;
             if (hits.size() != expected && failures++ == 0)
                 ADD_FAILURE() << "world " << i << " ray " << k << " has " << hits.size() << " hits";
@@ -226,7 +231,7 @@ TEST(WorldInstances, TooSqueezedToBePlacedAreBaked) {
     EXPECT_EQ(hit.t, 2.0f);
     EXPECT_GT(std::abs(world.surface(ray, hit).n.z), 0.99f);
     std::vector<Hit> hits;
-    world.crossings(ray_from({0.1f, 0.2f, 5}, {0, 0, 1}), hits);
+    world.all_hits(ray_from({0.1f, 0.2f, 5}, {0, 0, 1}), hits);
     ASSERT_EQ(hits.size(), 2u);
     EXPECT_EQ(hits[0].object, 4u);
 }

@@ -12,6 +12,12 @@
 #include <stdexcept>
 
 namespace glint {
+
+using trace::Hit;
+using trace::PrimKind;
+using trace::World;
+using trace::WorldInput;
+using trace::WorldStats;
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -25,7 +31,7 @@ TEST(World, WithoutAnythingIsMissed) {
         EXPECT_FALSE(world->closest(ray));
         EXPECT_FALSE(world->occluded(ray));
         EXPECT_FALSE(world->next(ray, {}));
-        world->crossings(ray, hits);
+        world->all_hits(ray, hits);
         EXPECT_TRUE(hits.empty());
         EXPECT_TRUE(world->bounds().empty());
         EXPECT_EQ(world->stats().triangles, 0u);
@@ -62,7 +68,7 @@ WorldInput one_of_each() {
 TEST(World, KeepsTheOrderAlongTheRay) {
     const World world = world_of(one_of_each());
     std::vector<Hit> hits;
-    world.crossings(ray_from({0.25f, 0.5f, 0}, {0, 0, 1}), hits);
+    world.all_hits(ray_from({0.25f, 0.5f, 0}, {0, 0, 1}), hits);
     ASSERT_EQ(hits.size(), 6u);
     const float t[] = {1, 2, 4, 5, 7, 9};
     const std::uint32_t object[] = {0, 1, 1, 2, 2, 3};
@@ -134,7 +140,7 @@ TEST(World, TellsAHundredThousandEqualTrianglesApart) {
     const Hit second = world.next(ray, world.closest(ray));
     EXPECT_EQ(second.prim, 1u);
     std::vector<Hit> hits;
-    world.crossings(ray, hits);
+    world.all_hits(ray, hits);
     EXPECT_EQ(hits.size(), 100'000u);
 }
 
@@ -149,7 +155,7 @@ TEST(World, IsNotHitByRaysThatAreNone) {
             EXPECT_FALSE(world.closest(ray)) << bad << " " << i;
             EXPECT_FALSE(world.closest_brute_force(ray)) << bad << " " << i;
             EXPECT_FALSE(world.occluded(ray)) << bad << " " << i;
-            world.crossings(ray, hits);
+            world.all_hits(ray, hits);
             EXPECT_TRUE(hits.empty()) << bad << " " << i;
         }
     Ray ray = ray_from({0.25f, 0.5f, 0}, {0, 0, 0});
@@ -242,13 +248,13 @@ TEST(World, HasTheSameBitsAtAnyPowerOfTwo) {
             return world_of(input);
         };
         std::vector<Hit> hits;
-        build(1.0).crossings(ray, hits);
+        build(1.0).all_hits(ray, hits);
         for (const int k : {-30, 30}) {
             const float scale = std::ldexp(1.0f, k);
             const World world = build(scale);
             const Ray scaled = ray_from(ray.origin * scale, ray.direction);
             std::vector<Hit> others;
-            world.crossings(scaled, others);
+            world.all_hits(scaled, others);
             ASSERT_EQ(others.size(), hits.size());
             const World unit = build(1.0);
             for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -300,8 +306,8 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
             const World b = world_of(turned);
             std::vector<Hit> hits;
             std::vector<Hit> others;
-            a.crossings(ray, hits);
-            b.crossings(turned_ray, others);
+            a.all_hits(ray, hits);
+            b.all_hits(turned_ray, others);
             ASSERT_EQ(hits.size(), others.size());
             for (std::size_t i = 0; i < hits.size(); ++i) {
                 ++found;

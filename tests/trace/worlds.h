@@ -1,7 +1,7 @@
 #pragma once
 // Small worlds for tests.
 
-#include "trace/world.h"
+#include "trace/world/world.h"
 
 #include <cmath>
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace glint {
 
-inline World world_of(WorldInput input, int threads = 1) {
+inline trace::World world_of(trace::WorldInput input, int threads = 1) {
     parallel::TaskPool pool(threads);
-    return World(std::move(input), pool);
+    return trace::World(std::move(input), pool);
 }
 
 inline Ray ray_from(const vec3& origin, const vec3& direction) {
@@ -24,8 +24,8 @@ inline Ray ray_from(const vec3& origin, const vec3& direction) {
 }
 
 /// The unit square z = height with corners (0, 0) and (1, 1), two triangles with normal +z.
-inline WorldInput::Triangles square(std::uint32_t object, float height) {
-    WorldInput::Triangles mesh;
+inline trace::WorldInput::Triangles square(std::uint32_t object, float height) {
+    trace::WorldInput::Triangles mesh;
     mesh.object = object;
     mesh.positions = {{0, 0, height}, {1, 0, height}, {1, 1, height}, {0, 1, height}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};

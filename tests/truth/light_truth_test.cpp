@@ -108,8 +108,8 @@ TEST(G2b, NoLightLeaksOverTheGeometricHorizonOfASmoothMesh) {
     SceneDescription scene = empty_scene(Vec3(5, 1, 1), Vec3(-5, -1, -1), 200, 25);
     add(scene, mesh_of(sphere_mesh(1, 6)), matte());
     add_light(scene, Vec3(0, 0, 3));
-    const Scene frozen = freeze(scene);
-    Whitted tracer(frozen.frozen());
+    const Scene scene_data = build_scene(scene);
+    Whitted tracer(scene_data.data());
     int leaking = 0;
     int smoothly_lit = 0;
     for (int y = 0; y < 200; ++y)

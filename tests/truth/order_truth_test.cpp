@@ -10,6 +10,9 @@
 #include <algorithm>
 
 namespace glint {
+
+using trace::Hit;
+using trace::World;
 namespace {
 
 using namespace kit;
@@ -34,9 +37,9 @@ void shuffle(std::vector<T>& items, unsigned seed) {
 /// Ties between two surfaces at one distance along the rays that follow a pixel's tree: order may decide
 /// those.
 int ties(const SceneDescription& scene) {
-    const Scene frozen = freeze(scene);
-    const World& world = frozen.frozen().world;
-    Whitted tracer(frozen.frozen());
+    const Scene scene_data = build_scene(scene);
+    const World& world = scene_data.data().world;
+    Whitted tracer(scene_data.data());
     int count = 0;
     for (int i = 0; i < 400; ++i) {
         RayTree tree;
@@ -88,7 +91,7 @@ TEST_P(G16, OrderOfTrianglesKeepsEveryBit) {
 }
 
 /// The largest |a − b| relative to b, per value.
-double largest_relative_difference(const Image& a, const Image& b) {
+double max_relative_difference(const Image& a, const Image& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const double x = a.pixels[i], y = b.pixels[i];
@@ -103,7 +106,7 @@ TEST_P(G16, OrderOfLightsChangesNoMoreThanRounding) {
     add_light(scene, Vec3(1.3, -7.1, 2.9), 5, Vec3(0.2, 0.4, 0.9));
     const Image expected = rendered(scene).image;
     std::reverse(scene.lights.begin(), scene.lights.end());
-    EXPECT_LE(largest_relative_difference(rendered(scene).image, expected), 1e-6);
+    EXPECT_LE(max_relative_difference(rendered(scene).image, expected), 1e-6);
 }
 
 struct Brighten {
@@ -143,7 +146,7 @@ TEST_P(G19, ThePictureOfTwoLightsIsTheSumOfTheirPictures) {
     Image sum = rendered(first).image;
     const Image rest = rendered(second).image;
     for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += rest.pixels[i];
-    EXPECT_LE(largest_relative_difference(rendered(both).image, sum), 1e-6);
+    EXPECT_LE(max_relative_difference(rendered(both).image, sum), 1e-6);
 }
 
 TEST_P(G19, ManyWeakLightsAreOneStrongOne) {
@@ -153,7 +156,7 @@ TEST_P(G19, ManyWeakLightsAreOneStrongOne) {
     SceneDescription many = one;
     add_light(one, Vec3(-3.3, -5.1, 4.9), 21);
     for (int i = 0; i < 7; ++i) add_light(many, Vec3(-3.3, -5.1, 4.9), 3);
-    EXPECT_LE(largest_relative_difference(rendered(many).image, rendered(one).image), 1e-6);
+    EXPECT_LE(max_relative_difference(rendered(many).image, rendered(one).image), 1e-6);
 }
 
 } // namespace

@@ -73,7 +73,7 @@ class SceneFile : public testing::TestWithParam<std::filesystem::path> {};
 TEST_P(SceneFile, ShowsTheNumbersThatItExpects) {
     const std::vector<Expectation> expectations = expectations_of(GetParam());
     ASSERT_FALSE(expectations.empty()) << GetParam() << " has no line \"# expect …\"";
-    const Image image = render(freeze(load_scene(GetParam().string()).description)).image;
+    const Image image = render(build_scene(load_scene(GetParam().string()).description)).image;
     for (const Expectation& e : expectations) {
         ASSERT_TRUE(e.x < image.width && e.y < image.height) << e.line;
         const std::array<double, 3> value = value_at(image, e);

@@ -30,7 +30,7 @@ TEST(Projection, PutsWhatAPixelsRayMeetsIntoThatPixel) {
     for (const char* axis : {"x", "y", "smaller", "larger"}) {
         LoadOptions options;
         options.overrides = {std::string("camera.fov_axis=") + axis};
-        const Scene scene = freeze(parse_scene(ball, "ball.toml", options).description);
+        const Scene scene = build_scene(parse_scene(ball, "ball.toml", options).description);
         const Projection projection(scene.camera(), 70, 40);
         for (const auto& [x, y] : {std::pair{35, 20}, {30, 12}, {44, 27}, {22, 20}}) {
             const ExplainedRay ray = explain(scene, x, y).samples.front().rays.front();

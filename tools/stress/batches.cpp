@@ -10,6 +10,9 @@
 
 namespace glint::stress {
 
+using trace::Hit;
+using trace::World;
+
 namespace {
 
 bool same_bits(float a, float b) {

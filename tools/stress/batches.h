@@ -3,7 +3,7 @@
 
 #include "cases.h"
 #include "stress_random.h"
-#include "trace/world.h"
+#include "trace/world/world.h"
 
 #include <cstdint>
 #include <vector>
@@ -11,15 +11,15 @@
 namespace glint::stress {
 
 /// Whether two hits are bitwise equal.
-bool same(const Hit& a, const Hit& b);
+bool same(const trace::Hit& a, const trace::Hit& b);
 
 /// Rays with their expected results.
 struct Answered {
     std::vector<Ray> rays;
-    std::vector<Hit> hits;
+    std::vector<trace::Hit> hits;
     std::vector<std::uint8_t> blocked;
 
-    void add(const Ray& ray, const Hit& hit, bool is_blocked) {
+    void add(const Ray& ray, const trace::Hit& hit, bool is_blocked) {
         rays.push_back(ray);
         hits.push_back(hit);
         blocked.push_back(is_blocked ? 1 : 0);
@@ -31,6 +31,6 @@ std::uint64_t rays_traced_once(std::uint64_t rays);
 
 /// Traces all rays again by each of ways(), in batches of random sizes with random hints, and counts
 /// differences.
-void check_batches(const World& world, const Answered& answered, Random& random, Tally& tally);
+void check_batches(const trace::World& world, const Answered& answered, Random& random, Tally& tally);
 
 } // namespace glint::stress

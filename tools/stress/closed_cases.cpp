@@ -6,7 +6,7 @@
 #include "describe.h"
 #include "geometry/polyhedron.h"
 #include "placement.h"
-#include "trace/world.h"
+#include "trace/world/world.h"
 
 #include "shapes.h"
 
@@ -16,6 +16,10 @@
 #include <vector>
 
 namespace glint::stress {
+
+using trace::Hit;
+using trace::World;
+using trace::WorldInput;
 
 namespace {
 
@@ -60,14 +64,14 @@ Polyhedron make_closed(Closed kind, Random& random) {
 class ClosedWorld {
   public:
     ClosedWorld(Closed kind, Random& random)
-        : kind_(kind), random_(random), place_(random_placement(random, 12)),
+        : kind_(kind), random_(random), placement_(random_placement(random, 12)),
           shape_(make_closed(kind, random)) {
         // Half the time a factor that makes no coordinate round.
         if (random.one_in(2))
             for (dvec3& p : shape_.positions) p *= 1.0 - 0.01 * random.unit();
         WorldInput input;
         input.meshes.resize(1);
-        for (const dvec3& p : shape_.positions) input.meshes[0].positions.push_back(place_(p));
+        for (const dvec3& p : shape_.positions) input.meshes[0].positions.push_back(placement_(p));
         input.meshes[0].triangles = shape_.triangles;
         parallel::TaskPool pool(1);
         world_ = World(std::move(input), pool);
@@ -84,7 +88,7 @@ class ClosedWorld {
 
     Ray from_inside() {
         const dvec3 inside = inside_point();
-        Ray ray = toward(place_(inside), target());
+        Ray ray = toward(placement_(inside), target());
         if (!random_.one_in(4)) return ray;
         // Straight up or down through a vertex: the origin shares two of its coordinates exactly.
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
@@ -92,7 +96,7 @@ class ClosedWorld {
         dvec3 origin = vertex;
         origin[axis] = 0.0;
         if (kind_ == Closed::torus || glm::dot(origin, origin) > 0.49) return ray;
-        ray.origin = place_(origin);
+        ray.origin = placement_(origin);
         ray.direction = vec3(0.0f);
         ray.direction[axis] = static_cast<float>(random_.sign());
         return ray;
@@ -100,14 +104,14 @@ class ClosedWorld {
 
     Ray from_outside() {
         const double distance = std::ldexp(1.0, random_.between(2, 8));
-        const vec3 outside = place_(random_.direction() * distance);
+        const vec3 outside = placement_(random_.direction() * distance);
         if (!random_.one_in(4)) return toward(outside, target());
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
         const int axis = random_.axis();
         dvec3 origin = vertex;
         origin[axis] = -distance;
         Ray ray;
-        ray.origin = place_(origin);
+        ray.origin = placement_(origin);
         ray.direction = vec3(0.0f);
         ray.direction[axis] = 1.0f;
         return ray;
@@ -119,9 +123,9 @@ class ClosedWorld {
     /// A vertex, a point on an edge or face, or any nearby point.
     vec3 target() {
         const uvec3& t = shape_.triangles[any(shape_.triangles.size())];
-        const dvec3 a(place_(shape_.positions[t.x]));
-        const dvec3 b(place_(shape_.positions[t.y]));
-        const dvec3 c(place_(shape_.positions[t.z]));
+        const dvec3 a(placement_(shape_.positions[t.x]));
+        const dvec3 b(placement_(shape_.positions[t.y]));
+        const dvec3 c(placement_(shape_.positions[t.z]));
         const double x = random_.unit();
         const double y = random_.unit();
         switch (random_.below(4)) {
@@ -132,7 +136,7 @@ class ClosedWorld {
         case 2:
             return vec3(a + (b - a) * x + (c - a) * (y * (1.0 - x)));
         default:
-            return place_(random_.in_ball(1.2));
+            return placement_(random_.in_ball(1.2));
         }
     }
 
@@ -149,7 +153,7 @@ class ClosedWorld {
 
     Closed kind_;
     Random& random_;
-    Placement place_;
+    Placement placement_;
     Polyhedron shape_;
     World world_;
 };
@@ -178,16 +182,16 @@ Tally run_through(Closed kind, std::uint64_t seed, std::uint32_t rays) {
     Random random(seed);
     ClosedWorld closed(kind, random);
     Tally tally;
-    std::vector<Hit> crossings;
+    std::vector<Hit> all_hits;
     for (; tally.rays < rays; ++tally.rays) {
         const Ray ray = closed.from_outside();
-        closed.world().crossings(ray, crossings);
+        closed.world().all_hits(ray, all_hits);
         const bool apart =
-            std::any_of(crossings.begin(), crossings.end(), [](const Hit& h) { return h.on_edge; });
-        tally.hits += crossings.empty() ? 0 : 1;
+            std::any_of(all_hits.begin(), all_hits.end(), [](const Hit& h) { return h.on_edge; });
+        tally.hits += all_hits.empty() ? 0 : 1;
         tally.on_edge += apart ? 1 : 0;
-        if (!apart && crossings.size() % 2 != 0)
-            tally.fail(describe(ray) + ": crosses a closed mesh " + std::to_string(crossings.size()) +
+        if (!apart && all_hits.size() % 2 != 0)
+            tally.fail(describe(ray) + ": crosses a closed mesh " + std::to_string(all_hits.size()) +
                        " times");
     }
     return tally;

@@ -1,7 +1,7 @@
 #pragma once
 // Lossless descriptions of rays and hits.
 
-#include "trace/world.h"
+#include "trace/world/world.h"
 
 #include <cstdio>
 #include <string>
@@ -17,7 +17,7 @@ inline std::string describe(const Ray& ray) {
     return text;
 }
 
-inline std::string describe(const Hit& hit) {
+inline std::string describe(const trace::Hit& hit) {
     if (!hit) return "nothing";
     char text[160];
     std::snprintf(text, sizeof text, "t %a u %a v %a object %u prim %u kind %d%s", double(hit.t),

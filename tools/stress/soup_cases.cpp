@@ -11,13 +11,17 @@
 
 namespace glint::stress {
 
+using trace::Hit;
+using trace::World;
+using trace::WorldInput;
+
 namespace {
 
 /// Difficult rays in a world: through corners and edges, along sides and axes, from far away.
 class TroubleRays {
   public:
-    TroubleRays(const WorldInput& world, const Placement& place, Random& random)
-        : place_(place), random_(random) {
+    TroubleRays(const WorldInput& world, const Placement& placement, Random& random)
+        : placement_(placement), random_(random) {
         for (const auto& mesh : world.meshes)
             for (const uvec3& t : mesh.triangles)
                 for (int k = 0; k < 3; ++k) corners_.push_back(mesh.positions[t[k]]);
@@ -32,7 +36,7 @@ class TroubleRays {
             for (const auto& q : world.quadrics)
                 if (q.shape.kind == quadric_sphere)
                     for (int k = 0; k < 3; ++k) corners_.push_back(vec3(q.shape.base));
-        while (corners_.size() < 3) corners_.push_back(place(random.in_cube(1.0)));
+        while (corners_.size() < 3) corners_.push_back(placement(random.in_cube(1.0)));
     }
 
     Ray operator()() {
@@ -78,10 +82,10 @@ class TroubleRays {
         }
         case 2: {
             const double distance = std::ldexp(1.0, random_.between(2, 14));
-            return place_(random_.direction() * distance);
+            return placement_(random_.direction() * distance);
         }
         default:
-            return place_(random_.in_cube(2.0));
+            return placement_(random_.in_cube(2.0));
         }
     }
 
@@ -117,7 +121,7 @@ class TroubleRays {
         return d == vec3(0.0f) ? vec3(0.0f, 1.0f, 0.0f) : d;
     }
 
-    const Placement& place_;
+    const Placement& placement_;
     Random& random_;
     std::vector<vec3> corners_;
 };
@@ -125,7 +129,7 @@ class TroubleRays {
 /// Enumerates hits with next() and compares them with crossings().
 bool walk_agrees(const World& world, const Ray& ray) {
     std::vector<Hit> all;
-    world.crossings(ray, all);
+    world.all_hits(ray, all);
     Hit at = world.closest(ray);
     for (const Hit& expected : all) {
         if (!same(at, expected)) return false;
@@ -159,9 +163,9 @@ void compare(const World& world, Ray ray, Random& random, Answered& answered, Ta
 
 Tally run_soup(Soup kind, std::uint64_t seed, std::uint32_t rays) {
     Random random(seed);
-    const Placement place = random_placement(random, 24);
-    WorldInput input = make_soup(kind, place, random);
-    TroubleRays next_ray(input, place, random);
+    const Placement placement = random_placement(random, 24);
+    WorldInput input = make_soup(kind, placement, random);
+    TroubleRays next_ray(input, placement, random);
     parallel::TaskPool pool(1);
     const World world(std::move(input), pool);
     Tally tally;

@@ -3,7 +3,7 @@
 
 #include "placement.h"
 #include "stress_random.h"
-#include "trace/world.h"
+#include "trace/world/world.h"
 
 namespace glint::stress {
 
@@ -22,6 +22,6 @@ enum class Soup {
 
 /// At most 64 triangles in up to three meshes, 12 quadrics and 2 planes; with instances, up to 12 instances
 /// of three meshes of at most 48 triangles. All within about the cube [-1, 1]^3 before the placement.
-WorldInput make_soup(Soup kind, const Placement& place, Random& random);
+trace::WorldInput make_soup(Soup kind, const Placement& placement, Random& random);
 
 } // namespace glint::stress

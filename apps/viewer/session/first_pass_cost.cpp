@@ -22,7 +22,7 @@ void update(double& average, double measured) {
 
 int FirstPassCost::step(int pixels) const {
     int step = 1;
-    while (step < most_coarse && predicted_seconds(pixels, step) > seconds_) step *= 2;
+    while (step < max_coarsest && predicted_seconds(pixels, step) > seconds_) step *= 2;
     return step;
 }
 

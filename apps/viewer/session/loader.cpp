@@ -76,7 +76,7 @@ struct SessionLoader::State {
     void read(bool is_reload);
     LoadedFile read_file();
     void go_back();
-    FreezeOptions build_options() const;
+    BuildSceneOptions build_options() const;
     void build_edit(ViewSlot slot, SceneDescription description);
     template <class Work>
     void guarded(const Work& work);
@@ -170,9 +170,9 @@ LoadedFile SessionLoader::State::read_file() {
     load.progress = report;
     LoadedScene loaded = load_scene(path, load);
     watch.watch(loaded.files);
-    FreezeOptions build = build_options();
+    BuildSceneOptions build = build_options();
     build.progress = report;
-    LoadedFile file{path, freeze(loaded.description, build), std::move(loaded.warnings),
+    LoadedFile file{path, build_scene(loaded.description, build), std::move(loaded.warnings),
                     std::move(loaded.notes), false};
     scene_files = loaded.files;
     if (cancel) throw Error(ErrorKind::cancelled, "reading was cancelled");
@@ -182,8 +182,8 @@ LoadedFile SessionLoader::State::read_file() {
 }
 
 /// Solids are found even while no material is transparent: an edit may make one so.
-FreezeOptions SessionLoader::State::build_options() const {
-    FreezeOptions build;
+BuildSceneOptions SessionLoader::State::build_options() const {
+    BuildSceneOptions build;
     build.threads = options.threads;
     build.find_solids = true;
     build.cancel = &cancel;
@@ -193,7 +193,7 @@ FreezeOptions SessionLoader::State::build_options() const {
 void SessionLoader::State::build_edit(ViewSlot slot, SceneDescription description) {
     guarded([&] {
         fill_in_meshes(description, scene->description());
-        Scene edited = refreeze(*scene, description, build_options());
+        Scene edited = update_scene(*scene, description, build_options());
         // Later edits share the trees that were just built.
         if (slot == ViewSlot::main) scene = edited;
         if (options.edited) options.edited(slot, std::move(edited));

@@ -22,7 +22,7 @@ struct RenderedFrame {
     std::string device;                          ///< GPU that rendered it; empty: the CPU
     std::string why_cpu; ///< why the CPU rendered it although the GPU was selected, with the driver's log
                          ///< after the first line if there is one
-    Aspect show = Aspect::final;
+    Aov show = Aov::final;
     CameraDescription camera;
     Refinement reached;
     std::uint64_t number = 0; ///< increases from frame to frame

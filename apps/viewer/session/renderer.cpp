@@ -26,7 +26,7 @@ constexpr double slice_seconds = 0.040;
 /// Everything that decides what is rendered.
 struct RenderRequest {
     PerView<std::optional<Scene>> scenes;
-    PerView<Aspect> show;
+    PerView<Aov> show;
     Kernel kernel = Kernel::automatic;
     CameraDescription camera;
     int width = 0;
@@ -170,7 +170,7 @@ void SessionRenderer::State::start_view(ViewSlot slot, const RenderRequest& take
 /// A change of backend must not make a view coarser than it is.
 int SessionRenderer::State::max_step(ViewSlot slot, const RenderRequest& taken) const {
     const std::lock_guard lock(mutex);
-    return taken.only_backend_changed && frames[slot] ? frames[slot]->reached.step : most_coarse;
+    return taken.only_backend_changed && frames[slot] ? frames[slot]->reached.step : max_coarsest;
 }
 
 /// Makes each view a little better.
@@ -223,7 +223,7 @@ void SessionRenderer::set_scene(ViewSlot slot, std::optional<Scene> scene) {
     });
 }
 
-void SessionRenderer::set_show(ViewSlot slot, Aspect show) {
+void SessionRenderer::set_show(ViewSlot slot, Aov show) {
     state_->change_request([&] { state_->request.show[slot] = show; });
 }
 

@@ -32,7 +32,7 @@ class SessionRenderer {
 
     /// The scene of a view, or none. Its own camera and size are ignored.
     void set_scene(ViewSlot slot, std::optional<Scene> scene);
-    void set_show(ViewSlot slot, Aspect show);
+    void set_show(ViewSlot slot, Aov show);
     /// How meshes are traversed: changes the time, never the picture.
     void set_kernel(Kernel kernel);
     /// How linear light becomes colours of the screen. Nothing is rendered again.

@@ -29,7 +29,7 @@ struct Session::State {
     // Guarded by `mutex`.
     std::optional<SessionScene> scene;
     PerView<std::optional<Scene>> scenes; ///< as edited
-    PerView<Aspect> show;
+    PerView<Aov> show;
     Kernel kernel = Kernel::automatic;
     bool comparing = false;
     CameraControl camera;
@@ -109,7 +109,7 @@ bool Session::is_comparing() const {
     return state_->comparing;
 }
 
-void Session::set_show(Aspect show, ViewSlot slot) {
+void Session::set_show(Aov show, ViewSlot slot) {
     const std::lock_guard lock(state_->mutex);
     if (state_->show[slot] == show) return;
     state_->show[slot] = show;
@@ -130,7 +130,7 @@ Kernel Session::kernel() const {
 
 void Session::set_tone(View tone) { state_->renderer.set_tone(tone); }
 
-Aspect Session::show(ViewSlot slot) const {
+Aov Session::show(ViewSlot slot) const {
     const std::lock_guard lock(state_->mutex);
     return state_->show[slot];
 }

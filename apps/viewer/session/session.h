@@ -68,8 +68,8 @@ class Session {
     /// Shows other values in the reference view, from the same camera; none ends the comparison.
     void compare(std::optional<SceneDescription> description);
     bool is_comparing() const;
-    void set_show(Aspect show, ViewSlot slot = ViewSlot::main);
-    Aspect show(ViewSlot slot = ViewSlot::main) const;
+    void set_show(Aov show, ViewSlot slot = ViewSlot::main);
+    Aov show(ViewSlot slot = ViewSlot::main) const;
     /// How meshes are traversed: changes the time, never the picture.
     void set_kernel(Kernel kernel);
     Kernel kernel() const;

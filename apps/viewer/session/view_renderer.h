@@ -21,10 +21,10 @@ class ViewRenderer {
     /// What the next picture shows, and how it is rendered.
     struct Picture {
         Scene scene; ///< with the camera and size of the view
-        Aspect show = Aspect::final;
+        Aov show = Aov::final;
         Kernel kernel = Kernel::automatic;
-        BackendFactory gpu;         ///< none: the CPU renders
-        int max_step = most_coarse; ///< no frame coarser than this is shown
+        BackendFactory gpu;          ///< none: the CPU renders
+        int max_step = max_coarsest; ///< no frame coarser than this is shown
     };
 
     /// `cancel` ends start() and refine() within milliseconds and must outlive the renderer.

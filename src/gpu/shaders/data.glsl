@@ -1,7 +1,7 @@
 // The buffers that the host fills (gpu/scene_data.h), eight of which OpenGL 4.3 guarantees, and the settings.
 
 layout(std430, binding = 0) readonly buffer Nodes { NodeRecord nodes[]; };
-layout(std430, binding = 1) readonly buffer Leaves { uint leaves[]; }; // trace/mesh_tree.h: leaf_words
+layout(std430, binding = 1) readonly buffer Leaves { uint leaves[]; }; // trace/mesh/tree.h: leaf_words
 layout(std430, binding = 2) readonly buffer Objects { ObjectRecord objects[]; };
 layout(std430, binding = 3) readonly buffer Words { uint words[]; }; // mesh ranges, interiors, vertex data
 layout(std430, binding = 4) readonly buffer Lights {

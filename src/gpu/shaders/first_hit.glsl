@@ -1,4 +1,4 @@
-// What first hits show in place of the light (render/aspect.shared.h): numbers of a ray tree without branches.
+// What first hits show in place of the light (render/aov.shared.h): numbers of a ray tree without branches.
 
 layout(local_size_x = 64) in;
 

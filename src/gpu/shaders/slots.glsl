@@ -144,7 +144,7 @@ bool open_slot() {
         slot.sample_number >= settings.end_sample)
         return false;
     uint state = work[state_at];
-    // The driver ended the estimator's loop before its end: see gpu/pace.h.
+    // The driver ended the estimator's loop before its end: see gpu/dispatch_budget.h.
     if ((state & state_running) != 0u) {
         atomicOr(work[counter_faults], fault_loops);
         return false;

@@ -8,7 +8,7 @@ const uint kind_plane = 3u;
 
 struct Hit {
     float t;
-    float u; // as in trace/world.h
+    float u; // as in trace/world/world.h
     float v;
     uint kind;
     uint object;
@@ -20,7 +20,7 @@ struct Hit {
 
 Hit no_hit(float t) { return Hit(t, 0.0f, 0.0f, kind_none, invalid_index, 0u, 0u, false, false); }
 
-/// trace/world.h: precedes().
+/// trace/world/world.h: precedes().
 bool precedes(Hit a, Hit b) {
     if (a.t != b.t) return a.t < b.t;
     if (a.object != b.object) return a.object < b.object;
@@ -112,7 +112,7 @@ uint children_met(uint node, SpaceRay ray, float from, float to) {
     return met;
 }
 
-// A leaf's code (trace/mesh_tree.h, LeafCode); a hit has the triangle's number in place of the count.
+// A leaf's code (trace/mesh/tree.h, LeafCode); a hit has the triangle's number in place of the count.
 uint leaf_word(uint code) { return (code & 0x01ffffffu) * 4u; }
 uint leaf_vertices(uint code) { return ((code >> 25) & 7u) + 1u; }
 uint leaf_triangles(uint code) { return ((code >> 28) & 7u) + 1u; }

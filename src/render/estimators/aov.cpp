@@ -1,26 +1,28 @@
 #include "render/estimators/aov.h"
 
-#include "render/aspect.shared.h"
+#include "render/aov.shared.h"
 
 namespace glint {
 
-static_assert(shown_shadows == static_cast<int>(Aspect::shadows) &&
-              shown_normal == static_cast<int>(Aspect::normal) &&
-              shown_depth == static_cast<int>(Aspect::depth) && shown_cost == static_cast<int>(Aspect::cost));
+using trace::TraceCost;
 
-WhittedSettings first_hit_settings(const FrozenScene& scene) {
+static_assert(shown_shadows == static_cast<int>(Aov::shadows) &&
+              shown_normal == static_cast<int>(Aov::normal) && shown_depth == static_cast<int>(Aov::depth) &&
+              shown_cost == static_cast<int>(Aov::cost));
+
+WhittedSettings first_hit_settings(const SceneData& scene) {
     WhittedSettings settings = scene.description.whitted;
     settings.max_depth = 0;
     return settings;
 }
 
-AovEstimator::AovEstimator(const FrozenScene& scene, Aspect aov, const CancelFlag* cancel,
+AovEstimator::AovEstimator(const SceneData& scene, Aov aov, const CancelFlag* cancel,
                            const KernelChoice& kernel)
     : scene_(scene), aov_(aov), first_hits_(scene, first_hit_settings(scene), cancel, kernel) {}
 
 void AovEstimator::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool /*terms*/) {
     for (std::size_t i = 0; i < samples.size(); ++i)
-        out[i].radiance = aov_ == Aspect::cost ? measure_cost(samples[i]) : measure(samples[i]);
+        out[i].radiance = aov_ == Aov::cost ? measure_cost(samples[i]) : measure(samples[i]);
 }
 
 vec3 AovEstimator::measure_cost(const CameraSample& sample) {

@@ -10,23 +10,23 @@
 namespace glint {
 
 /// Whitted's settings for a look at first hits: nothing bounces.
-WhittedSettings first_hit_settings(const FrozenScene& scene);
+WhittedSettings first_hit_settings(const SceneData& scene);
 
 /// Measures shadows, normal, depth or cost of first hits. Holds scratch memory: one for each thread.
 class AovEstimator {
   public:
-    AovEstimator(const FrozenScene& scene, Aspect aov, const CancelFlag* cancel, const KernelChoice& kernel);
+    AovEstimator(const SceneData& scene, Aov aov, const CancelFlag* cancel, const KernelChoice& kernel);
 
     /// Radiance is the AOV. There are no terms.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = false);
-    const RayCounts& counts() const { return aov_ == Aspect::cost ? cost_counts_ : first_hits_.counts(); }
+    const RayCounts& counts() const { return aov_ == Aov::cost ? cost_counts_ : first_hits_.counts(); }
 
   private:
     vec3 measure(const CameraSample& sample);
     vec3 measure_cost(const CameraSample& sample);
 
-    const FrozenScene& scene_;
-    Aspect aov_;
+    const SceneData& scene_;
+    Aov aov_;
     Whitted first_hits_;
     RayTree tree_;
     RayCounts cost_counts_;

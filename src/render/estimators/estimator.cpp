@@ -2,7 +2,7 @@
 
 namespace glint {
 
-Estimator make_estimator(const FrozenScene& scene, Aspect show, const CancelFlag* cancel,
+Estimator make_estimator(const SceneData& scene, Aov show, const CancelFlag* cancel,
                          const KernelChoice& kernel) {
     if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
     const WhittedSettings& settings = scene.description.whitted;

@@ -1,7 +1,7 @@
 #pragma once
 // The closed set of estimators: each measures what camera rays see.
 
-#include "render/aspect.h"
+#include "render/aov.h"
 #include "render/camera_sample.h"
 #include "render/estimators/aov.h"
 #include "render/estimators/whitted.h"
@@ -17,7 +17,7 @@ using Estimator = std::variant<Whitted, WhittedWavefront, AovEstimator>;
 
 /// The estimator of what a picture shows; of light, by the scene's integrator, one ray after another with
 /// Kernel::scalar. It refers to the scene.
-Estimator make_estimator(const FrozenScene& scene, Aspect show, const CancelFlag* cancel,
+Estimator make_estimator(const SceneData& scene, Aov show, const CancelFlag* cancel,
                          const KernelChoice& kernel);
 
 /// Measures each sample into its element of `out`; `terms` says whether light is to be told apart by term.

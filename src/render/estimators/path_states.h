@@ -4,7 +4,7 @@
 
 #include "render/camera_sample.h"
 #include "render/interior_list.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ struct PathStates {
     using Vectors = std::array<Numbers, 3>; ///< x, y, z
 
     Row<Ray> rays;
-    Row<Hit> hits;
+    Row<trace::Hit> hits;
     Row<const InteriorList*> interiors;   ///< around the ray's origin, then where it arrives
     Row<const MaterialRecord*> materials; ///< never null
     Row<std::uint32_t> parents;           ///< the path that this is a branch of

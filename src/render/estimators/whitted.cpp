@@ -5,6 +5,8 @@
 #include <optional>
 
 namespace glint {
+
+using trace::Hit;
 namespace {
 
 Ray ray_of(const SpawnedRay& spawned) {
@@ -17,7 +19,7 @@ Ray ray_of(const SpawnedRay& spawned) {
 
 } // namespace
 
-Whitted::Whitted(const FrozenScene& scene, const WhittedSettings& settings, const CancelFlag* cancel,
+Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
     : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
       kernel_(kernel) {}
@@ -43,7 +45,7 @@ Channels Whitted::trace(const CameraSample& sample, RayTree* record) {
 const InteriorList* Whitted::start() {
     arena_.clear();
     const InteriorList* interior = nullptr;
-    for (const std::uint32_t object : scene_.camera_media)
+    for (const std::uint32_t object : scene_.camera_interiors)
         interior = entered(interior, object, scene_, arena_);
     return interior;
 }
@@ -146,7 +148,7 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
 // Every visible surface takes its share. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     blockers_.clear();
-    scene_.world.crossings(shadow, blockers_);
+    scene_.world.all_hits(shadow, blockers_);
     float passing = 1.0f;
     for (const Hit& hit : blockers_) {
         const bool hidden = is_hidden(interior, hit.object, scene_);

@@ -8,7 +8,7 @@
 #include "render/interior_list.h"
 #include "render/ray_tree.h"
 #include "render/surface_interaction.h"
-#include "scene/frozen.h"
+#include "scene/scene_data.h"
 
 #include <span>
 #include <vector>
@@ -30,9 +30,9 @@ class Whitted {
     };
 
     /// `settings` stand for those of the scene's description.
-    Whitted(const FrozenScene& scene, const WhittedSettings& settings, const CancelFlag* cancel = nullptr,
+    Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel = nullptr,
             const KernelChoice& kernel = {});
-    explicit Whitted(const FrozenScene& scene) : Whitted(scene, scene.description.whitted) {}
+    explicit Whitted(const SceneData& scene) : Whitted(scene, scene.description.whitted) {}
 
     /// `out` has an element for each sample. Terms are set whether asked for or not. Incomplete where
     /// `cancel` was set.
@@ -48,7 +48,7 @@ class Whitted {
     /// eye.
     const InteriorList* start();
     /// Replaces a hit that lies inside a solid of higher rank by the next that does not; updates `interior`.
-    void skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interior);
+    void skip_hidden(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
     /// Where the light goes on from a surface, and its shares.
@@ -67,16 +67,16 @@ class Whitted {
                         const SurfaceInteraction& at);
     float walk_shadow(const Ray& shadow, const InteriorList* interior);
     bool bounces(const Path& path, const SurfaceInteraction& at);
-    void cross(const Ray& ray, const Hit& hit, const InteriorList*& interior);
+    void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
-    const FrozenScene& scene_;
+    const SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
     const CancelFlag* cancel_;
     const KernelChoice kernel_;
     InteriorArena arena_;
-    std::vector<Hit> blockers_;
+    std::vector<trace::Hit> blockers_;
     RayCounts counts_;
     RayRecorder* recorder_ = nullptr;
 };

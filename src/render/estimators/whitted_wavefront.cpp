@@ -5,6 +5,9 @@
 #include <algorithm>
 
 namespace glint {
+
+using trace::row_of;
+using trace::SurfaceRows;
 namespace {
 
 vec3 element(const PathStates::Vectors& rows, std::size_t i) { return {rows[0][i], rows[1][i], rows[2][i]}; }
@@ -30,7 +33,7 @@ SurfaceRows surface_rows(PathStates& s, std::size_t first) {
 
 } // namespace
 
-WhittedWavefront::WhittedWavefront(const FrozenScene& scene, const WhittedSettings& settings,
+WhittedWavefront::WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
                                    const CancelFlag* cancel, const KernelChoice& kernel)
     : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
       kernel_(kernel), shade_(shade_kernels[row_of(kernel.target)]),
@@ -93,7 +96,7 @@ void WhittedWavefront::find_hits(Wave wave) {
 
 void WhittedWavefront::choose_materials(Wave wave) {
     PathStates& s = *states_;
-    const FrozenObject* objects = scene_.objects.data();
+    const ObjectData* objects = scene_.objects.data();
     const MaterialRecord* materials = scene_.materials.data();
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
         const MaterialRecord* nothing = s.interiors[i] == nullptr ? &background_ : &darkness_;

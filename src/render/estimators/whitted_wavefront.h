@@ -19,7 +19,7 @@ struct ShadeKernels;
 class WhittedWavefront {
   public:
     /// `settings` stand for those of the scene's description.
-    WhittedWavefront(const FrozenScene& scene, const WhittedSettings& settings,
+    WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
                      const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
 
     /// `out` has an element for each sample, whose terms are set where `terms` asks for them. Unchanged where
@@ -52,7 +52,7 @@ class WhittedWavefront {
     Terms terms_at(std::size_t i) const;
     void put_terms(const Terms& terms, std::size_t i);
 
-    const FrozenScene& scene_;
+    const SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
     const CancelFlag* cancel_;
@@ -64,7 +64,7 @@ class WhittedWavefront {
     MaterialRecord darkness_{};   ///< and where nothing is hit from inside a solid
     std::unique_ptr<PathStates> states_;
     std::vector<Wave> waves_;
-    World::Scratch scratch_;
+    trace::World::Scratch scratch_;
 };
 
 } // namespace glint

@@ -3,6 +3,8 @@
 #include "scene/validate.h"
 
 namespace glint {
+
+using trace::WorldInput;
 namespace {
 
 // The factor by which m stretches all lengths alike, or 0 if it does not.

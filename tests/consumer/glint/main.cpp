@@ -12,7 +12,7 @@ int main() {
         glint::parse_scene(glint::template_text(glint::template_names().front()), "new");
     loaded.description.render.width = 32;
     loaded.description.render.height = 24;
-    const glint::Picture picture = glint::render(glint::freeze(loaded.description));
+    const glint::Picture picture = glint::render(glint::build_scene(loaded.description));
     std::printf("glint %s rendered %d x %d pixels\n", glint::version(), picture.image.width,
                 picture.image.height);
 

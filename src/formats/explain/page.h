@@ -1,0 +1,79 @@
+#pragma once
+// The data behind the page of explanation_html(): rays as shapes (what they have in common: words and
+// formulas) and numbers. The page evaluates the formulas itself; only what is given, and what its own
+// mathematics would round in another way, is stored.
+
+#include "glint/explanation.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace glint {
+
+/// A file of the page, embedded by the build (cmake/EmbedText.cmake).
+struct PageFile {
+    const char* name; ///< below src/
+    const char* text;
+};
+extern const PageFile page_files[]; ///< explain_page.css and explain_page.js, then one without a name
+
+inline const char* page_style() { return page_files[0].text; }
+/// Plain JavaScript: no library, no network.
+inline const char* page_script() { return page_files[1].text; }
+
+class PageData {
+  public:
+    /// Adds a place: the pixel's sum and the rays of its first sample.
+    void add(const Explanation& explanation);
+
+    /// That can be shown.
+    std::size_t rays() const { return complete_; }
+    /// The whole as compressed bytes, with the `count` rays that weigh most and all they need. `head` is the
+    /// beginning of a JSON object: "{…,".
+    std::string packed(const std::string& head, std::size_t count) const;
+
+  private:
+    enum class Source { formula, stored, constant, link };
+    struct Ray {
+        std::uint32_t shape = 0;
+        bool complete = true;     ///< has it steps?
+        std::int32_t parent = -1; ///< within its place
+        std::int32_t reflected = -1;
+        std::int32_t refracted = -1;
+        float weight = 0;
+        glm::vec3 radiance{0.0f};
+        std::size_t first = 0; ///< of its numbers
+    };
+    struct PixelRecord {
+        std::size_t first_ray = 0;
+        std::size_t rays = 0;
+        std::array<glm::vec3, 1 + term_count> sums{}; ///< colour and terms
+    };
+
+    std::uint32_t shape_of(const ExplainedRay& ray);
+    std::string steps_of(const ExplainedRay& ray, const std::vector<const std::vector<Step>*>& lists);
+    std::string light_of(const ExplainedRay& ray, const ExplainedLight& light);
+    std::string source_of(const ExplainedRay& ray, const Step& step);
+    std::string step_number(const Step& step);
+    int constant_number(const Quantity& value);
+    void store(const Quantity& value);
+    std::vector<bool> heaviest(std::size_t count) const;
+    std::string json(const std::string& head) const;
+
+    std::vector<PixelRecord> pixels_;
+    std::vector<Ray> rays_;
+    std::size_t complete_ = 0;
+    std::vector<float> numbers_;
+    std::vector<std::uint32_t> sizes_; ///< of the shapes: numbers stored for each
+    std::vector<std::string> shapes_;
+    std::map<std::string, std::uint32_t> shape_numbers_;
+    std::vector<std::string> steps_;
+    std::map<std::string, std::size_t> step_numbers_;
+    std::vector<std::string> constants_;
+    std::map<std::string, int> constant_numbers_;
+};
+
+} // namespace glint

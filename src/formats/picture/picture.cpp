@@ -1,0 +1,153 @@
+#include "formats/picture/codecs.h"
+#include "formats/read_bytes.h"
+#include "formats/write_file.h"
+#include "glint/limits.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <string_view>
+
+namespace glint {
+
+namespace {
+
+[[noreturn]] void refuse_arguments(const std::string& message, const std::string& hint) {
+    throw Error(ErrorKind::usage, message, hint);
+}
+
+std::string lower_extension_of(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+PictureFormat require_format(const std::string& path) {
+    if (const auto format = picture_format(path)) return *format;
+    const std::string extension = lower_extension_of(path);
+    const std::string found = extension.empty() ? "has no extension" : "ends in '" + extension + "'";
+    refuse_arguments("the picture's name '" + path + "' " + found, "pictures end in .png, .exr or .pfm");
+}
+
+std::string size_text(std::int64_t width, std::int64_t height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
+void check_image(const Image& image, const std::string& what) {
+    const bool sides = image.width >= 1 && image.height >= 1 && image.width <= picture_side_limit &&
+                       image.height <= picture_side_limit;
+    if (!sides || std::int64_t{image.width} * image.height > picture_pixel_limit)
+        refuse_arguments(what + " has " + size_text(image.width, image.height) + " pixels",
+                         "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
+    const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (image.pixels.size() != 3 * pixels)
+        refuse_arguments(what + " holds " + std::to_string(image.pixels.size()) + " values",
+                         size_text(image.width, image.height) + " RGB pixels have " +
+                             std::to_string(3 * pixels));
+}
+
+void check_layers(const Image& image, const std::vector<Layer>& layers) {
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const Layer& layer = layers[i];
+        if (layer.name.empty()) refuse_arguments("a layer has no name", "name every layer");
+        const auto same_name = [&](const Layer& other) { return other.name == layer.name; };
+        if (std::count_if(layers.begin(), layers.end(), same_name) > 1)
+            refuse_arguments("two layers have the name '" + layer.name + "'",
+                             "give each layer a name of its own");
+        check_image(layer.image, "the layer '" + layer.name + "'");
+        if (layer.image.width != image.width || layer.image.height != image.height)
+            refuse_arguments("the layer '" + layer.name + "' has another size than the picture",
+                             "layers have the picture's " + size_text(image.width, image.height) + " pixels");
+    }
+}
+
+void check_options(const Image& image, const PictureOptions& options) {
+    if (options.bits != 8 && options.bits != 16)
+        refuse_arguments("a picture of " + std::to_string(options.bits) + " bits", "PNG has 8 or 16 bits");
+    check_image(image, "the picture");
+    check_layers(image, options.layers);
+    if (!options.alpha.empty() && options.alpha.size() * 3 != image.pixels.size())
+        refuse_arguments("alpha holds " + std::to_string(options.alpha.size()) + " values",
+                         size_text(image.width, image.height) + " pixels have one each");
+    for (const auto& [key, value] : options.metadata)
+        if (key.empty())
+            refuse_arguments("a piece of metadata has no name ('" + value + "')", "name every piece");
+}
+
+} // namespace
+
+std::optional<PictureFormat> picture_format(const std::string& path) {
+    if (path == "-") return PictureFormat::png;
+    const std::string extension = lower_extension_of(path);
+    if (extension == ".png") return PictureFormat::png;
+    if (extension == ".exr") return PictureFormat::exr;
+    if (extension == ".pfm") return PictureFormat::pfm;
+    return std::nullopt;
+}
+
+void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
+                    std::optional<std::uint64_t> byte) {
+    Location where;
+    where.file = name;
+    where.byte = byte;
+    throw Error(ErrorKind::input, message, hint, where);
+}
+
+void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height) {
+    const bool sides =
+        width >= 1 && height >= 1 && width <= picture_side_limit && height <= picture_side_limit;
+    if (!sides || width * height > picture_pixel_limit)
+        refuse_picture(name, "the picture claims a size of " + size_text(width, height) + " pixels",
+                       "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
+}
+
+void check_picture_target(const std::string& path, bool with_alpha, bool with_layers) {
+    const PictureFormat format = require_format(path);
+    if (with_layers && format != PictureFormat::exr)
+        refuse_arguments("'" + path + "' cannot hold layers", "layers are written to .exr");
+    if (with_alpha && format == PictureFormat::pfm)
+        refuse_arguments("'" + path + "' cannot hold alpha", "alpha is written to .png and .exr");
+    if (path != "-") check_writable(path);
+}
+
+void write_picture(const std::string& path, const Image& image, const PictureOptions& options) {
+    check_options(image, options);
+    check_picture_target(path, !options.alpha.empty(), !options.layers.empty());
+    switch (require_format(path)) {
+    case PictureFormat::pfm:
+        return write_pieces(path, PfmFile(image).pieces());
+    case PictureFormat::exr:
+        return write_file(path, encode_exr(image, options));
+    case PictureFormat::png:
+        break;
+    }
+    const std::vector<std::byte> bytes = encode_png(image, options);
+    if (path == "-")
+        write_stdout(bytes);
+    else
+        write_file(path, bytes);
+}
+
+LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\x89PNG")) return decode_png(bytes, name);
+    if (text.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, name);
+    if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm(bytes, name);
+    if (bytes.empty()) refuse_picture(name, "the file is empty", "write or copy it again");
+    refuse_picture(name, "this is no picture in PNG, EXR or PFM", "convert it to one of these first", 0);
+}
+
+LoadedPicture read_picture(const std::string& path) {
+    try {
+        return decode_picture(read_bytes(path), path);
+    } catch (const std::bad_alloc&) {
+        Location where;
+        where.file = path;
+        throw Error(ErrorKind::resource, "not enough memory to read the picture", "close other programs",
+                    where);
+    }
+}
+
+} // namespace glint

@@ -1,0 +1,147 @@
+// Reading PNG files with libpng.
+
+#include "formats/picture/codecs.h"
+#include "formats/picture/png_guard.h"
+
+#include <png.h>
+
+#include <cstring>
+#include <new>
+
+namespace glint {
+
+namespace {
+
+/// The bytes not read yet.
+struct PngInput {
+    std::span<const std::byte> left;
+};
+
+void take_bytes(png_structp png, png_bytep out, std::size_t size) {
+    auto* input = static_cast<PngInput*>(png_get_io_ptr(png));
+    if (size > input->left.size()) png_error(png, "the data end early");
+    std::memcpy(out, input->left.data(), size);
+    input->left = input->left.subspan(size);
+}
+
+/// Owns libpng's state for reading one file from memory.
+class PngReader {
+  public:
+    PngReader(std::span<const std::byte> bytes, const std::string& name)
+        : input_{bytes}, name_(name), size_(bytes.size()),
+          png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure_, png_fail, png_ignore)) {
+        if (png_ != nullptr) info_ = png_create_info_struct(png_);
+        if (info_ == nullptr) throw std::bad_alloc();
+        png_set_read_fn(png_, &input_, take_bytes);
+        // check_picture_size() checks sizes, with a clearer message than libpng's.
+        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    }
+    ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    template <class Calls>
+    void run(const Calls& calls) {
+        if (!png_try(png_, calls))
+            refuse_picture(name_, std::string("damaged PNG: ") + failure_.message.data(), cut_hint,
+                           size_ - input_.left.size());
+    }
+
+    png_structp png() { return png_; }
+    png_infop info() { return info_; }
+
+  private:
+    PngFailure failure_;
+    PngInput input_;
+    const std::string& name_;
+    std::size_t size_;
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+};
+
+struct PngShape {
+    png_uint_32 width = 0;
+    png_uint_32 height = 0;
+    std::size_t bits_per_pixel = 0; ///< in the file
+    std::size_t row_bytes = 0;      ///< as decoded: RGB with 8 or 16 bits
+    int bits = 8;
+    int passes = 1; ///< more than one if interlaced
+};
+
+/// Reads the header.
+PngShape read_header(PngReader& reader) {
+    PngShape shape;
+    png_structp png = reader.png();
+    png_infop info = reader.info();
+    reader.run([&] {
+        png_read_info(png, info);
+        shape.width = png_get_image_width(png, info);
+        shape.height = png_get_image_height(png, info);
+        shape.bits_per_pixel = std::size_t{png_get_bit_depth(png, info)} * png_get_channels(png, info);
+    });
+    return shape;
+}
+
+/// Asks libpng to convert to RGB with 8 or 16 bits.
+void request_rgb(PngReader& reader, PngShape& shape) {
+    png_structp png = reader.png();
+    png_infop info = reader.info();
+    reader.run([&] {
+        png_set_expand(png);
+        png_set_strip_alpha(png);
+        png_set_gray_to_rgb(png);
+        shape.passes = png_set_interlace_handling(png);
+        png_read_update_info(png, info);
+        shape.bits = png_get_bit_depth(png, info);
+        shape.row_bytes = png_get_rowbytes(png, info);
+    });
+}
+
+/// The compression ratio of deflate is at most 1032: rejects files too short for their size before memory is
+/// allocated.
+void check_file_size(const PngShape& shape, std::size_t file_size, const std::string& name) {
+    check_picture_size(name, shape.width, shape.height);
+    constexpr std::size_t max_ratio = 1032;
+    const std::size_t stored = shape.bits_per_pixel * shape.width / 8 * shape.height;
+    if (stored / max_ratio > file_size)
+        refuse_picture(name,
+                       "the PNG is too short for " + std::to_string(shape.width) + " x " +
+                           std::to_string(shape.height) + " pixels",
+                       cut_hint);
+}
+
+Image image_from_rows(const PngShape& shape, const std::vector<png_byte>& rows) {
+    Image image(static_cast<int>(shape.width), static_cast<int>(shape.height));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        // 16-bit values are big-endian.
+        const unsigned value = shape.bits == 16 ? rows[2 * i] * 256U + rows[2 * i + 1] : rows[i];
+        image.pixels[i] = static_cast<float>(value);
+    }
+    return image;
+}
+
+} // namespace
+
+LoadedPicture decode_png(std::span<const std::byte> bytes, const std::string& name) {
+    PngReader reader(bytes, name);
+    PngShape shape = read_header(reader);
+    check_file_size(shape, bytes.size(), name);
+    request_rgb(reader, shape);
+
+    // Interlaced rows come in several passes, so all rows are kept.
+    std::vector<png_byte> rows(shape.row_bytes * shape.height);
+    png_structp png = reader.png();
+    reader.run([&] {
+        for (int pass = 0; pass < shape.passes; ++pass)
+            for (std::size_t y = 0; y < shape.height; ++y)
+                png_read_row(png, rows.data() + y * shape.row_bytes, nullptr);
+        png_read_end(png, nullptr);
+    });
+
+    LoadedPicture picture;
+    picture.image = image_from_rows(shape, rows);
+    picture.bits = shape.bits;
+    return picture;
+}
+
+} // namespace glint

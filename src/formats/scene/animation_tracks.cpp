@@ -1,0 +1,227 @@
+#include "formats/scene/animation_tracks.h"
+
+#include "formats/scene/file_keys.h"
+#include "formats/scene/key_path.h"
+#include "formats/scene/table.h"
+#include "scene/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint {
+namespace {
+
+using Kind = TreeValue::Kind;
+
+/// Are there values between two values of such a key?
+bool has_values_between(KeyType type) {
+    switch (type) {
+    case KeyType::integer:
+    case KeyType::number:
+    case KeyType::point:
+    case KeyType::direction:
+    case KeyType::rgb:
+    case KeyType::color:
+    case KeyType::lengths:
+    case KeyType::scale:
+    case KeyType::vertices:
+    case KeyType::transform:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool is_number(const TreeValue& value) { return value.kind == Kind::integer || value.kind == Kind::number; }
+
+TreeValue list_of(const Vec3& v, const SourcePos& where) {
+    TreeValue list;
+    list.kind = Kind::list;
+    list.where = where;
+    for (int i = 0; i < 3; ++i) {
+        TreeValue number;
+        number.kind = Kind::number;
+        number.number = v[i];
+        number.where = where;
+        list.items.push_back(number);
+    }
+    return list;
+}
+
+/// Do two values consist of the same parts, so that their numbers pair up?
+bool same_form(const TreeValue& a, const TreeValue& b) {
+    if (is_number(a) && is_number(b)) return true;
+    if (a.kind != b.kind || a.items.size() != b.items.size() || a.entries.size() != b.entries.size())
+        return false;
+    for (std::size_t i = 0; i < a.items.size(); ++i)
+        if (!same_form(a.items[i], b.items[i])) return false;
+    return std::all_of(a.entries.begin(), a.entries.end(), [&](const TreeEntry& entry) {
+        const TreeEntry* other = b.find(entry.key);
+        return other && entry.key != "matrix" && same_form(entry.value, other->value);
+    });
+}
+
+class TrackReader {
+  public:
+    TrackReader(const TreeValue& root, Problems& problems)
+        : root_(root), scene_(root), problems_(problems), context_{problems, color_values_of(root), true} {}
+
+    Tracks run() {
+        Tracks all;
+        if (const TreeEntry* list = root_.find("animate"))
+            for (const TreeValue& item : list->value.items)
+                if (item.kind == Kind::table) read(item, all);
+        read_frames(all);
+        return all;
+    }
+
+  private:
+    /// The frames there are: as the file says, or up to the last keyframe.
+    void read_frames(Tracks& all) {
+        for (const Track& track : all.tracks)
+            if (!track.timeline.frames.empty())
+                all.last = std::max(all.last, static_cast<int>(std::ceil(track.timeline.frames.back())));
+        const TreeEntry* entry = root_.find("animation");
+        if (!entry || entry->value.kind != Kind::table) return;
+        const TableSpec& spec = *find_table("animation");
+        TableReader table(entry->value, spec, spec.header(), {}, context_);
+        AnimationTable read{{all.first, all.last}, all.fps};
+        table.read(read);
+        all.first = read.frames[0];
+        all.last = read.frames[1];
+        all.fps = read.fps;
+    }
+
+    void read(const TreeValue& item, Tracks& all) {
+        const TableSpec& spec = *find_table("animate");
+        const ReadContext context{problems_, context_.colors, false};
+        TableReader table(item, spec, spec.header(), {}, context);
+        Track track;
+        track.where = table.position_of("key");
+        AnimateTable read;
+        table.read(read);
+        track.path = read.key;
+        track.timeline.frames = std::move(read.frames);
+        track.timeline.interpolation = read.interpolation;
+        track.timeline.loop = read.loop;
+        if (const TreeValue* values = table.list("values")) track.values = values->items;
+        if (!table.good()) return;
+        if (track.values.size() != track.timeline.frames.size())
+            return table.error(table.position_of("values"),
+                               std::to_string(track.values.size()) +
+                                   (track.values.size() == 1 ? " value" : " values") + " for " +
+                                   std::to_string(track.timeline.frames.size()) + " frames",
+                               "one value is needed for each of \"frames\"");
+        if (check_key(track) && check_form(track, table)) all.tracks.push_back(std::move(track));
+    }
+
+    /// Is there such a key, and can it have all these values?
+    bool check_key(Track& track) {
+        const KeyTarget target = find_target(scene_, track.path, track.where, problems_);
+        if (!target.table) return false;
+        const bool moves = target.spec->form != TableForm::root && target.spec->name != "animate" &&
+                           target.spec->name != "animation" && target.key != "name" &&
+                           target.key != target.spec->selector;
+        if (!moves) {
+            problems_.error(track.where, in_quotes(track.path) + " does not move",
+                            "what moves is the camera, objects, lights, materials and settings");
+            return false;
+        }
+        const std::string type = selected_type(*target.table, *target.spec);
+        const KeySpec* spec = find_key(*target.spec, target.key, type);
+        bool good = true;
+        for (TreeValue& value : track.values) {
+            TreeValue table;
+            table.where = track.where;
+            table.entries.push_back({target.key, track.where, value});
+            TableReader reader(table, *target.spec, target.spec->header(), type, context_);
+            if (spec) reader.value(*spec);
+            good = good && reader.good() && spec;
+            if (!spec) break;
+            if (reader.good()) write_out(value, spec->type);
+        }
+        if (spec) track.type = spec->type;
+        return good;
+    }
+
+    /// Colours by name and scales by one number become lists of three numbers.
+    void write_out(TreeValue& value, KeyType type) const {
+        if (type == KeyType::color && value.kind == Kind::text)
+            value = list_of(linear_color(*color_codes(value.text), context_.colors), value.where);
+        else if (type == KeyType::scale && is_number(value))
+            value = list_of(Vec3(value.number), value.where);
+        for (TreeValue& entry : value.items)
+            if (TreeEntry* scale = type == KeyType::transform ? entry.find("scale") : nullptr)
+                write_out(scale->value, KeyType::scale);
+    }
+
+    /// Can the track do what its interpolation asks for?
+    bool check_form(Track& track, TableReader& table) {
+        if (track.timeline.interpolation == Interpolation::step) return true;
+        if (!has_values_between(track.type)) {
+            if (table.has("interpolation")) {
+                table.error(table.position_of("interpolation"),
+                            in_quotes(track.path) + " has no values in between",
+                            "leave \"interpolation\" out, or write \"step\"");
+                return false;
+            }
+            track.timeline.interpolation = Interpolation::step;
+            return true;
+        }
+        for (const TreeValue& value : track.values) {
+            if (same_form(track.values.front(), value)) continue;
+            table.error(
+                value.where, "the way from one form of \"transform\" to another is not known",
+                "write the same entries with the same keys, none of them a matrix; or interpolation = "
+                "\"step\"");
+            return false;
+        }
+        return true;
+    }
+
+    const TreeValue& root_;
+    TreeValue scene_; ///< where paths are looked up: that may add tables
+    Problems& problems_;
+    ReadContext context_;
+};
+
+/// The value of the first list, each number in it on its way between those of all.
+TreeValue blend(const Track& track, double frame, const std::vector<const TreeValue*>& all) {
+    TreeValue value = *all[track.timeline.keyframe(frame)];
+    std::vector<const TreeValue*> parts(all.size());
+    const auto blend_part = [&](TreeValue& part, const auto& part_of) {
+        std::transform(all.begin(), all.end(), parts.begin(), part_of);
+        part = blend(track, frame, parts);
+    };
+    if (is_number(value)) {
+        value.number = track.timeline.at(frame, [&](std::size_t i) { return all[i]->number; });
+        if (track.type == KeyType::integer) {
+            value.number = std::floor(value.number + 0.5);
+            value.integer = static_cast<std::int64_t>(value.number);
+        } else
+            value.kind = Kind::number;
+    }
+    for (std::size_t i = 0; i < value.items.size(); ++i)
+        blend_part(value.items[i], [&](const TreeValue* one) { return &one->items[i]; });
+    for (TreeEntry& entry : value.entries)
+        blend_part(entry.value, [&](const TreeValue* one) { return &one->find(entry.key)->value; });
+    return value;
+}
+
+} // namespace
+
+Tracks read_tracks(const TreeValue& root, Problems& problems) {
+    if (!root.find("animate") && !root.find("animation")) return {};
+    return TrackReader(root, problems).run();
+}
+
+TreeValue value_at(const Track& track, double frame) {
+    const double within = track.timeline.within(frame);
+    if (track.timeline.interpolation == Interpolation::step)
+        return track.values[track.timeline.keyframe(within)];
+    std::vector<const TreeValue*> all;
+    for (const TreeValue& value : track.values) all.push_back(&value);
+    return blend(track, within, all);
+}
+
+} // namespace glint

@@ -1,0 +1,81 @@
+#include "formats/scene/colors.h"
+
+#include "imaging/tone.h"
+
+namespace glint {
+namespace {
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+std::optional<std::uint32_t> hex_digit(char c) {
+    if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0');
+    if (c >= 'a' && c <= 'f') return static_cast<std::uint32_t>(c - 'a' + 10);
+    if (c >= 'A' && c <= 'F') return static_cast<std::uint32_t>(c - 'A' + 10);
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> hex_color(std::string_view digits) {
+    if (digits.size() != 3 && digits.size() != 6) return std::nullopt;
+    std::uint32_t rgb = 0;
+    for (const char c : digits) {
+        const auto digit = hex_digit(c);
+        if (!digit) return std::nullopt;
+        rgb = rgb << 4 | *digit;
+        // "#rgb" doubles each digit.
+        if (digits.size() == 3) rgb = rgb << 4 | *digit;
+    }
+    return rgb;
+}
+
+// rgb.txt rounds 2.55 · n, a product of binary fractions: gray50 is 127, not 128.
+std::uint32_t x11_gray(int percent) {
+    const auto code = static_cast<std::uint32_t>(2.55 * percent + 0.5);
+    return code << 16 | code << 8 | code;
+}
+
+std::optional<std::uint32_t> gray_percent(std::string_view name) {
+    if (!name.starts_with("gray") && !name.starts_with("grey")) return std::nullopt;
+    for (int percent = 0; percent <= 100; ++percent)
+        if (name.substr(4) == std::to_string(percent)) return x11_gray(percent);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::uint32_t> color_codes(std::string_view text) {
+    if (text.starts_with('#')) return hex_color(text.substr(1));
+    const std::string name = lower_case(text);
+    for (const NamedColor& color : css_colors())
+        if (color.name == name) return color.rgb;
+
+    if (name.empty()) return std::nullopt;
+    const std::string_view base = std::string_view(name).substr(0, name.size() - 1);
+    const char shade = name.back();
+    if (shade >= '1' && shade <= '4')
+        for (const ShadedColor& color : x11_shades())
+            if (color.name == base) return color.rgb[shade - '1'];
+    return gray_percent(name);
+}
+
+Vec3 linear_color(std::uint32_t rgb, ColorValues values) {
+    const auto linear = [&](int shift) {
+        const double value = static_cast<double>(rgb >> shift & 0xffu) / 255.0;
+        return values == ColorValues::srgb ? linear_from_srgb(value) : value;
+    };
+    return {linear(16), linear(8), linear(0)};
+}
+
+std::vector<std::string> color_names() {
+    std::vector<std::string> names;
+    for (const NamedColor& color : css_colors()) names.emplace_back(color.name);
+    for (const ShadedColor& color : x11_shades())
+        for (const char shade : {'1', '2', '3', '4'}) names.push_back(std::string(color.name) + shade);
+    return names;
+}
+
+} // namespace glint

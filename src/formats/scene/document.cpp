@@ -1,0 +1,237 @@
+// SceneDocument: finds where values stand, and keeps what was there.
+
+#include "glint/document.h"
+
+#include "formats/read_text.h"
+#include "formats/scene/document_edit.h"
+#include "glint/names.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+namespace glint {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string path_and(std::string_view path, std::string_view value) {
+    return std::string(path) + "=" + std::string(value);
+}
+
+/// The value as TOML writes it: as given, without a comment behind it, or as text in quotes.
+std::string as_toml(std::string_view given) {
+    const std::string_view value = trimmed(given);
+    const auto tree = parse_tree_value(value, {});
+    if (!tree) return scene_value(value);
+    return std::string(value.substr(0, SceneSource(value, {}, {}).offset(tree->end)));
+}
+
+/// A tree with what is needed to edit it.
+struct Parsed {
+    SceneSource source;
+    Problems problems;
+    TreeValue root;
+
+    Parsed(const std::string& text, const std::string& name, std::vector<Override> overrides)
+        : source(text, name, std::move(overrides)), problems(source), root(parse_tree(source)) {}
+    Parsed(const Parsed&) = delete;
+    Parsed& operator=(const Parsed&) = delete;
+};
+
+constexpr SourcePos first_override{1, 0, 0};
+
+/// The value at a path; null if there is none.
+const TreeValue* value_at(Parsed& parsed, std::string_view path) {
+    const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
+    const TreeEntry* entry = target.table ? target.table->find(target.key) : nullptr;
+    return entry ? &entry->value : nullptr;
+}
+
+bool is_number(const TreeValue& value) {
+    return value.kind == TreeValue::Kind::number || value.kind == TreeValue::Kind::integer;
+}
+
+fs::path folder_of(const std::string& file) { return fs::weakly_canonical(fs::absolute(file).parent_path()); }
+
+} // namespace
+
+SceneDocument::SceneDocument(std::string text, std::string name)
+    : name_(std::move(name)), text_(std::move(text)), saved_(text_) {
+    parse_tree(SceneSource(text_, name_, {}));
+}
+
+SceneDocument SceneDocument::open(const std::string& path, const LoadOptions& options) {
+    if (lower_extension(path) != ".ply") {
+        std::string text = read_text(path);
+        if (!looks_like_ply(text)) return {std::move(text), path == "-" ? stdin_name : path};
+        if (path == "-")
+            throw Error(ErrorKind::input, "a mesh from stdin has no scene file to edit", "name its file");
+    }
+    SceneDocument document = preview_document(load_scene(path, options).description, path);
+    document.saved_.reset();
+    return document;
+}
+
+std::optional<std::string> SceneDocument::value(std::string_view path) const {
+    Parsed parsed(text_, name_, {Override(path)});
+    const TreeValue* value = value_at(parsed, path);
+    return value ? std::optional(std::string(text_of(parsed.source, *value))) : std::nullopt;
+}
+
+std::vector<double> SceneDocument::numbers(std::string_view path) const {
+    Parsed parsed(text_, name_, {Override(path)});
+    const TreeValue* value = value_at(parsed, path);
+    if (!value) return {};
+    if (is_number(*value)) return {value->number};
+    if (!std::all_of(value->items.begin(), value->items.end(), is_number)) return {};
+    std::vector<double> all;
+    for (const TreeValue& item : value->items) all.push_back(item.number);
+    return all;
+}
+
+std::optional<std::string> SceneDocument::longer_list(std::string_view path, std::string_view value) const {
+    Parsed parsed(text_, name_, {Override(path)});
+    const TreeValue* list = value_at(parsed, path);
+    const std::string added(value);
+    if (!list) return "[" + added + "]";
+    std::string text(text_of(parsed.source, *list));
+    if (!text.starts_with('[') || text.starts_with("[[") || list->kind != TreeValue::Kind::list)
+        return std::nullopt;
+    if (list->items.empty()) return "[" + added + "]";
+    // Behind the last value, before what is said of it.
+    const std::size_t begin = parsed.source.offset(list->where);
+    return text.insert(parsed.source.offset(list->items.back().end) - begin, ", " + added);
+}
+
+std::vector<Override> SceneDocument::changes() const {
+    std::vector<Override> all;
+    for (const Edit& edit : edits_) all.push_back(path_and(edit.path, edit.value));
+    return all;
+}
+
+void SceneDocument::set(std::string_view path, std::string_view value) { set_all({path_and(path, value)}); }
+void SceneDocument::set(std::string_view path, double value) { set(path, scene_value(value)); }
+void SceneDocument::set(std::string_view path, const Vec3& value) { set(path, scene_value(value)); }
+void SceneDocument::set(std::string_view path, int value) { set(path, std::to_string(value)); }
+void SceneDocument::set(std::string_view path, bool value) { set(path, value ? "true" : "false"); }
+
+void SceneDocument::set_all(const std::vector<Override>& values) {
+    LoadOptions options;
+    options.overrides = values;
+    options.allow_outside = true; // whether files may be read is for those who read them
+    options.load_meshes = false;
+    parse_scene(text_, name_, options);
+
+    SceneDocument next = *this;
+    for (const Override& each : values) {
+        const std::size_t equals = each.find('=');
+        next.put(std::string_view(each).substr(0, equals), std::string_view(each).substr(equals + 1));
+    }
+    *this = std::move(next);
+}
+
+void SceneDocument::put(std::string_view path, std::string_view given) {
+    Parsed parsed(text_, name_, {path_and(path, given)});
+    const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
+    parsed.problems.throw_if_any();
+    std::string value = as_toml(given);
+    const TreeValue wanted = *parse_tree_value(value, first_override);
+    const TreeEntry* entry = target.table->find(target.key);
+    if (entry && same_value(entry->value, wanted)) return;
+
+    auto edit = std::find_if(edits_.begin(), edits_.end(),
+                             [&](const Edit& each) { return each.target == target.path; });
+    bool as_it_was = false;
+    if (edit != edits_.end() && edit->original) {
+        const auto original = parse_tree_value(*edit->original, first_override);
+        as_it_was = original && same_value(*original, wanted);
+    }
+    const TextEdit change = edit_for(parsed.source, parsed.root, target, as_it_was ? *edit->original : value);
+
+    // A value set back needs no edit; edits of its parts are overtaken in any case.
+    if (edit == edits_.end()) {
+        std::optional<std::string> original;
+        if (entry) original = text_of(parsed.source, entry->value);
+        edits_.push_back({std::string(path), target.path, std::move(value), std::move(original)});
+    } else
+        edit->value = std::move(value);
+    std::erase_if(edits_, [&](const Edit& each) {
+        return each.target.starts_with(target.path + ".") || (as_it_was && each.target == target.path);
+    });
+
+    const std::size_t mark = text_.size() - parsed.source.text().size(); // of the byte order
+    text_.replace(mark + change.begin, change.end - change.begin, change.text);
+}
+
+void SceneDocument::set_camera(const CameraDescription& camera) {
+    LoadOptions options;
+    options.load_meshes = false;
+    options.allow_outside = true;
+    const auto now = parse_scene(text_, name_, options).description.camera;
+    std::vector<Override> values;
+    const auto set_key = [&](const char* key, const std::string& value) {
+        values.push_back(path_and(std::string("camera.") + key, value));
+    };
+    if (!now || now->eye != camera.eye) set_key("eye", scene_value(camera.eye));
+    if (value("camera.direction")) {
+        if (now->direction != camera.direction) set_key("direction", scene_value(camera.direction));
+    } else if (!now || now->eye != camera.eye || now->direction != camera.direction)
+        set_key("look_at", scene_value(camera.eye + camera.direction));
+    const CameraDescription before = now.value_or(CameraDescription{});
+    if (before.up != camera.up) set_key("up", scene_value(camera.up));
+    if (before.fov != camera.fov) set_key("fov", scene_value(camera.fov));
+    if (before.fov_axis != camera.fov_axis) set_key("fov_axis", scene_value(name_of(camera.fov_axis)));
+    set_all(values);
+}
+
+void SceneDocument::rebase(std::string text) {
+    SceneDocument next(std::move(text), name_);
+    std::vector<Override> values;
+    for (const Edit& edit : edits_) values.push_back(path_and(edit.path, edit.value));
+    next.set_all(values);
+    *this = std::move(next);
+}
+
+void SceneDocument::save() {
+    if (name_ == stdin_name)
+        throw Error(ErrorKind::usage, "a scene from stdin has no file to be saved in", "name one");
+    std::error_code ignored;
+    if (fs::exists(name_, ignored)) {
+        if (!saved_)
+            throw Error(ErrorKind::output, "\"" + name_ + "\" exists", "save under another name",
+                        {name_, 0, 0, {}});
+        std::string found = read_text(name_);
+        if (found != *saved_) rebase(std::move(found));
+    }
+    write_file(name_, std::as_bytes(std::span(text_)));
+    saved_ = text_;
+    edits_.clear();
+}
+
+void SceneDocument::save_as(const std::string& path) {
+    SceneDocument next = *this;
+    const fs::path from = folder_of(name_), to = folder_of(path);
+    const Parsed parsed(text_, name_, {});
+    const TreeEntry* meshes = from == to ? nullptr : parsed.root.find("mesh");
+    for (std::size_t i = 0; meshes && i < meshes->value.items.size(); ++i) {
+        const TreeEntry* file = meshes->value.items[i].find("file");
+        if (!file || fs::path(file->value.text).is_absolute()) continue;
+        const fs::path seen = (from / file->value.text).lexically_normal().lexically_relative(to);
+        next.put("mesh." + std::to_string(i) + ".file", scene_value(seen.generic_string()));
+    }
+    write_file(path, std::as_bytes(std::span(next.text_)));
+    next.name_ = path;
+    next.saved_ = next.text_;
+    next.edits_.clear();
+    *this = std::move(next);
+}
+
+SceneDocument preview_document(SceneDescription scene, const std::string& mesh) {
+    const fs::path path(mesh);
+    for (Object& object : scene.objects)
+        if (auto* shape = std::get_if<MeshShape>(&object.shape)) shape->file = path.filename().string();
+    return {scene_text(scene), fs::path(path).replace_extension(".toml").string()};
+}
+
+} // namespace glint

@@ -1,0 +1,230 @@
+#include "formats/scene/key_path.h"
+
+#include "scene/text.h"
+
+#include <charconv>
+#include <optional>
+
+namespace glint {
+namespace {
+
+using Kind = TreeValue::Kind;
+
+constexpr std::string_view transform_part = ".transform.";
+
+// A name may stand between quotes, as in TOML.
+std::string_view unquoted(std::string_view name) {
+    const bool quotes =
+        name.size() >= 2 && (name.front() == '"' || name.front() == '\'') && name.back() == name.front();
+    return quotes ? name.substr(1, name.size() - 2) : name;
+}
+
+std::optional<std::size_t> number_of(std::string_view text) {
+    std::size_t number = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = !text.empty() && end.ec == std::errc{} && end.ptr == text.data() + text.size();
+    return whole ? std::optional(number) : std::nullopt;
+}
+
+/// "material.glass.index" in its parts; the name may hold dots.
+struct Path {
+    std::string_view table; ///< empty: a key of the top
+    std::string_view name;  ///< empty: none
+    std::string_view key;
+    bool has_name = false;
+};
+
+Path split_path(std::string_view text) {
+    const std::size_t first = text.find('.');
+    if (first == std::string_view::npos) return {{}, {}, trimmed(text), false};
+    const std::size_t last = text.rfind('.');
+    Path path{trimmed(text.substr(0, first)), {}, trimmed(text.substr(last + 1)), first != last};
+    if (path.has_name) path.name = trimmed(text.substr(first + 1, last - first - 1));
+    return path;
+}
+
+std::string example(std::string_view table) {
+    const TableSpec& spec = *find_table(table);
+    const std::string key(spec.keys.front().key);
+    return std::string(table) + (spec.form == TableForm::one ? "." : ".NAME.") + key + "=…";
+}
+
+std::vector<std::string> table_names() {
+    std::vector<std::string> names;
+    for (const TableSpec& spec : table_specs())
+        if (spec.form != TableForm::root && spec.form != TableForm::entry) names.emplace_back(spec.name);
+    return names;
+}
+
+class Finder {
+  public:
+    Finder(TreeValue& root, const SourcePos& where, Problems& problems)
+        : root_(root), problems_(problems), where_(where) {}
+
+    KeyTarget find(const Path& path) {
+        if (path.table.empty()) return find_top(path);
+        const TableSpec* spec = find_table(path.table);
+        if (!spec || spec->form == TableForm::entry)
+            return fail("unknown table " + in_quotes(path.table), suggest(path.table, table_names()));
+        return spec->form == TableForm::one ? find_one(path, *spec) : find_of_many(path, *spec);
+    }
+
+  private:
+    KeyTarget fail(std::string message, std::string hint) {
+        problems_.error(where_, std::move(message), std::move(hint));
+        return {};
+    }
+
+    static KeyTarget target(TreeValue& table, const TableSpec& spec, std::string_view key, std::string path) {
+        // A table that is none is reported by the reader.
+        if (table.kind != Kind::table) return {};
+        if (!path.empty()) path += '.';
+        return {&table, &spec, std::string(key), path + std::string(key)};
+    }
+
+    KeyTarget find_top(const Path& path) {
+        const TableSpec& top = *find_table("");
+        if (find_key(top, path.key, {})) return target(root_, top, path.key, "");
+        if (!path.key.empty() && find_table(path.key))
+            return fail(in_quotes(path.key) + " is a table, not a value",
+                        "name one of its keys: " + example(path.key));
+        auto names = key_names(top, {});
+        for (const std::string& name : table_names()) names.push_back(name);
+        return fail("unknown key " + in_quotes(path.key), suggest(path.key, names));
+    }
+
+    KeyTarget find_one(const Path& path, const TableSpec& spec) {
+        if (path.has_name)
+            return fail(spec.header() + " has no parts named " + in_quotes(unquoted(path.name)),
+                        "expected " + example(spec.name));
+        TreeEntry* entry = root_.find(spec.name);
+        if (!entry) {
+            // What the file left out is as if it stood there empty.
+            TreeValue empty;
+            empty.where = where_;
+            root_.entries.push_back({std::string(spec.name), where_, empty});
+            entry = &root_.entries.back();
+        }
+        return target(entry->value, spec, path.key, std::string(spec.name));
+    }
+
+    KeyTarget find_of_many(const Path& path, const TableSpec& spec) {
+        if (!path.has_name)
+            return fail("which " + in_quotes(spec.name) + "? the path names none",
+                        "expected " + example(spec.name));
+        std::string found_as;
+        if (TreeValue* found = part(spec, path.name, found_as))
+            return target(*found, spec, path.key, found_as);
+        const std::size_t split = spec.object ? path.name.rfind(transform_part) : std::string_view::npos;
+        if (split != std::string_view::npos)
+            if (TreeValue* object = part(spec, path.name.substr(0, split), found_as))
+                return find_transform(*object, path, split, found_as);
+        return report_missing(path, spec);
+    }
+
+    /// "mesh.cat.transform.0.angle"
+    KeyTarget find_transform(TreeValue& object, const Path& path, std::size_t split,
+                             const std::string& found_as) {
+        const std::string_view number = path.name.substr(split + transform_part.size());
+        TreeEntry* entry = object.find("transform");
+        const std::size_t count = entry ? entry->value.items.size() : 0;
+        const auto index = number_of(number);
+        if (!index || *index >= count)
+            return fail("no entry " + in_quotes(number) + " of the transform",
+                        count == 0 ? "the object has no transform"
+                                   : "it has " + std::to_string(count) + ", numbered from 0");
+        return target(entry->value.items[*index], *find_table("transform"), path.key,
+                      found_as + std::string(transform_part) + std::to_string(*index));
+    }
+
+    /// The table of that name or number; null if there is none. `found_as` becomes its path.
+    TreeValue* part(const TableSpec& spec, std::string_view written, std::string& found_as) {
+        TreeEntry* entry = root_.find(spec.name);
+        if (!entry) return nullptr;
+        const std::string_view name = unquoted(written);
+        found_as = std::string(spec.name) + ".";
+        if (spec.form == TableForm::named) {
+            TreeEntry* named = entry->value.find(name);
+            found_as += name;
+            return named ? &named->value : nullptr;
+        }
+        std::vector<TreeValue>& items = entry->value.items;
+        const auto index = index_of(items, name);
+        if (!index) return nullptr;
+        found_as += std::to_string(*index);
+        return &items[*index];
+    }
+
+    /// By its `name`, else by its number.
+    static std::optional<std::size_t> index_of(const std::vector<TreeValue>& items, std::string_view name) {
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const TreeEntry* entry = items[i].find("name");
+            if (entry && entry->value.kind == Kind::text && entry->value.text == name) return i;
+        }
+        const auto number = number_of(name);
+        return number && *number < items.size() ? number : std::nullopt;
+    }
+
+    KeyTarget report_missing(const Path& path, const TableSpec& spec) {
+        const TreeEntry* entry = root_.find(spec.name);
+        std::vector<std::string> names;
+        std::size_t count = 0;
+        if (entry) {
+            for (const TreeEntry& named : entry->value.entries) names.push_back(named.key);
+            for (const TreeValue& item : entry->value.items) {
+                const TreeEntry* name = item.find("name");
+                if (name && name->value.kind == Kind::text) names.push_back(name->value.text);
+            }
+            count = entry->value.items.size() + entry->value.entries.size();
+        }
+        const std::string_view wanted = unquoted(path.name);
+        std::string hint = problems_.suggestion(wanted, names);
+        if (hint.empty() && count == 0)
+            hint = "the scene has no " + std::string(spec.name);
+        else if (hint.empty() && spec.form == TableForm::list)
+            hint = "the scene has " + std::to_string(count) + ", numbered from 0";
+        else if (hint.empty())
+            hint = "the scene has " + listed(names);
+        return fail("no " + std::string(spec.name) + " " + in_quotes(wanted), std::move(hint));
+    }
+
+    std::string suggest(std::string_view word, const std::vector<std::string>& names) const {
+        const std::string hint = problems_.suggestion(word, names);
+        return hint.empty() ? "expected one of " + listed(names) : hint;
+    }
+
+    TreeValue& root_;
+    Problems& problems_;
+    SourcePos where_;
+};
+
+} // namespace
+
+std::string_view trimmed(std::string_view text) {
+    while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
+    while (text.ends_with(' ') || text.ends_with('\t')) text.remove_suffix(1);
+    return text;
+}
+
+KeyTarget find_target(TreeValue& root, std::string_view path, const SourcePos& where, Problems& problems) {
+    return Finder(root, where, problems).find(split_path(path));
+}
+
+void put_value(const KeyTarget& target, TreeValue value, const SourcePos& where) {
+    if (TreeEntry* entry = target.table->find(target.key)) {
+        entry->where = where;
+        entry->value = std::move(value);
+    } else
+        target.table->entries.push_back({target.key, where, std::move(value)});
+}
+
+TreeValue read_value(std::string_view text, const SourcePos& where) {
+    if (auto value = parse_tree_value(text, where)) return *std::move(value);
+    TreeValue bare;
+    bare.kind = Kind::text;
+    bare.text = text;
+    bare.where = where;
+    return bare;
+}
+
+} // namespace glint

@@ -1,0 +1,36 @@
+#pragma once
+// Key paths, "material.glass.index": how -D, documents and animations name one value of a scene.
+
+#include "formats/scene/key_table.h"
+#include "formats/scene/tree.h"
+
+#include <string>
+#include <string_view>
+
+namespace glint {
+
+/// Without blanks around it.
+std::string_view trimmed(std::string_view text);
+
+/// Where a key path leads.
+struct KeyTarget {
+    TreeValue* table = nullptr; ///< null: nowhere
+    const TableSpec* spec = nullptr;
+    std::string key;
+    std::string path; ///< the same for all paths that lead here: tables of lists by number
+};
+
+/// Finds the table that a path names, and makes an empty one where the scene lacks a table such as [camera].
+/// Paths name a key of the top ("color_values"), of a table ("whitted.max_depth"), of a table by name
+/// ("material.glass.index", "mesh.cat.file") or by its number within its type ("light.0.intensity"), and of
+/// an entry of a transform ("mesh.cat.transform.0.angle"). Reports a path that leads nowhere, at `where`;
+/// whether the table has such a key is for its reader to say.
+KeyTarget find_target(TreeValue& root, std::string_view path, const SourcePos& where, Problems& problems);
+
+/// Puts a value under the target's key. Key and value stand at `where` from now on.
+void put_value(const KeyTarget& target, TreeValue value, const SourcePos& where);
+
+/// The value as -D has it: TOML, else text. All places are `where`.
+TreeValue read_value(std::string_view text, const SourcePos& where);
+
+} // namespace glint

@@ -1,0 +1,84 @@
+#include "formats/scene/open_scene.h"
+
+#include "formats/read_text.h"
+#include "formats/scene/check.h"
+#include "formats/scene/key_path.h"
+#include "formats/scene/overrides.h"
+#include "scene/text.h"
+
+#include <algorithm>
+
+namespace glint {
+
+OpenScene::OpenScene(std::string text, std::string name, const LoadOptions& options)
+    : text_(std::move(text)), name_(std::move(name)), options_(options),
+      source_(text_, name_, options.overrides), tree_(parse_tree(source_)) {}
+
+ReadScene OpenScene::read(const TreeValue& root, Problems& problems, std::vector<Diagnostic>& warnings,
+                          std::vector<std::string>& files) const {
+    ReadScene scene = read_scene(root, problems);
+    check_scene(scene, problems);
+    const std::lock_guard lock(mutex_);
+    load_meshes(scene, {name_, options_.allow_outside, options_.load_meshes, options_}, problems, meshes_,
+                warnings, files);
+    check_mesh_extents(scene, problems);
+    problems.throw_if_any();
+    return scene;
+}
+
+LoadedScene OpenScene::load() {
+    Problems problems(source_);
+    // What does not move is read once.
+    TreeValue root = tree_.find("animate") ? tree_ : std::move(tree_);
+    apply_overrides(root, source_, problems);
+    tracks_ = read_tracks(root, problems);
+
+    LoadedScene loaded;
+    if (name_ != stdin_name) loaded.files.push_back(name_);
+    loaded.description = read(root, problems, loaded.warnings, loaded.files).description;
+    const auto own = problems.warnings();
+    loaded.warnings.insert(loaded.warnings.begin(), own.begin(), own.end());
+
+    // Who asks for frames later is not who waited now.
+    options_.cancel = nullptr;
+    options_.progress = nullptr;
+
+    loaded.animation.first = tracks_.first;
+    loaded.animation.last = tracks_.last;
+    loaded.animation.fps = tracks_.fps;
+    for (const Track& track : tracks_.tracks) {
+        loaded.animation.keys.push_back(track.path);
+        if (track.type != KeyType::file) continue;
+        for (const TreeValue& value : track.values) {
+            const std::string file = mesh_path(name_, value.text, value.where);
+            if (std::find(loaded.files.begin(), loaded.files.end(), file) == loaded.files.end())
+                loaded.files.push_back(file);
+        }
+    }
+    return loaded;
+}
+
+SceneDescription OpenScene::at(double frame) const {
+    Problems problems(source_);
+    TreeValue root = tree_;
+    for (const Track& track : tracks_.tracks) {
+        const KeyTarget target = find_target(root, track.path, track.where, problems);
+        if (!target.table) continue;
+        TreeValue value = value_at(track, frame);
+        const SourcePos where = value.where;
+        put_value(target, std::move(value), where);
+    }
+    apply_overrides(root, source_, problems);
+    std::vector<Diagnostic> warnings;
+    std::vector<std::string> files;
+    try {
+        return read(root, problems, warnings, files).description;
+    } catch (const Error& error) {
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        for (Diagnostic& diagnostic : diagnostics)
+            diagnostic.message = "frame " + show(frame) + ": " + diagnostic.message;
+        throw Error(error.kind(), std::move(diagnostics));
+    }
+}
+
+} // namespace glint

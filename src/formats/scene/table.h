@@ -1,0 +1,90 @@
+#pragma once
+// Reads one table of a scene file as its key table says.
+
+#include "formats/scene/colors.h"
+#include "formats/scene/key_table.h"
+#include "formats/scene/tree.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+/// What reading needs to know besides the table at hand.
+struct ReadContext {
+    Problems& problems;
+    ColorValues colors = ColorValues::srgb;
+    bool patch = false; ///< keys change values that exist already: none is required
+};
+
+/// One table while it is read. The constructor reports unknown and missing keys and keys that exclude each
+/// other; reading reports wrong types and ranges.
+class TableReader {
+  public:
+    /// `label` names the table in messages: "[[sphere]]". `type` is its selector's value, empty if unknown.
+    TableReader(const TreeValue& table, const TableSpec& spec, std::string label, std::string type,
+                const ReadContext& context);
+
+    bool has(std::string_view key) const { return table_.find(key) != nullptr; }
+    /// Position of the key's value, or of the table's header where the key is absent.
+    SourcePos position_of(std::string_view key) const;
+    SourcePos header() const { return table_.where; }
+    /// True while nothing was wrong with this table.
+    bool good() const { return good_; }
+
+    /// Sets the members that the keys of this type are bound to. Those of absent and wrong keys stay as they
+    /// are.
+    template <class T>
+    void read(T& target) {
+        read_members(KeyOwner(target));
+    }
+    /// The value of a key; none if it is absent or wrong.
+    std::optional<KeyValue> value(const KeySpec& key);
+    /// The list itself, for values that are read elsewhere; null where it is absent or no list.
+    const TreeValue* list(std::string_view key);
+
+    /// Reports what is wrong with this table beyond single values.
+    void error(const SourcePos& pos, std::string message, std::string hint = {});
+
+  private:
+    void check_known();
+    void check_required();
+    void read_members(const KeyOwner& owner);
+    void wrong_type(const KeySpec& key, const TreeValue& value, std::string_view expected);
+    bool check_number(const KeySpec& key, const TreeValue& value);
+    bool check_integer(const KeySpec& key, const TreeValue& value);
+    bool check_numbers(const KeySpec& key, const TreeValue& value, std::size_t count);
+
+    std::optional<KeyValue> parse(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> boolean(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> number_or_auto(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> choice(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> text(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> size(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> frame_range(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> integer_pair(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> vector(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> color(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> scale(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> vertices(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> matrix(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> transform(const KeySpec& key, const TreeValue& value);
+    std::optional<KeyValue> ascending(const KeySpec& key, const TreeValue& value);
+
+    const TreeValue& table_;
+    const TableSpec& spec_;
+    std::string label_;
+    std::string type_;
+    const ReadContext& context_;
+    bool good_ = true;
+};
+
+/// The value of a table's selector ("kind", "type"), reporting none; empty if absent or wrong.
+std::string selected_type(const TreeValue& table, const TableSpec& spec);
+
+/// The matrix of a list of transform entries, the first applied first.
+Mat4 read_transform(const TreeValue& list, const ReadContext& context);
+
+} // namespace glint

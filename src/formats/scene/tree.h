@@ -1,0 +1,124 @@
+#pragma once
+// The text of a scene file as a tree of values, each with its place; and the list of what is wrong with it.
+
+#include "glint/error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+/// Where a value was written: in the file (origin 0), or in the origin-th override (1, 2, …; no line).
+struct SourcePos {
+    int origin = 0;
+    int line = 0;
+    int column = 0; ///< in characters, not bytes, from 1
+
+    friend bool operator==(const SourcePos&, const SourcePos&) = default;
+    friend auto operator<=>(const SourcePos&, const SourcePos&) = default;
+};
+
+struct TreeEntry;
+
+/// A value of a scene file.
+struct TreeValue {
+    enum class Kind { boolean, integer, number, text, date, list, table };
+
+    Kind kind = Kind::table;
+    bool boolean = false;
+    std::int64_t integer = 0;
+    double number = 0; ///< of integers too
+    std::string text;
+    std::vector<TreeValue> items;   ///< of a list
+    std::vector<TreeEntry> entries; ///< of a table, in the order of the file
+    SourcePos where;
+    SourcePos end; ///< after the last character; of what is written as a value, not of tables under a header
+
+    /// The entry of a table; null if it has none of that name.
+    const TreeEntry* find(std::string_view key) const;
+    TreeEntry* find(std::string_view key);
+    /// "a boolean", "an integer", … for messages.
+    std::string_view kind_words() const;
+};
+
+struct TreeEntry {
+    std::string key;
+    SourcePos where; ///< of the key
+    TreeValue value;
+};
+
+/// A scene's text and overrides: turns places into locations and excerpts.
+class SceneSource {
+  public:
+    /// A byte order mark at the start of the text is passed over. The text must outlive this, and be below 4
+    /// GiB.
+    SceneSource(std::string_view text, std::string name, std::vector<std::string> overrides);
+
+    const std::string& name() const { return name_; }
+    std::string_view text() const { return text_; }
+    const std::vector<std::string>& overrides() const { return overrides_; }
+
+    /// The place in bytes; an override's location has its own text as the file.
+    Location locate(const SourcePos& pos) const;
+    /// The byte of text() at a place of the file.
+    std::size_t offset(const SourcePos& pos) const;
+    /// The line of the place, made fit for showing; empty where there is none or it is too long.
+    std::string excerpt(const SourcePos& pos) const;
+
+  private:
+    std::string_view line(int number) const;
+    std::size_t byte_of(const SourcePos& pos) const;
+
+    std::string_view text_;
+    std::string name_;
+    std::vector<std::string> overrides_;
+    std::vector<std::size_t> line_starts_;
+    std::vector<std::uint32_t> continuations_; ///< offsets of the bytes that do not start a character
+};
+
+/// What is wrong with a scene, gathered so that everything is reported at once.
+class Problems {
+  public:
+    explicit Problems(const SceneSource& source) : source_(source) {}
+
+    void error(const SourcePos& pos, std::string message, std::string hint = {});
+    /// A problem of another file that is named at this place.
+    void error_elsewhere(const SourcePos& named_at, Diagnostic diagnostic);
+    void warning(const SourcePos& pos, std::string message, std::string hint = {});
+    /// did_you_mean(), or nothing once so much is wrong that searching on would take long.
+    std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) const;
+
+    Location locate(const SourcePos& pos) const { return source_.locate(pos); }
+    bool any_error() const { return !errors_.empty(); }
+    /// Throws Error(input) with all errors in the order of their places, if there is one.
+    void throw_if_any() const;
+    /// The warnings, in the order of their places.
+    std::vector<Diagnostic> warnings() const;
+
+  private:
+    struct Problem {
+        SourcePos pos;
+        Diagnostic diagnostic;
+    };
+    void add(std::vector<Problem>& list, Severity severity, const SourcePos& pos, std::string message,
+             std::string hint) const;
+    static std::vector<Diagnostic> in_order(std::vector<Problem> list);
+
+    const SceneSource& source_;
+    std::vector<Problem> errors_;
+    std::vector<Problem> warnings_;
+    std::size_t unlisted_ = 0;
+};
+
+/// The tree of a TOML document. Throws Error(input) at its first syntax error.
+TreeValue parse_tree(const SceneSource& source);
+
+/// The tree of one TOML value, as written after a key; none if it is not one. All places are `where`, but
+/// the value's end, which is in the text: a comment may follow.
+std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos& where);
+
+} // namespace glint

@@ -1,0 +1,230 @@
+#include "scene/build_scene.h"
+
+#include "math/trig.h"
+#include "scene/bake.h"
+#include "scene/validate.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace glint {
+
+using trace::Hit;
+using trace::PrimKind;
+using trace::World;
+using trace::WorldInput;
+using trace::WorldStats;
+namespace {
+
+MaterialRecord material_record(const Material& m) {
+    MaterialRecord f{};
+    f.color = vec3(m.color);
+    f.emission = vec3(m.emission);
+    f.absorption = vec3(m.absorption);
+    f.ambient = static_cast<float>(m.ambient);
+    f.diffuse = static_cast<float>(m.diffuse);
+    f.highlight = static_cast<float>(m.highlight);
+    f.shininess = static_cast<float>(m.shininess);
+    f.reflectivity = static_cast<float>(m.reflectivity);
+    f.transparency = static_cast<float>(m.transparency);
+    f.index = static_cast<float>(m.index);
+    if (m.fresnel) f.flags |= material_fresnel;
+    return f;
+}
+
+LightRecord light_record(const PointLight& l) {
+    LightRecord f{};
+    f.kind = light_point;
+    f.position = vec3(l.position);
+    f.strength = vec3(l.color * l.intensity);
+    return f;
+}
+
+LightRecord light_record(const DirectionalLight& l) {
+    LightRecord f{};
+    f.kind = light_directional;
+    f.direction = vec3(glm::normalize(l.direction));
+    f.strength = vec3(l.color * l.irradiance);
+    return f;
+}
+
+LightRecord light_record(const SpotLight& l) {
+    LightRecord f{};
+    f.kind = light_spot;
+    f.position = vec3(l.position);
+    f.direction = vec3(glm::normalize(l.direction));
+    f.strength = vec3(l.color * l.intensity);
+    f.cos_outer = static_cast<float>(cos_degrees(l.angle));
+    f.cos_inner = static_cast<float>(cos_degrees(l.angle * (1 - l.blend)));
+    return f;
+}
+
+void build_lights(SceneData& scene) {
+    dvec3 ambient(0);
+    scene.lights.clear();
+    for (const Light& light : scene.description.lights) {
+        if (const auto* a = std::get_if<AmbientLight>(&light.kind)) ambient += a->color;
+        if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(light_record(*p));
+        if (const auto* d = std::get_if<DirectionalLight>(&light.kind))
+            scene.lights.push_back(light_record(*d));
+        if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(light_record(*s));
+    }
+    scene.ambient = vec3(ambient);
+}
+
+// Counts the crossings of each object along one ray; false if one is so near an edge that parity may lie.
+bool count_crossings(const SceneData& scene, const Ray& ray, std::vector<int>& counts) {
+    std::vector<Hit> hits;
+    scene.world.all_hits(ray, hits);
+    bool sure = true;
+    for (const Hit& hit : hits) {
+        if (hit.on_edge) sure = false;
+        if (hit.kind != PrimKind::plane) ++counts[hit.object];
+    }
+    return sure;
+}
+
+} // namespace
+
+bool shows_glass(const SceneDescription& description) {
+    return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
+        return object.visible && material_of(description, object)->transparency > 0;
+    });
+}
+
+void build_values(SceneData& scene) {
+    const SceneDescription& description = scene.description;
+    scene.all_but_view = std::make_shared<int>();
+    scene.any_transparent = shows_glass(description);
+    scene.materials.clear();
+    for (const Material& m : description.materials) scene.materials.push_back(material_record(m));
+    build_lights(scene);
+    scene.background = vec3(description.render.background);
+    scene.index_outside = static_cast<float>(description.whitted.index);
+}
+
+void find_camera_interiors(SceneData& scene) {
+    scene.camera_interiors.clear();
+    if (!scene.any_transparent) return;
+    for (const std::uint32_t id : objects_around(scene, vec3(scene.description.camera->eye)))
+        if (scene.materials[scene.objects[id].material].transparency > 0)
+            scene.camera_interiors.push_back(id);
+    std::sort(
+        scene.camera_interiors.begin(), scene.camera_interiors.end(),
+        [&](std::uint32_t a, std::uint32_t b) { return scene.objects[a].rank < scene.objects[b].rank; });
+}
+
+std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& point) {
+    // Directions without meaning to any scene; the first that meets no edge decides.
+    constexpr int tries = 8;
+    std::vector<int> counts;
+    for (int i = 0; i < tries; ++i) {
+        const float k = static_cast<float>(i);
+        counts.assign(scene.objects.size(), 0);
+        Ray ray;
+        ray.origin = point;
+        ray.direction = vec3(0.5377f + 0.0713f * k, 0.2917f - 0.1291f * k, 0.7825f - 0.0519f * k);
+        if (count_crossings(scene, ray, counts)) break;
+    }
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
+        if (counts[id] % 2 != 0) around.push_back(id);
+    return around;
+}
+
+std::vector<std::uint32_t> objects_around(const SceneData& scene, const vec3& point) {
+    std::vector<std::uint32_t> around = surfaces_around(scene, point);
+    std::erase_if(around, [&](std::uint32_t id) { return !scene.objects[id].solid; });
+    for (const HalfSpace& half : scene.half_spaces)
+        if (glm::dot(half.plane.normal, dvec3(point)) < half.plane.offset) around.push_back(half.object);
+    return around;
+}
+
+namespace {
+
+/// A better tree is worth its time where many rays will use it. Architecture gains as much in 20 to 270 rays
+/// a triangle, by their kind, as the better tree costs; scans gain nothing (docs/performance.md).
+BuildQuality quality_for(const SceneDescription& description, const WorldInput& input) {
+    constexpr double rays_a_triangle = 200;
+    double triangles = 0;
+    for (const auto& mesh : input.meshes) triangles += static_cast<double>(mesh.triangles.size());
+    for (const auto& mesh : input.shared_meshes) triangles += static_cast<double>(mesh.triangles->size());
+    const RenderSettings& r = description.render;
+    const double samples = double(r.width) * double(r.height) * double(r.spp);
+    const double rays = samples * (1.0 + static_cast<double>(description.lights.size()));
+    return rays < rays_a_triangle * triangles ? BuildQuality::fast : BuildQuality::high;
+}
+
+void check_cancel(const BuildSceneOptions& options) {
+    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) throw TasksCancelled();
+}
+
+void tell(const BuildSceneOptions& options, const char* activity, double fraction) {
+    check_cancel(options);
+    if (options.progress) options.progress({activity, fraction});
+}
+
+std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
+                                           const BuildSceneOptions& options) {
+    tell(options, "checking the scene", 0);
+    std::vector<Diagnostic> errors = find_errors(description);
+    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
+    auto scene = std::make_shared<SceneData>();
+    scene->description = description;
+    if (!description.camera) scene->description.camera = fit_camera(description);
+    build_values(*scene);
+
+    tell(options, "placing the objects", 0);
+    scene->solids_known = scene->any_transparent || options.find_solids;
+    Baked baked = bake(description, scene->solids_known, [&] { check_cancel(options); });
+    scene->objects = std::move(baked.objects);
+    scene->attributes = std::move(baked.attributes);
+    scene->normal_matrices = std::move(baked.normal_matrices);
+    for (const WorldInput::Plane& plane : baked.input.planes)
+        if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
+
+    tell(options, "building the trees", 0);
+    TaskPool pool(options.threads, options.cancel);
+    baked.input.quality = quality_for(description, baked.input);
+    scene->world = World(std::move(baked.input), pool);
+    tell(options, "building the trees", 1);
+    find_camera_interiors(*scene);
+    return scene;
+}
+
+} // namespace
+
+Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options) {
+    try {
+        return Scene(make_scene_data(description, options));
+    } catch (const TasksCancelled&) {
+        throw Error(ErrorKind::cancelled, "freezing the scene was cancelled");
+    }
+}
+
+SceneStats Scene::stats() const {
+    const WorldStats world = data_->world.stats();
+    const Bounds bounds = data_->world.bounds();
+    SceneStats stats;
+    stats.objects = data_->objects.size();
+    stats.triangles = world.triangles;
+    for (std::size_t kind = 0; kind < quadric_names.size(); ++kind)
+        stats.quadrics.push_back({quadric_names[kind], world.quadrics[kind]});
+    stats.planes = world.planes;
+    stats.lights = data_->description.lights.size();
+    stats.tree_nodes = world.nodes;
+    stats.tree_depth = world.depth;
+    if (world.triangles > 0) stats.tree_quality = world.quality == BuildQuality::fast ? "fast" : "high";
+    stats.bytes = world.bytes;
+    stats.bounds_min = Vec3(bounds.lo);
+    stats.bounds_max = Vec3(bounds.hi);
+    return stats;
+}
+
+const SceneDescription& Scene::description() const { return data_->description; }
+
+const CameraDescription& Scene::camera() const { return *data_->description.camera; }
+
+const RenderSettings& Scene::render_settings() const { return data_->description.render; }
+
+} // namespace glint

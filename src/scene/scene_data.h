@@ -1,0 +1,83 @@
+#pragma once
+// What a Scene holds: single precision, resolved names, trees. Made by freeze.cpp, read by render/.
+
+#include "geometry/surface.shared.h"
+#include "glint/scene.h"
+#include "math/vec.h"
+#include "shading/records.shared.h"
+#include "trace/world/world.h"
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace glint {
+
+/// What shading needs of a mesh beside its triangles, once for all its instances.
+struct MeshAttributes {
+    /// Per vertex; null where there is nothing to interpolate. In world space and unit, unless the object has
+    /// a normal matrix: then of any length, in the mesh's space.
+    std::shared_ptr<const std::vector<vec3>> normals;
+    std::shared_ptr<const Mesh> mesh; ///< for indices and colours
+    bool colored = false;
+};
+
+inline constexpr std::int32_t no_attributes = -1;
+inline constexpr std::int32_t no_normal_matrix = -1;
+
+/// Parallel to SceneDescription::objects.
+struct ObjectData {
+    std::uint32_t material = 0;
+    std::uint32_t rank = 0;     ///< of overlapping solids the one of higher rank owns the space
+    bool solid = false;         ///< closed: has an inside
+    bool lit_as_stored = false; ///< lights find its normals as its winding has them
+    bool turned = false;        ///< its normals are turned against the winding
+    Bounds bounds;              ///< world space; empty for planes and invisible objects
+    std::int32_t attributes = no_attributes;
+    std::int32_t normal_matrix = no_normal_matrix; ///< index into SceneData::normal_matrices
+};
+
+/// A solid plane: what lies behind its normal is inside.
+struct HalfSpace {
+    std::uint32_t object = 0;
+    trace::WorldInput::Plane plane;
+};
+
+struct SceneData {
+    SceneDescription description; ///< as given, with its camera filled in
+    /// Scenes that with_view() made of each other have the same; all else is equal in them.
+    std::shared_ptr<const int> all_but_view;
+    trace::World world;
+    std::vector<MaterialRecord> materials;
+    std::vector<ObjectData> objects;
+    std::vector<MeshAttributes> attributes;
+    std::vector<dmat3> normal_matrices; ///< of instances, from the mesh's space to the world
+    std::vector<LightRecord> lights;    ///< all but ambient, in the order of the file
+    vec3 ambient{0.0f};                 ///< sum of the ambient lights
+    vec3 background{0.0f};
+    float index_outside = 1;
+    bool any_transparent = false;
+    bool solids_known = false; ///< ObjectData::solid holds for meshes too
+    std::vector<HalfSpace> half_spaces;
+    std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first
+};
+
+/// The settings as the steps of shading/whitted_steps.shared.h take them.
+inline WhittedModes whitted_modes(const WhittedSettings& settings) {
+    WhittedModes modes{};
+    modes.opaque_shadows = settings.shadows == Shadows::opaque ? 1 : 0;
+    modes.clamp = settings.clamp ? 1 : 0;
+    modes.balanced = settings.energy == Energy::balanced ? 1 : 0;
+    modes.highlight = settings.highlight_model == HighlightModel::phong ? highlight_phong : highlight_blinn;
+    return modes;
+}
+
+/// The objects whose surfaces a ray from the point crosses an odd number of times: what is around it, if
+/// closed. Planes do not count.
+std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& point);
+
+/// The objects with an inside that contain a point, judged by the parity of crossings. Solid planes included.
+std::vector<std::uint32_t> objects_around(const SceneData& scene, const vec3& point);
+
+} // namespace glint

@@ -1,0 +1,66 @@
+// A scene again with other materials, lights, settings or another camera, over the same trees.
+
+#include "scene/build_scene.h"
+#include "scene/validate.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace glint {
+namespace {
+
+/// Do the objects make the same trees? Names count, since instances go by them.
+bool same_object(const Object& a, const Object& b) {
+    return a.name == b.name && a.visible == b.visible && a.priority == b.priority &&
+           a.transform == b.transform && a.shape == b.shape;
+}
+
+bool same_objects(const std::vector<Object>& a, const std::vector<Object>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_object);
+}
+
+void throw_if_any(std::vector<Diagnostic> errors) {
+    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
+}
+
+void build_materials_of_objects(SceneData& scene) {
+    const SceneDescription& description = scene.description;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Material* material = material_of(description, description.objects[i]);
+        scene.objects[i].material = static_cast<std::uint32_t>(material - description.materials.data());
+    }
+}
+
+} // namespace
+
+Scene update_scene(const Scene& scene, const SceneDescription& description,
+                   const BuildSceneOptions& options) {
+    if (!same_objects(scene.description().objects, description.objects))
+        return build_scene(description, options);
+    throw_if_any(find_errors(description, Shapes::checked));
+    if (shows_glass(description) && !scene.data().solids_known) return build_scene(description, options);
+
+    auto scene_data = std::make_shared<SceneData>(scene.data());
+    scene_data->description = description;
+    if (!description.camera) scene_data->description.camera = fit_camera(description);
+    build_values(*scene_data);
+    build_materials_of_objects(*scene_data);
+    find_camera_interiors(*scene_data);
+    return Scene(std::move(scene_data));
+}
+
+Scene with_view(const Scene& scene, const CameraDescription& camera, int width, int height) {
+    SceneDescription view;
+    view.camera = camera;
+    view.render.width = width;
+    view.render.height = height;
+    throw_if_any(find_errors(view));
+    auto scene_data = std::make_shared<SceneData>(scene.data());
+    scene_data->description.camera = camera;
+    scene_data->description.render.width = width;
+    scene_data->description.render.height = height;
+    find_camera_interiors(*scene_data);
+    return Scene(std::move(scene_data));
+}
+
+} // namespace glint

@@ -1,0 +1,83 @@
+#pragma once
+// Scalar traversal of a MeshTree with a callback for leaves, for queries that the kernels do not offer and as
+// their reference. Private to this room.
+
+#include "bvh/traverse.h"
+#include "geometry/triangle.h"
+#include "math/offset.shared.h"
+#include "trace/mesh/tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace glint::trace {
+
+using bvh::BoxRay;
+using bvh::IgnoredNode;
+
+/// The largest float below tmax: the condition t < tmax is tested as t <= limit.
+inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
+
+/// The vertices and the index of triangle i of a leaf.
+inline TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::uint32_t i,
+                                      std::uint32_t& number) {
+    const std::uint32_t* words = tree.leaf_words.data() + leaf.word();
+    const std::uint32_t n = leaf.vertices();
+    const std::uint32_t corners = words[i / 2] >> (16 * (i % 2));
+    TriangleVertices vertices;
+    for (std::uint32_t k = 0; k < 3; ++k)
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            vertices[k][axis] = std::bit_cast<float>(words[4 + axis * n + (corners >> (3 * k) & 7u)]);
+    number = words[4 + 3 * n + i];
+    return vertices;
+}
+
+/// Where the ray enters a child's box within [tmin, limit]; infinite if it misses.
+inline float entry_of(const WideNode& node, int child, const BoxRay& ray, float tmin, float limit) {
+    float entry = tmin;
+    float exit = limit;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float one = (node.lo[axis][child] - ray.origin[axis] - ray.pad) * ray.inverse[axis];
+        const float other = (node.hi[axis][child] - ray.origin[axis] + ray.pad) * ray.inverse[axis];
+        entry = std::max(entry, std::min(one, other));
+        exit = std::min(exit, std::max(one, other));
+    }
+    return entry <= exit ? entry : std::numeric_limits<float>::infinity();
+}
+
+/// Calls leaf(LeafCode) for every leaf whose box meets the ray in [tmin, limit], both inclusive, nearest
+/// child first. `leaf` may lower `limit`; it ends the traversal by returning true. The ray must be finite
+/// with a non-zero direction. `node` is called for every node whose boxes are tested.
+template <class Leaf, class Node = IgnoredNode>
+void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, Leaf&& leaf, Node node = {}) {
+    struct Entry {
+        std::uint32_t code;
+        float t;
+    };
+    if (tree.nodes.empty()) return;
+    const BoxRay box_ray(ray, tree.bounds);
+    Entry stack[wide_children * (max_tree_depth + 1)];
+    std::size_t size = 0;
+    stack[size++] = {0, tmin};
+    while (size > 0) {
+        const Entry at = stack[--size];
+        if (at.t > limit) continue;
+        if ((at.code & leaf_bit) != 0) {
+            if (leaf(LeafCode{at.code})) return;
+            continue;
+        }
+        const WideNode& boxes = tree.nodes[at.code];
+        node();
+        const std::size_t base = size;
+        for (int child = 0; child < wide_children; ++child) {
+            const float t = entry_of(boxes, child, box_ray, tmin, limit);
+            if (boxes.child[child] == invalid_index || !(t <= limit)) continue;
+            std::size_t slot = size++;
+            for (; slot > base && stack[slot - 1].t < t; --slot) stack[slot] = stack[slot - 1];
+            stack[slot] = {boxes.child[child], t};
+        }
+    }
+}
+
+} // namespace glint::trace

@@ -1,0 +1,36 @@
+#pragma once
+// Function tables of the kernels for each SIMD target. Private to this room.
+
+#include "glint/kernels.h"
+#include "trace/mesh/tree.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glint::trace {
+
+/// How a batch is traced: as coherent packets or as streams filtered ray by ray.
+enum class BatchForm : std::uint8_t { packets, streams };
+
+/// Pointers are null if the target was not compiled.
+struct BatchKernels {
+    void (*closest)(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
+                    BatchForm form);
+    void (*occluded)(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked, std::size_t count,
+                     BatchForm form);
+};
+struct SingleKernels {
+    TriangleRecord (*closest)(const MeshTree& tree, const Ray& ray);
+    bool (*occluded)(const MeshTree& tree, const Ray& ray);
+};
+
+/// Plain, SSE4, AVX2, AVX-512, in this order.
+inline constexpr std::size_t kernel_targets = 4;
+extern const std::array<BatchKernels, kernel_targets> batch_kernels;
+extern const std::array<SingleKernels, kernel_targets> single_kernels;
+
+/// Row of a target in these tables. Throws std::invalid_argument if the machine lacks the target.
+std::size_t row_of(SimdTarget target);
+
+} // namespace glint::trace

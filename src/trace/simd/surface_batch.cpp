@@ -1,0 +1,361 @@
+// Planes and quadrics for every SIMD target: one shape at a time, as many rays at once as doubles fit into a
+// vector.
+
+#include "trace/simd/surface_batch.h"
+#include "trace/simd/flags.h"
+#include "trace/world/packet_bounds.h"
+
+#include <cstring>
+#include <limits>
+
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/simd/surface_batch.cpp"
+#include <hwy/foreach_target.h> // IWYU pragma: keep
+
+#include <hwy/highway.h>
+
+#include "trace/simd/surface_rays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint::trace {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Rays against boxes that lie within `bounds`, with the slack that bvh/traverse.h derives, and `more` times
+/// the origin's largest |coordinate|.
+class BoxRays {
+  public:
+    HWY_INLINE BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
+        : origin_(rays.line.origin), tmin_(rays.tmin) {
+        const Vec& d = rays.line.direction;
+        const real64 least = largest(d) * 1e-18;
+        const auto inverse = [&](real64 along) {
+            return real64(1.0) / hn::CopySign(greater(abs(along), least).v, along.v);
+        };
+        inverse_ = {inverse(d.x), inverse(d.y), inverse(d.z)};
+        const real64 reach = largest(origin_);
+        const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
+        pad_ = (reach + double(std::max({far.x, far.y, far.z}))) * 0x1p-20;
+        pad_ = pad_ + reach * double(more);
+    }
+
+    /// Which rays may meet the box between their tmin and `limit`; `enter` says where.
+    HWY_INLINE truth meet(const vec3& lo, const vec3& hi, real64 limit, real64& enter) const {
+        real64 leave = limit;
+        enter = tmin_;
+        slab(origin_.x, inverse_.x, lo.x, hi.x, enter, leave);
+        slab(origin_.y, inverse_.y, lo.y, hi.y, enter, leave);
+        slab(origin_.z, inverse_.z, lo.z, hi.z, enter, leave);
+        return enter <= leave;
+    }
+
+  private:
+    HWY_INLINE void slab(real64 from, real64 inverse, float lo, float hi, real64& enter,
+                         real64& leave) const {
+        const real64 one = (real64(double(lo)) - pad_ - from) * inverse;
+        const real64 other = (real64(double(hi)) + pad_ - from) * inverse;
+        enter = greater(enter, lesser(one, other));
+        leave = lesser(leave, greater(one, other));
+    }
+
+    Vec origin_, inverse_;
+    real64 tmin_, pad_;
+};
+
+truth in_special(const WorldData& world, const Quadric& quadric, const Lines& line, SolidSpan& span) {
+    if (quadric.affine < 0) return line_in_quadric(quadric.shape, line.origin, line.direction, span);
+    const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
+    return line_in_quadric(quadric.shape, transformed(affine.inverse, line.origin - affine.translation),
+                           transformed(affine.inverse, line.direction), span);
+}
+
+/// Which lines pass through a quadric, and where. Most are plain spheres: they need no call.
+HWY_INLINE truth in_quadric(const WorldData& world, const Quadric& quadric, const Lines& line,
+                            SolidSpan& span) {
+    if (quadric.shape.kind == quadric_sphere && quadric.affine < 0)
+        return line_in_ball(line.origin - quadric.shape.base, line.direction, quadric.shape.radius,
+                            span.enter, span.leave);
+    return in_special(world, quadric, line, span);
+}
+
+/// Does a hit at `exact` count, its t rounded to float?
+HWY_INLINE truth takes(const Rays& rays, truth met, real64 exact, real64 near) {
+    return met && exact > rays.tmin && near < rays.tmax;
+}
+
+/// Keeps the least (t, root) of each ray.
+struct Least {
+    const Rays& rays;
+    real64 t = infinity;
+    real64 root = 0.0;
+
+    HWY_INLINE void add(truth met, real64 exact, double number) {
+        const real64 near = rounded(exact);
+        const truth closer = near < t || (near == t && number < root);
+        const truth better = takes(rays, met, exact, near) && closer;
+        t = pick(better, near, t);
+        root = pick(better, number, root);
+    }
+    bool done() const { return false; }
+    real64 limit() const { return lesser(t, rays.tmax); } ///< beyond it nothing counts
+};
+
+/// Finds which rays meet anything.
+struct AnyHit {
+    const Rays& rays;
+    truth found = hn::FirstN(dd, 0);
+
+    HWY_INLINE void add(truth met, real64 exact, double) {
+        found = found || takes(rays, met, exact, rounded(exact));
+    }
+    bool done() const { return all_lanes(found); }
+    real64 limit() const { return pick(found, -infinity, rays.tmax); }
+};
+
+template <class Sink>
+HWY_INLINE void meet_plane(const PlanePrim& numbered, const Lines& line, Sink& sink) {
+    real64 t;
+    const truth met =
+        line_meets_plane(line.origin, line.direction, numbered.plane.normal, numbered.plane.offset, t);
+    sink.add(met, t, 2.0 * numbered.surface);
+}
+
+template <class Sink>
+HWY_INLINE void meet_quadric(const WorldData& world, const Quadric& quadric, const Lines& line, Sink& sink) {
+    SolidSpan span;
+    const truth met = in_quadric(world, quadric, line, span);
+    if (!any_lane(met)) return;
+    sink.add(met, span.enter, 2.0 * quadric.surface);
+    sink.add(met, span.leave, 2.0 * quadric.surface + 1.0);
+}
+
+/// The quadrics whose boxes any of the rays meets, roughly nearest first: neighbours go nearly the same way.
+template <class Sink>
+void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
+    const Tree& tree = world.quadric_tree;
+    const BoxRays boxes(rays, tree.bounds);
+    TreeRef stack[max_tree_depth + 1];
+    std::size_t size = 0;
+    stack[size++] = tree.root;
+    while (size > 0 && !sink.done()) {
+        const TreeRef at = stack[--size];
+        if (at.count > 0) {
+            for (std::size_t i = at.first; i < at.first + at.count && !sink.done(); ++i)
+                meet_quadric(world, world.quadrics[i], rays.line, sink);
+            continue;
+        }
+        const TreeNode& node = tree.nodes[at.first];
+        real64 enter[2];
+        bool met[2];
+        for (int k = 0; k < 2; ++k)
+            met[k] = any_lane(boxes.meet(vec3(node.lo[0][k], node.lo[1][k], node.lo[2][k]),
+                                         vec3(node.hi[0][k], node.hi[1][k], node.hi[2][k]), sink.limit(),
+                                         enter[k]));
+        // What the first ray meets first is looked at first.
+        const int near = hn::GetLane(enter[1].v) < hn::GetLane(enter[0].v) ? 1 : 0;
+        for (const int k : {1 - near, near})
+            if (met[k]) stack[size++] = node.child[k];
+    }
+}
+
+/// The planes ahead, and what quadrics lie in the way of one vector of rays.
+template <class Sink>
+HWY_INLINE void meet_all(const WorldData& world, const CullMask& cull_mask, const Rays& rays, Sink& sink) {
+    if (cull_mask.planes != 0)
+        for (std::size_t i = 0; i < world.planes.size(); ++i)
+            if (CullMask::has(cull_mask.planes, i)) meet_plane(world.planes[i], rays.line, sink);
+    if (cull_mask.quadrics == 0) return;
+    if (world.quadrics.size() > few_quadrics) return meet_tree(world, rays, sink);
+    for (std::size_t i = 0; i < world.quadrics.size() && !sink.done(); ++i)
+        if (CullMask::has(cull_mask.quadrics, i)) meet_quadric(world, world.quadrics[i], rays.line, sink);
+}
+
+std::uint32_t bits_of(truth mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(dd, mask.m, bits);
+    return bits[0];
+}
+
+HWY_INLINE std::uint32_t packet_meets_mesh(const CullMask& cull_mask, const TriangleBounds& bounds,
+                                           const Rays& rays, real64 limit) {
+    if (!cull_mask.triangles) return 0u;
+    real64 enter;
+    return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box.lo, bounds.box.hi, limit, enter));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+template <bool ends>
+RayBoxes boxes_of(const Ray* rays, std::size_t count) {
+    RayBoxes boxes;
+    std::for_each(rays, rays + count, [&](const Ray& ray) { boxes.add(ray); });
+    return boxes;
+}
+#else
+/// The least and the greatest of each lane.
+struct Extremes {
+    Halves lo, hi;
+
+    HWY_INLINE Extremes() {
+        lo = hn::Set(halves, std::numeric_limits<float>::infinity());
+        hi = hn::Neg(lo);
+    }
+    HWY_INLINE void grow(Halves x) {
+        lo = hn::Min(x, lo);
+        hi = hn::Max(x, hi);
+    }
+    HWY_INLINE void grow(hn::Mask<decltype(halves)> where, Halves x) {
+        lo = hn::Min(hn::IfThenElse(where, x, lo), lo);
+        hi = hn::Max(hn::IfThenElse(where, x, hi), hi);
+    }
+    /// What the even lanes, or the odd ones, have found.
+    void give(std::size_t odd, int axis, SimdBounds& box) const {
+        alignas(64) float least[hn::MaxLanes(halves)], max_of[hn::MaxLanes(halves)];
+        hn::Store(lo, halves, least);
+        hn::Store(hi, halves, max_of);
+        float a = least[odd];
+        float b = max_of[odd];
+        for (std::size_t k = odd; k < hn::MaxLanes(halves); k += 2) {
+            a = std::min(least[k], a);
+            b = std::max(max_of[k], b);
+        }
+        box.lo[axis] = a;
+        box.hi[axis] = b;
+    }
+};
+
+/// Origins in the even lanes, directions in the odd ones, as LoadedRays finds them.
+template <bool ends>
+RayBoxes boxes_of(const Ray* rays, std::size_t count) {
+    Extremes all[4], last[3];
+    for_vectors(rays, count, [&](std::size_t, std::size_t, const Ray* some) {
+        Halves of[4];
+        hn::LoadInterleaved4(halves, &some->origin.x, of[0], of[1], of[2], of[3]);
+        const Halves tmax = hn::DupOdd(of[3]);
+        const auto live = hn::Lt(hn::DupEven(of[3]), tmax);
+        const bool whole = hn::AllTrue(halves, live);
+        for (std::size_t i = 0; i < 4; ++i) whole ? all[i].grow(of[i]) : all[i].grow(live, of[i]);
+        for (std::size_t i = 0; ends && i < 3; ++i) {
+            const Halves end = hn::Add(of[i], hn::Mul(hn::DupOdd(of[i]), tmax));
+            whole ? last[i].grow(end) : last[i].grow(live, end);
+        }
+    });
+    RayBoxes boxes;
+    for (std::size_t i = 0; i < 4; ++i) {
+        all[i].give(0, static_cast<int>(i), boxes.starts);
+        all[i].give(1, static_cast<int>(i), boxes.directions);
+    }
+    for (std::size_t i = 0; ends && i < 3; ++i) last[i].give(0, static_cast<int>(i), boxes.ends);
+    return boxes;
+}
+#endif
+
+Hit hit_of(const WorldData& world, std::size_t root) {
+    const QuadricRef& name = world.surfaces[root / 2];
+    return {0.0f, static_cast<float>(root % 2), 0.0f, name.object, name.prim, name.kind, false};
+}
+
+/// The hits that a vector of rays has found.
+HWY_INLINE void write_hits(const WorldData& world, const Least& least, Hit* hits, std::size_t count) {
+    const truth any = least.t < infinity;
+    if (!any_lane(any)) {
+        std::fill_n(hits, count, Hit{});
+        return;
+    }
+    alignas(64) double t[lanes], root[lanes];
+    hn::Store(least.t.v, dd, t);
+    hn::Store(least.root.v, dd, root);
+    // Neighbours mostly hit the same.
+    if (all_lanes(any && least.root == root[0])) {
+        const Hit hit = hit_of(world, static_cast<std::size_t>(root[0]));
+        for (std::size_t k = 0; k < count; ++k) {
+            hits[k] = hit;
+            hits[k].t = static_cast<float>(t[k]);
+        }
+        return;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        hits[k] = Hit{};
+        if (!(t[k] < infinity)) continue;
+        hits[k] = hit_of(world, static_cast<std::size_t>(root[k]));
+        hits[k].t = static_cast<float>(t[k]);
+    }
+}
+
+/// Hands each vector of rays to use(first, count, rays, ahead), and those of whose batch nothing is ahead to
+/// none(first, count). `ends` says whether the rays' ends are worth knowing.
+template <bool ends, class None, class Use>
+HWY_INLINE void for_vectors_in_mask(const WorldData& world, const TriangleBounds& bounds, const Ray* rays,
+                                    std::size_t count, None&& none, Use&& use) {
+    // A square of 8 x 8 pixels: longer batches reach further, shorter ones are weighed too often.
+    constexpr std::size_t batch = 64;
+    for (std::size_t begin = 0; begin < count; begin += batch) {
+        const std::size_t size = std::min(batch, count - begin);
+        const CullMask cull_mask = cull(world, bounds, boxes_of<ends>(rays + begin, size));
+        if (cull_mask.nothing())
+            none(begin, size);
+        else
+            for_vectors(rays + begin, size, [&](std::size_t first, std::size_t n, const Ray* some) {
+                use(begin + first, n, Rays(some), cull_mask);
+            });
+    }
+}
+
+} // namespace
+
+// What the dispatcher calls: anonymous functions cannot be exported.
+void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, Hit* hits,
+                        std::uint8_t* meets_mesh) {
+    const TriangleBounds bounds = triangle_bounds(world);
+    const auto none = [&](std::size_t first, std::size_t n) {
+        std::fill_n(hits + first, n, Hit{});
+        std::memset(meets_mesh + first, 0, n);
+    };
+    for_vectors_in_mask<false>(
+        world, bounds, rays, count, none,
+        [&](std::size_t first, std::size_t n, const Rays& vector, const CullMask& cull_mask) {
+            Least sink{vector};
+            meet_all(world, cull_mask, vector, sink);
+            const std::uint32_t meshes = packet_meets_mesh(cull_mask, bounds, vector, sink.limit());
+            write_flags(meshes, meets_mesh + first, n);
+            write_hits(world, sink, hits + first, n);
+        });
+}
+
+void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, std::uint8_t* blocked,
+                         std::uint8_t* meets_mesh) {
+    const TriangleBounds bounds = triangle_bounds(world);
+    const auto none = [&](std::size_t first, std::size_t n) {
+        std::memset(blocked + first, 0, n);
+        std::memset(meets_mesh + first, 0, n);
+    };
+    for_vectors_in_mask<true>(
+        world, bounds, rays, count, none,
+        [&](std::size_t first, std::size_t n, const Rays& vector, const CullMask& cull_mask) {
+            AnyHit sink{vector};
+            meet_all(world, cull_mask, vector, sink);
+            const std::uint32_t found = bits_of(sink.found);
+            const std::uint32_t meshes = packet_meets_mesh(cull_mask, bounds, vector, sink.limit());
+            write_flags(found, blocked + first, n);
+            write_flags(meshes, meets_mesh + first, n);
+        });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace glint::trace
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glint::trace {
+
+const std::array<SurfaceKernels, kernel_targets> surface_kernels{{
+    {HWY_CHOOSE_FALLBACK(closest_in_vectors), HWY_CHOOSE_FALLBACK(occluded_in_vectors)},
+    {HWY_CHOOSE_SSE4(closest_in_vectors), HWY_CHOOSE_SSE4(occluded_in_vectors)},
+    {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
+    {HWY_CHOOSE_AVX3(closest_in_vectors), HWY_CHOOSE_AVX3(occluded_in_vectors)},
+}};
+
+} // namespace glint::trace
+#endif

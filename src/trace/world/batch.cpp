@@ -1,0 +1,109 @@
+// The questions a World answers for many rays at once: planes and quadrics first, then the meshes and their
+// instances, for the rays that can still meet one.
+
+#include "trace/simd/surface_batch.h"
+#include "trace/world/world.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace glint::trace {
+
+namespace {
+
+bool has_no_triangles(const WorldData& world) {
+    return world.mesh_tree.nodes.empty() && world.instances.empty();
+}
+
+/// Grows, and never clears what is there.
+template <class T>
+T* room_for(std::vector<T>& v, std::size_t count) {
+    if (v.size() < count) v.resize(count);
+    return v.data();
+}
+
+/// Calls use(i) for every flag that is set, passing over eight at once where none is: neighbours are alike.
+template <class Use>
+void for_each_set(std::span<const std::uint8_t> flags, Use&& use) {
+    for (std::size_t i = 0; i < flags.size(); i += 8) {
+        std::uint64_t eight = 0;
+        const std::size_t count = std::min<std::size_t>(8, flags.size() - i);
+        std::memcpy(&eight, &flags[i], count);
+        if (eight == 0) continue;
+        for (std::size_t k = i; k < i + count; ++k)
+            if (flags[k] != 0) use(static_cast<std::uint32_t>(k));
+    }
+}
+
+} // namespace
+
+void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch,
+                    const KernelChoice& choice) const {
+    const std::size_t count = rays.size();
+    std::uint8_t* meets_mesh = room_for(scratch.flags, count);
+    surface_kernels[row_of(choice.target)].closest(*data_, rays.data(), count, hits.data(), meets_mesh);
+    if (has_no_triangles(*data_)) return;
+
+    Ray* open = room_for(scratch.rays, count);
+    std::uint32_t* numbers = room_for(scratch.numbers, count);
+    std::size_t left = 0;
+    for_each_set({meets_mesh, count}, [&](std::uint32_t i) {
+        open[left] = rays[i];
+        if (hits[i]) open[left].tmax = next_float(hits[i].t, 1.0f);
+        numbers[left++] = i;
+    });
+    if (!data_->mesh_tree.nodes.empty()) {
+        TriangleRecord* records = room_for(scratch.records, left);
+        trace::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
+        for (std::size_t i = 0; i < left; ++i) {
+            if (records[i].triangle == invalid_index) continue;
+            keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
+            open[i].tmax = next_float(hits[numbers[i]].t, 1.0f);
+        }
+    }
+    if (data_->instances.empty()) return;
+    InstanceRecord* records = room_for(scratch.instance_records, left);
+    data_->instance_tree.closest({open, left}, {records, left}, hint, choice);
+    for (std::size_t i = 0; i < left; ++i)
+        if (records[i].instance != invalid_index)
+            keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
+}
+
+void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                     Scratch& scratch, const KernelChoice& choice) const {
+    const std::size_t count = rays.size();
+    std::uint8_t* meets_mesh = room_for(scratch.flags, count);
+    surface_kernels[row_of(choice.target)].occluded(*data_, rays.data(), count, blocked.data(), meets_mesh);
+    if (has_no_triangles(*data_)) return;
+
+    Ray* open = room_for(scratch.rays, count);
+    std::uint32_t* numbers = room_for(scratch.numbers, count);
+    std::size_t left = 0;
+    for_each_set({meets_mesh, count}, [&](std::uint32_t i) {
+        open[left] = rays[i];
+        numbers[left++] = i;
+    });
+    // The flags are read: their place is free for the answers.
+    std::uint8_t* answers = meets_mesh;
+    if (!data_->mesh_tree.nodes.empty()) {
+        trace::occluded(data_->mesh_tree, {open, left}, {answers, left}, hint, choice);
+        std::size_t still = 0;
+        for (std::size_t i = 0; i < left; ++i) {
+            blocked[numbers[i]] = answers[i];
+            open[still] = open[i];
+            numbers[still] = numbers[i];
+            still += answers[i] ^ 1u;
+        }
+        left = still;
+    }
+    if (data_->instances.empty()) return;
+    data_->instance_tree.occluded({open, left}, {answers, left}, hint, choice);
+    for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = answers[i];
+}
+
+void World::surfaces(std::span<const Ray> rays, std::span<const Hit> hits, const SurfaceRows& rows,
+                     std::span<std::uint8_t> done, const KernelChoice& choice) const {
+    point_kernels[row_of(choice.target)](*data_, rays.data(), hits.data(), rays.size(), rows, done.data());
+}
+
+} // namespace glint::trace

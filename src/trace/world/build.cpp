@@ -1,0 +1,179 @@
+// From plain input to trees.
+
+#include "math/finite.h"
+#include "math/inverse.h"
+#include "trace/world/data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace glint::trace {
+
+namespace {
+
+constexpr std::uint32_t quadrics_a_leaf = 2;
+
+template <class T>
+std::uint64_t bytes_of(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+/// All meshes as one, for the time of the build.
+WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
+    WorldInput::Triangles all;
+    for (const auto& mesh : meshes) {
+        const auto first = static_cast<std::uint32_t>(all.positions.size());
+        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const uvec3& corners : mesh.triangles) all.triangles.push_back(corners + first);
+    }
+    return all;
+}
+
+void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
+    std::size_t triangles = 0;
+    std::size_t positions = 0;
+    for (const auto& mesh : world.meshes) {
+        check_corners(mesh.positions, mesh.triangles);
+        world.first_numbers.push_back(static_cast<std::uint32_t>(triangles));
+        triangles += mesh.triangles.size();
+        positions += mesh.positions.size();
+    }
+    if (std::max(triangles, positions) >= invalid_index) throw std::length_error("too many triangles");
+    const WorldInput::Triangles all =
+        world.meshes.size() == 1 ? WorldInput::Triangles{} : joined(world.meshes);
+    const WorldInput::Triangles& source = world.meshes.size() == 1 ? world.meshes.front() : all;
+    world.mesh_tree = build_mesh_tree(source.positions, source.triangles, pool, quality);
+}
+
+/// The float box around a quadric: each side the exact one, one float further out.
+BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) {
+    BoxRef box{vec3(0.0f), id, vec3(0.0f)};
+    for (int axis = 0; axis < 3; ++axis) {
+        dvec3 gradient(0.0);
+        gradient[axis] = 1.0;
+        double shift = 0;
+        if (quadric.affine >= 0) {
+            const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
+            gradient = glm::transpose(affine.linear) * gradient;
+            shift = affine.translation[axis];
+        }
+        const Interval reach = extent(quadric.shape, gradient);
+        constexpr float infinity = std::numeric_limits<float>::infinity();
+        box.lo[axis] = std::nextafter(static_cast<float>(reach.low + shift), -infinity);
+        box.hi[axis] = std::nextafter(static_cast<float>(reach.high + shift), infinity);
+    }
+    return box;
+}
+
+void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
+    std::vector<Quadric> quadrics;
+    for (const auto& q : input.quadrics) quadrics.push_back({q.affine, q.object, q.prim, 0, q.shape});
+    // Grouped by kind, so that leaves mostly hold one.
+    std::stable_sort(quadrics.begin(), quadrics.end(),
+                     [](const Quadric& a, const Quadric& b) { return a.shape.kind < b.shape.kind; });
+    std::vector<BoxRef> boxes;
+    for (Quadric& quadric : quadrics) {
+        const BoxRef box = box_of(world, quadric, static_cast<std::uint32_t>(boxes.size()));
+        if (!is_finite(box.lo) || !is_finite(box.hi))
+            throw std::invalid_argument("a quadric has no finite bounds");
+        boxes.push_back(box);
+        quadric.box = {box.lo, box.hi};
+    }
+    world.quadric_tree = build_tree(std::move(boxes), quadrics_a_leaf, pool);
+    for (const std::uint32_t id : std::exchange(world.quadric_tree.order, {}))
+        world.quadrics.push_back(quadrics[id]);
+}
+
+/// One running number for planes and quadrics, in the order in which hits at one t count.
+void number_surfaces(WorldData& world) {
+    std::vector<QuadricRef>& names = world.surfaces;
+    std::uint32_t index = 0;
+    for (const PlanePrim& p : world.planes) names.push_back({PrimKind::plane, p.object, 0, index++});
+    index = 0;
+    for (const Quadric& q : world.quadrics) names.push_back({PrimKind::quadric, q.object, q.prim, index++});
+    std::sort(names.begin(), names.end(), [](const QuadricRef& a, const QuadricRef& b) {
+        return std::pair(a.object, a.prim) < std::pair(b.object, b.prim);
+    });
+    for (std::uint32_t number = 0; number < names.size(); ++number) {
+        const QuadricRef& name = names[number];
+        world.first_surface.resize(std::max<std::size_t>(world.first_surface.size(), name.object + 1),
+                                   number);
+        if (name.kind == PrimKind::plane)
+            world.planes[name.index].surface = number;
+        else
+            world.quadrics[name.index].surface = number;
+    }
+}
+
+/// Shared meshes and their instances.
+void count_shared(WorldData& world) {
+    WorldStats& stats = world.stats;
+    int depth = 0;
+    for (const SharedMesh& mesh : world.shared_meshes) {
+        stats.nodes += mesh.tree.nodes.size();
+        stats.bytes +=
+            bytes_of(*mesh.source.positions) + bytes_of(*mesh.source.triangles) + mesh.tree.bytes();
+        depth = std::max(depth, mesh.tree.depth);
+    }
+    for (const InstanceData& placed : world.instances)
+        stats.triangles += world.shared_meshes[placed.mesh].source.triangles->size();
+    stats.nodes += world.instance_tree.nodes();
+    stats.depth = world.instance_tree.depth() + depth;
+    stats.bytes += bytes_of(world.instances) + world.instance_tree.bytes();
+}
+
+void count(WorldData& world, const WorldInput& input) {
+    WorldStats& stats = world.stats;
+    for (const auto& mesh : world.meshes) {
+        stats.triangles += mesh.triangles.size();
+        stats.bytes += bytes_of(mesh.positions) + bytes_of(mesh.triangles);
+    }
+    count_shared(world);
+    for (const Quadric& q : world.quadrics) ++stats.quadrics[static_cast<std::size_t>(q.shape.kind)];
+    stats.planes = input.planes.size();
+    stats.quality = input.quality;
+    stats.nodes += world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
+    stats.depth = std::max({stats.depth, world.mesh_tree.depth, world.quadric_tree.depth});
+    stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
+                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.surfaces) +
+                   bytes_of(world.first_surface);
+}
+
+} // namespace
+
+World::World() : data_(std::make_shared<Data>()) {}
+World::~World() = default;
+World::World(const World&) = default;
+World& World::operator=(const World&) = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+World::World(WorldInput input, TaskPool& pool) {
+    auto world = std::make_shared<Data>();
+    add_instances(*world, input, pool);
+    world->meshes = std::move(input.meshes);
+    std::sort(world->meshes.begin(), world->meshes.end(),
+              [](auto& a, auto& b) { return a.object < b.object; });
+    for (const dmat4& m : input.world_from_local) {
+        const dmat3 linear(m);
+        world->affines.push_back({linear, inverted(linear), dvec3(m[3])});
+    }
+    for (const auto& p : input.planes) {
+        const double squared = glm::dot(p.normal, p.normal);
+        world->planes.push_back({p.object, 0, {p.normal, p.offset}, squared, p.normal / std::sqrt(squared)});
+    }
+    std::sort(world->planes.begin(), world->planes.end(),
+              [](auto& a, auto& b) { return a.object < b.object; });
+
+    build_triangles(*world, input.quality, pool);
+    build_quadrics(*world, input, pool);
+    number_surfaces(*world);
+    count(*world, input);
+    data_ = std::move(world);
+}
+
+} // namespace glint::trace

@@ -1,0 +1,374 @@
+#pragma once
+// What a World holds, and how a ray goes through it. Private to this room and to those who turn it into
+// trees of their own.
+
+#include "bvh/traverse.h"
+#include "bvh/tree.h"
+#include "geometry/quadric.h"
+#include "geometry/triangle.h"
+#include "math/index.h"
+#include "math/offset.shared.h"
+#include "trace/mesh/walk.h"
+#include "trace/world/instance_tree.h"
+#include "trace/world/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace glint::trace {
+
+using bvh::BoxRay;
+using bvh::Tree;
+using bvh::TreeNode;
+using bvh::TreeRef;
+
+/// A quadric, in its local space where it has one.
+struct Quadric {
+    std::int32_t affine = -1; ///< index into WorldData::affines, or -1
+    std::uint32_t object = 0;
+    std::uint32_t prim = 0;
+    std::uint32_t surface = 0; ///< index into WorldData::surfaces
+    QuadricShape shape{};
+    Bounds box{}; ///< around it, in the world
+};
+
+struct PlanePrim {
+    std::uint32_t object = 0;
+    std::uint32_t surface = 0; ///< index into WorldData::surfaces
+    Plane plane;
+    double squared = 1;      ///< normal · normal
+    dvec3 unit{0.0, 0.0, 1}; ///< the normal of unit length
+};
+
+/// Object and primitive of a plane or quadric.
+struct QuadricRef {
+    PrimKind kind = PrimKind::none;
+    std::uint32_t object = 0;
+    std::uint32_t prim = 0;
+    std::uint32_t index = 0; ///< into WorldData::planes or quadrics
+};
+
+/// A local space: p_world = linear · p_local + translation.
+struct Affine {
+    dmat3 linear{1.0};
+    dmat3 inverse{1.0};
+    dvec3 translation{0};
+
+    Line to_local(const Line& line) const {
+        return {inverse * (line.origin - translation), inverse * line.direction};
+    }
+};
+
+/// A mesh that stands at several places.
+struct SharedMesh {
+    WorldInput::SharedMesh source;
+    MeshTree tree;
+};
+
+/// One of these places; WorldData::instance_tree knows the way back from the world.
+struct InstanceData {
+    std::uint32_t object = 0;
+    std::uint32_t mesh = 0; ///< index into WorldData::shared_meshes
+    bool turned = false;    ///< the normal is that of the winding in the mesh's space, reversed
+    dmat3 linear{1.0};      ///< p_world = linear · p_mesh + translation
+    double slack = 0;       ///< what the way to the world and back loses in double, in world units
+};
+
+struct WorldData {
+    MeshTree mesh_tree; ///< of all meshes that are not shared: triangles under one running number
+    Tree quadric_tree;
+    std::vector<Quadric> quadrics; ///< in the order of the leaves
+    std::vector<PlanePrim> planes;
+    std::vector<Affine> affines;
+    std::vector<QuadricRef> surfaces;         ///< of planes and quadrics by (object, prim)
+    std::vector<std::uint32_t> first_surface; ///< by object: the first of `surfaces` not before it
+
+    std::vector<WorldInput::Triangles> meshes; ///< by object
+    std::vector<std::uint32_t> first_numbers;  ///< the number of each mesh's first triangle
+    std::vector<SharedMesh> shared_meshes;     ///< never moved: the trees point to theirs
+    std::vector<InstanceData> instances;       ///< by object
+    InstanceTree instance_tree;                ///< of `instances`, in their order
+    WorldStats stats;
+};
+
+struct World::Data : WorldData {};
+
+/// Takes shared meshes and instances over from the input, and builds their trees. An instance too squeezed
+/// for its tree is baked, and added to input.meshes.
+void add_instances(WorldData& world, WorldInput& input, TaskPool& pool);
+
+/// Of a shared mesh or a mesh: throws std::invalid_argument for an index out of range.
+void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
+
+/// The part of a line, taken to the quadric's local space, inside it; false if there is none.
+inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric, SolidSpan& span) {
+    const Line local =
+        quadric.affine < 0 ? line : world.affines[static_cast<std::size_t>(quadric.affine)].to_local(line);
+    return intersect(local, quadric.shape, span);
+}
+
+/// Where all triangles are: what a box test must grow it by besides, in the origin's largest |coordinate|, is
+/// in `slack`.
+struct TriangleBounds {
+    Bounds box;
+    float slack = 0;
+};
+
+inline TriangleBounds triangle_bounds(const WorldData& world) {
+    TriangleBounds bounds{world.mesh_tree.bounds, world.instance_tree.slack()};
+    bounds.box.grow(world.instance_tree.bounds());
+    return bounds;
+}
+
+/// The triangle with a running number, as a hit.
+inline Hit numbered_hit(const WorldData& world, std::uint32_t number, float t, float u, float v,
+                        bool on_edge) {
+    const auto above = std::upper_bound(world.first_numbers.begin(), world.first_numbers.end(), number);
+    const auto mesh = static_cast<std::size_t>(above - world.first_numbers.begin()) - 1;
+    return {t,      u, v, world.meshes[mesh].object, number - world.first_numbers[mesh], PrimKind::triangle,
+            on_edge};
+}
+
+inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uint32_t triangle, float t,
+                        float u, float v, bool on_edge) {
+    return {t, u, v, world.instances[instance].object, triangle, PrimKind::triangle, on_edge};
+}
+
+/// The number of an object's instance; invalid_index if its triangles are in `meshes`.
+inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
+    const auto at =
+        std::lower_bound(world.instances.begin(), world.instances.end(), object,
+                         [](const InstanceData& placed, std::uint32_t o) { return placed.object < o; });
+    if (at == world.instances.end() || at->object != object) return invalid_index;
+    return static_cast<std::uint32_t>(at - world.instances.begin());
+}
+
+/// The object's triangles, which are not those of an instance.
+inline const WorldInput::Triangles& mesh_of(const WorldData& world, std::uint32_t object) {
+    return *std::lower_bound(world.meshes.begin(), world.meshes.end(), object,
+                             [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
+}
+
+inline TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
+    TriangleVertices vertices;
+    for (int i = 0; i < 3; ++i) {
+        const vec3& p = positions[corners[i]];
+        vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
+    }
+    return vertices;
+}
+
+inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
+    return vertices_of(mesh.positions, mesh.triangles[prim]);
+}
+
+/// In the space of its mesh.
+inline TriangleVertices vertices_of(const WorldData& world, const InstanceData& placed, std::uint32_t prim) {
+    const WorldInput::SharedMesh& mesh = world.shared_meshes[placed.mesh].source;
+    return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
+}
+
+/// The number of the plane or quadric that was hit.
+inline std::uint32_t surface_number(const WorldData& world, const Hit& hit) {
+    // The primitives of an object are mostly numbered without gaps.
+    const std::uint32_t first = world.first_surface[hit.object];
+    const std::size_t guess = std::size_t{first} + hit.prim;
+    const auto is_it = [&](const QuadricRef& s) { return s.object == hit.object && s.prim == hit.prim; };
+    if (guess < world.surfaces.size() && is_it(world.surfaces[guess]))
+        return static_cast<std::uint32_t>(guess);
+    const auto at = std::lower_bound(
+        world.surfaces.begin() + first, world.surfaces.end(), hit.prim,
+        [&](const QuadricRef& s, std::uint32_t prim) { return s.object == hit.object && s.prim < prim; });
+    return static_cast<std::uint32_t>(at - world.surfaces.begin());
+}
+
+/// The same for planes and for quadrics of the world's own space; invalid_index for all else.
+inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
+    if (hit.kind != PrimKind::plane && hit.kind != PrimKind::quadric) return invalid_index;
+    const std::uint32_t number = surface_number(world, hit);
+    const bool plain = hit.kind == PrimKind::plane || world.quadrics[world.surfaces[number].index].affine < 0;
+    return plain ? number : invalid_index;
+}
+
+inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
+
+/// Keeps the least hit.
+struct Closest {
+    float limit;
+    Hit best{};
+    bool positive = false;
+
+    bool add(const Hit& hit, bool facing) {
+        if (precedes(hit, best)) {
+            best = hit;
+            positive = facing;
+            limit = hit.t;
+        }
+        return false;
+    }
+};
+
+/// Tests triangles for one ray and hands each hit to the sink: those of an instance for a ray in the space of
+/// its mesh, or those of mesh_tree. A sink has `limit`, the greatest t it still
+/// wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of
+/// triangles apart.
+template <class Sink>
+class TriangleTester {
+  public:
+    TriangleTester(const WorldData& world, const Ray& ray, Sink& sink, std::uint32_t instance = invalid_index)
+        : world_(world), sheared_(ray), tmin_(ray.tmin), sink_(sink), instance_(instance) {}
+
+    bool leaf(const MeshTree& tree, LeafCode leaf) {
+        for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
+            std::uint32_t number;
+            const TriangleVertices vertices = leaf_triangle(tree, leaf, i, number);
+            if (triangle(vertices, number)) return true;
+        }
+        return false;
+    }
+
+    bool triangle(const TriangleVertices& vertices, std::uint32_t number) {
+        TriangleHit hit;
+        if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
+        const Hit found = instance_ == invalid_index
+                              ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
+                              : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
+        return sink_.add(found, hit.positive);
+    }
+
+  private:
+    const WorldData& world_;
+    ShearedRay sheared_;
+    float tmin_;
+    Sink& sink_;
+    std::uint32_t instance_;
+};
+
+/// The same for planes and quadrics.
+template <class Sink>
+class QuadricTester {
+  public:
+    QuadricTester(const WorldData& world, const Ray& ray, Sink& sink)
+        : world_(world), line_(exact_line(ray)), tmin_(ray.tmin), sink_(sink) {}
+
+    bool quadrics(std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const Quadric& quadric = world_.quadrics[i];
+            SolidSpan span;
+            if (!intersect(world_, line_, quadric, span)) continue;
+            if (root(span.enter, 0.0f, quadric.object, quadric.prim, PrimKind::quadric)) return true;
+            if (root(span.leave, 1.0f, quadric.object, quadric.prim, PrimKind::quadric)) return true;
+        }
+        return false;
+    }
+
+    bool planes() {
+        for (const PlanePrim& numbered : world_.planes) {
+            double t;
+            if (!intersect(line_, numbered.plane, t)) continue;
+            if (root(t, 0.0f, numbered.object, 0, PrimKind::plane)) return true;
+        }
+        return false;
+    }
+
+  private:
+    /// Root number `which` of a quadric: kept in u, so that two roots with one t stay apart.
+    bool root(double t, float which, std::uint32_t object, std::uint32_t prim, PrimKind kind) {
+        const float rounded = static_cast<float>(t);
+        if (!(t > tmin_ && rounded <= sink_.limit)) return false;
+        return sink_.add(Hit{rounded, which, 0.0f, object, prim, kind, false}, false);
+    }
+
+    const WorldData& world_;
+    Line line_;
+    float tmin_;
+    Sink& sink_;
+};
+
+/// Planes and quadrics: hands every hit with max(tmin, from) <= t <= sink.limit to the sink; others
+/// may come too. Returns whether the sink ended the search.
+template <class Sink>
+bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& sink) {
+    if (world.planes.empty() && world.quadrics.empty()) return false;
+    QuadricTester<Sink> test(world, ray, sink);
+    if (test.planes()) return true;
+    // So few need no tree.
+    if (world.quadric_tree.nodes.empty())
+        return test.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()));
+    bool done = false;
+    traverse(world.quadric_tree, BoxRay(ray, world.quadric_tree.bounds), from, sink.limit,
+             [&](std::uint32_t first, std::uint32_t count) { return done = test.quadrics(first, count); });
+    return done;
+}
+
+/// The same for the triangles of a tree: mesh_tree, or that of an instance.
+template <class Sink>
+bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, TriangleTester<Sink> test) {
+    bool done = false;
+    walk(tree, ray, from, sink.limit, [&](LeafCode leaf) { return done = test.leaf(tree, leaf); });
+    return done;
+}
+
+/// The same for instances.
+template <class Sink>
+bool trace_instances(const WorldData& world, const Ray& ray, float from, Sink& sink) {
+    bool done = false;
+    Ray rest = ray;
+    rest.tmin = from;
+    world.instance_tree.visit(rest, sink.limit, [&](std::uint32_t instance) {
+        const Ray local = world.instance_tree.to_local(instance, ray);
+        return done = is_traceable(local) && trace_mesh(world.instance_tree.mesh(instance), local, from, sink,
+                                                        TriangleTester<Sink>(world, local, sink, instance));
+    });
+    return done;
+}
+
+/// The same for everything, roughly nearest first.
+template <class Sink>
+void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
+    if (!is_traceable(ray) || trace_quadrics(world, ray, from, sink)) return;
+    if (trace_mesh(world.mesh_tree, ray, from, sink, TriangleTester<Sink>(world, ray, sink))) return;
+    trace_instances(world, ray, from, sink);
+}
+
+/// The closest plane or quadric; whether there is any.
+Hit closest_surface(const WorldData& world, const Ray& ray);
+bool occluded_surface(const WorldData& world, const Ray& ray);
+
+/// Puts the triangle that a mesh's kernel found in the place of `hit`, if it precedes.
+void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit);
+
+void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit);
+
+/// Every triangle of every instance; whether the sink ended the search.
+template <class Sink>
+bool instances_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+        const Ray local = world.instance_tree.to_local(i, ray);
+        if (!is_traceable(local)) continue;
+        TriangleTester<Sink> test(world, local, sink, i);
+        const InstanceData& placed = world.instances[i];
+        const std::size_t count = world.shared_meshes[placed.mesh].source.triangles->size();
+        for (std::uint32_t prim = 0; prim < count; ++prim)
+            if (test.triangle(vertices_of(world, placed, prim), prim)) return true;
+    }
+    return false;
+}
+
+/// trace() without trees.
+template <class Sink>
+void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
+    if (!is_traceable(ray)) return;
+    QuadricTester<Sink> quadrics(world, ray, sink);
+    if (quadrics.planes()) return;
+    if (quadrics.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()))) return;
+    TriangleTester<Sink> triangles(world, ray, sink);
+    for (std::size_t m = 0; m < world.meshes.size(); ++m)
+        for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
+            if (triangles.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
+    instances_brute_force(world, ray, sink);
+}
+
+} // namespace glint::trace

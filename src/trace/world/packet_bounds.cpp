@@ -1,0 +1,149 @@
+#include "trace/world/packet_bounds.h"
+
+#include <cmath>
+#include <limits>
+
+namespace glint::trace {
+namespace {
+
+/// Far more than double arithmetic loses, relative to the largest product of a sum.
+constexpr double lost = 0x1p-45;
+
+/// Where p is NaN the box stays.
+void grow(SimdBounds& box, float4 p) {
+    box.lo = bvh::min4(p, box.lo);
+    box.hi = bvh::max4(p, box.hi);
+}
+
+/// The largest |coordinate|; infinite where one is not known.
+double size_of(const SimdBounds& box) {
+    double most = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float x : {box.lo[axis], box.hi[axis]})
+            most =
+                std::isnan(x) ? std::numeric_limits<double>::infinity() : std::max(most, std::abs(double(x)));
+    return most;
+}
+
+/// The values of normal · p for p in a box.
+struct Dots {
+    double lo = 0;
+    double hi = 0;
+
+    Dots(const dvec3& normal, const SimdBounds& box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = normal[axis] * double(box.lo[axis]);
+            const double b = normal[axis] * double(box.hi[axis]);
+            lo += std::min(a, b);
+            hi += std::max(a, b);
+        }
+    }
+};
+
+} // namespace
+
+void RayBoxes::add(const Ray& ray) {
+    if (!(ray.tmin < ray.tmax)) return;
+    const float4 origin{ray.origin.x, ray.origin.y, ray.origin.z, ray.tmin};
+    const float4 direction{ray.direction.x, ray.direction.y, ray.direction.z, ray.tmax};
+    grow(starts, origin);
+    grow(directions, direction);
+    grow(ends, origin + direction * splat(ray.tmax));
+}
+
+PacketBounds::PacketBounds(const RayBoxes& boxes)
+    : starts_(boxes.starts), directions_(boxes.directions), ends_(boxes.ends), start_size_(size_of(starts_)),
+      direction_size_(size_of(directions_)) {
+    const double end_size = size_of(ends_);
+    end_pad_ = 0x1p-20 * (start_size_ + end_size) + 0x1p-140;
+    empty_ = starts_.lo[3] > starts_.hi[3];
+    forward_ = starts_.lo[3] >= 0.0f;
+    bounded_ = end_size < std::numeric_limits<double>::infinity();
+}
+
+// Where all origins are on one side of a plane by more than is lost, and the ends, which are padded, too, the
+// exact t is outside the interval by far more than its computation loses; the same where all rays lead away.
+bool PacketBounds::misses(const PlanePrim& numbered) const {
+    if (!forward_) return false;
+    const dvec3& normal = numbered.plane.normal;
+    const double offset = numbered.plane.offset;
+    const double length = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
+    const double margin = lost * (length * start_size_ + std::abs(offset));
+    const Dots starts(normal, starts_);
+    const bool above = starts.lo - offset > margin;
+    if (!above && !(offset - starts.hi > margin)) return false;
+    const Dots slopes(normal, directions_);
+    const double flat = lost * length * direction_size_;
+    if (above ? slopes.lo > flat : -slopes.hi > flat) return true;
+    if (!bounded_) return false;
+    const Dots ends(normal, ends_);
+    const double pad = length * end_pad_ + lost * std::abs(offset);
+    return above ? ends.lo - offset > pad : offset - ends.hi > pad;
+}
+
+bool PacketBounds::misses(const Bounds& box, float slack) const {
+    if (!forward_) return false;
+    double corner = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        corner = std::max({corner, std::abs(double(box.lo[axis])), std::abs(double(box.hi[axis]))});
+    const double pad = 0x1p-20 * (start_size_ + corner) + double(slack) * start_size_;
+    if (bounded_)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double lo = double(std::min(starts_.lo[axis], ends_.lo[axis])) - end_pad_;
+            const double hi = double(std::max(starts_.hi[axis], ends_.hi[axis])) + end_pad_;
+            if (lo > double(box.hi[axis]) + pad || hi < double(box.lo[axis]) - pad) return true;
+        }
+    return passes_by(box, pad);
+}
+
+/// Whether no t is good for all three axes.
+bool PacketBounds::passes_by(const Bounds& box, double pad) const {
+    double enter = 0;
+    double leave = double(directions_.hi[3]);
+    for (int axis = 0; axis < 3; ++axis) {
+        // From the origin to the near and to the far side, at least and at most, along the way the rays go.
+        double slow = double(directions_.lo[axis]);
+        double fast = double(directions_.hi[axis]);
+        double near = double(box.lo[axis]) - pad - double(starts_.hi[axis]);
+        double far = double(box.hi[axis]) + pad - double(starts_.lo[axis]);
+        if (!(fast > 0.0)) {
+            slow = -double(directions_.hi[axis]);
+            fast = -double(directions_.lo[axis]);
+            near = double(starts_.lo[axis]) - double(box.hi[axis]) - pad;
+            far = double(starts_.hi[axis]) - double(box.lo[axis]) + pad;
+        }
+        if (!(slow >= 0.0)) continue;
+        if (far < 0.0) return true;
+        if (slow > 0.0) leave = std::min(leave, far / slow);
+        if (near > 0.0) enter = std::max(enter, near / fast);
+    }
+    if (enter > leave) return true;
+    // Some rays go up and some down: how far they spread by then.
+    for (int axis = 0; axis < 3; ++axis) {
+        const double up = double(directions_.hi[axis]) * leave;
+        const double down = double(directions_.lo[axis]) * leave;
+        if (!(up > 0.0 && down < 0.0)) continue;
+        if (double(starts_.lo[axis]) + down > double(box.hi[axis]) + pad ||
+            double(starts_.hi[axis]) + up < double(box.lo[axis]) - pad)
+            return true;
+    }
+    return false;
+}
+
+CullMask cull(const WorldData& world, const TriangleBounds& bounds, const RayBoxes& boxes) {
+    CullMask cull_mask;
+    const PacketBounds reach(boxes);
+    if (reach.empty()) return cull_mask;
+    const auto bit = [](std::size_t i) { return std::uint64_t{1} << std::min<std::size_t>(i, 63); };
+    for (std::size_t i = 0; i < world.planes.size(); ++i)
+        if (!reach.misses(world.planes[i])) cull_mask.planes |= bit(i);
+    if (world.quadrics.size() > few_quadrics)
+        cull_mask.quadrics = reach.misses(world.quadric_tree.bounds) ? 0 : ~std::uint64_t{0};
+    else
+        for (std::size_t i = 0; i < world.quadrics.size(); ++i)
+            if (!reach.misses(world.quadrics[i].box)) cull_mask.quadrics |= bit(i);
+    cull_mask.triangles = !bounds.box.empty() && !reach.misses(bounds.box, bounds.slack);
+    return cull_mask;
+}
+
+} // namespace glint::trace

@@ -1,0 +1,77 @@
+// From a hit back to the surface: exact in double, rounded once.
+
+#include "trace/world/data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::trace {
+
+namespace {
+
+vec3 corner(const TriangleVertices& vertices, std::size_t i) {
+    return {vertices[i][0], vertices[i][1], vertices[i][2]};
+}
+
+SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& hit) {
+    const double u = hit.u;
+    const double v = hit.v;
+    const std::uint32_t instance = instance_of(world, hit.object);
+    if (instance == invalid_index) {
+        const WorldInput::Triangles& mesh = mesh_of(world, hit.object);
+        const TriangleVertices at = vertices_of(mesh, hit.prim);
+        return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(ray.direction),
+                                mesh.flip);
+    }
+    const InstanceData& placed = world.instances[instance];
+    const TriangleVertices at = vertices_of(world, placed, hit.prim);
+    const Ray local = world.instance_tree.to_local(instance, ray);
+    return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(local.direction),
+                            placed.linear, world.instance_tree.inverse(instance),
+                            world.instance_tree.translation(instance), placed.slack, placed.turned);
+}
+
+SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {
+    const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
+    const Line line = exact_line(ray);
+    SolidSpan span{};
+    intersect(world, line, quadric, span);
+    const bool leaving = hit.u != 0.0f;
+    const double t = leaving ? span.leave : span.enter;
+    const int part = leaving ? span.leave_part : span.enter_part;
+    const double size = size_of_quadric(quadric.shape);
+    if (quadric.affine < 0) {
+        const ExactPoint point = surface(quadric.shape, part, line.origin + line.direction * t);
+        return rounded_point(point.p, point.n, surface_error * size);
+    }
+
+    // Solved in local space with the same t.
+    const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
+    const Line local = affine.to_local(line);
+    const ExactPoint point = surface(quadric.shape, part, local.origin + local.direction * t);
+    return point_in_world(point.p, point.n, affine.linear, affine.inverse, affine.translation, size);
+}
+
+SurfacePoint plane_point(const WorldData& world, const Ray& ray, const Hit& hit) {
+    const Plane& plane = world.planes[world.surfaces[surface_number(world, hit)].index].plane;
+    const Line line = exact_line(ray);
+    return plane_surface(line.origin, line.direction, plane.normal, plane.offset);
+}
+
+} // namespace
+
+SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
+    switch (hit.kind) {
+    case PrimKind::triangle:
+        return triangle_point(*data_, ray, hit);
+    case PrimKind::quadric:
+        return quadric_point(*data_, ray, hit);
+    case PrimKind::plane:
+        return plane_point(*data_, ray, hit);
+    case PrimKind::none:
+        break;
+    }
+    return {};
+}
+
+} // namespace glint::trace

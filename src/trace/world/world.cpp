@@ -1,0 +1,199 @@
+// The questions a World answers.
+
+#include "trace/world/world.h"
+
+#include "trace/world/data.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace glint::trace {
+
+namespace {
+
+/// Keeps the least hit after another.
+struct ClosestAfter {
+    const Hit& previous;
+    float limit;
+    Closest closest{limit};
+
+    bool add(const Hit& hit, bool facing) {
+        if (!precedes(previous, hit)) return false;
+        closest.add(hit, facing);
+        limit = closest.limit;
+        return false;
+    }
+};
+
+/// Ends at the first hit.
+struct Any {
+    float limit;
+    bool found = false;
+
+    bool add(const Hit&, bool) { return found = true; }
+};
+
+/// A hit and the side from which it was met.
+struct FacedHit {
+    Hit hit;
+    bool positive;
+};
+
+/// Keeps everything.
+struct All {
+    float limit;
+    std::vector<FacedHit> hits{};
+
+    bool add(const Hit& hit, bool positive) {
+        hits.push_back({hit, positive});
+        return false;
+    }
+};
+
+/// Neighbours on an edge get the same t but for rounding.
+float lowest_same(float t) { return t - std::abs(t) * 0x1p-18f; }
+
+/// Is `later` the crossing that `earlier` reported already, met again in the neighbour across an edge or a
+/// vertex?
+bool same_crossing(const FacedHit& earlier, const FacedHit& later) {
+    return earlier.hit.on_edge && later.hit.on_edge && earlier.hit.object == later.hit.object &&
+           earlier.positive == later.positive && earlier.hit.t >= lowest_same(later.hit.t) &&
+           precedes(earlier.hit, later.hit);
+}
+
+/// The same triangle, met in another leaf.
+bool same_hit(const Hit& a, const Hit& b) {
+    return a.kind == PrimKind::triangle && b.kind == PrimKind::triangle && a.t == b.t &&
+           a.object == b.object && a.prim == b.prim;
+}
+
+/// Finds out whether a hit was reported by an earlier one.
+struct Repeated {
+    const FacedHit& later;
+    float limit = later.hit.t;
+    bool found = false;
+
+    bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
+};
+
+/// The kernels do not tell hits on an edge apart; only those with a weight of (nearly) 0 can be.
+bool may_be_on_edge(const Hit& hit) { return hit.u == 0.0f || hit.v == 0.0f || !(hit.u + hit.v < 0.99999f); }
+
+bool is_on_edge(const TriangleVertices& vertices, const Ray& ray, float t) {
+    TriangleHit again;
+    return intersect_triangle(ShearedRay(ray), vertices, ray.tmin, t, again) && again.on_edge;
+}
+
+} // namespace
+
+bool precedes(const Hit& a, const Hit& b) {
+    if (a.t != b.t) return a.t < b.t;
+    if (a.object != b.object) return a.object < b.object;
+    if (a.prim != b.prim) return a.prim < b.prim;
+    // Both roots of a quadric may round to one t; the ray still enters before it leaves.
+    return a.kind == b.kind && a.kind != PrimKind::triangle && a.u < b.u;
+}
+
+Hit closest_surface(const WorldData& world, const Ray& ray) {
+    if (!is_traceable(ray)) return {};
+    Closest sink{limit_below(ray.tmax)};
+    trace_quadrics(world, ray, ray.tmin, sink);
+    return sink.best;
+}
+
+bool occluded_surface(const WorldData& world, const Ray& ray) {
+    if (!is_traceable(ray)) return false;
+    Any sink{limit_below(ray.tmax)};
+    return trace_quadrics(world, ray, ray.tmin, sink);
+}
+
+void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit) {
+    const Hit triangle = numbered_hit(world, record.triangle, record.t, record.u, record.v, false);
+    if (!precedes(triangle, hit)) return;
+    hit = triangle;
+    if (may_be_on_edge(hit))
+        hit.on_edge = is_on_edge(vertices_of(mesh_of(world, hit.object), hit.prim), ray, hit.t);
+}
+
+void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit) {
+    const Hit triangle =
+        instance_hit(world, record.instance, record.triangle, record.t, record.u, record.v, false);
+    if (!precedes(triangle, hit)) return;
+    hit = triangle;
+    if (may_be_on_edge(hit))
+        hit.on_edge = is_on_edge(vertices_of(world, world.instances[record.instance], hit.prim),
+                                 world.instance_tree.to_local(record.instance, ray), hit.t);
+}
+
+Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
+    Hit hit = closest_surface(*data_, ray);
+    Ray limited = ray;
+    if (hit) limited.tmax = next_float(hit.t, 1.0f);
+    const TriangleRecord record = trace::closest(data_->mesh_tree, limited, choice);
+    if (record.triangle != invalid_index) keep_closer(*data_, ray, record, hit);
+    if (data_->instances.empty()) return hit;
+    if (hit) limited.tmax = next_float(hit.t, 1.0f);
+    const InstanceRecord placed = data_->instance_tree.closest(limited, choice);
+    if (placed.instance != invalid_index) keep_closer(*data_, ray, placed, hit);
+    return hit;
+}
+
+Hit World::closest_brute_force(const Ray& ray) const {
+    Closest sink{limit_below(ray.tmax)};
+    trace_brute_force(*data_, ray, sink);
+    return sink.best;
+}
+
+bool World::occluded(const Ray& ray, const KernelChoice& choice) const {
+    return occluded_surface(*data_, ray) || trace::occluded(data_->mesh_tree, ray, choice) ||
+           data_->instance_tree.occluded(ray, choice);
+}
+
+bool World::occluded_brute_force(const Ray& ray) const {
+    Any sink{limit_below(ray.tmax)};
+    trace_brute_force(*data_, ray, sink);
+    return sink.found;
+}
+
+Hit World::next(const Ray& ray, const Hit& previous) const {
+    if (!previous) return {};
+    Hit last = previous;
+    for (;;) {
+        ClosestAfter sink{last, limit_below(ray.tmax)};
+        trace(*data_, ray, std::max(ray.tmin, last.t), sink);
+        const FacedHit found{sink.closest.best, sink.closest.positive};
+        if (!found.hit || !found.hit.on_edge) return found.hit;
+        Repeated repeated{found};
+        trace(*data_, ray, std::max(ray.tmin, lowest_same(found.hit.t)), repeated);
+        if (!repeated.found) return found.hit;
+        last = found.hit;
+    }
+}
+
+void World::all_hits(const Ray& ray, std::vector<Hit>& out) const {
+    out.clear();
+    All sink{limit_below(ray.tmax)};
+    trace(*data_, ray, ray.tmin, sink);
+    std::sort(sink.hits.begin(), sink.hits.end(),
+              [](const FacedHit& a, const FacedHit& b) { return precedes(a.hit, b.hit); });
+    for (auto hit = sink.hits.begin(); hit != sink.hits.end(); ++hit) {
+        bool repeated = hit != sink.hits.begin() && same_hit(std::prev(hit)->hit, hit->hit);
+        for (auto earlier = hit; hit->hit.on_edge && !repeated && earlier-- != sink.hits.begin();) {
+            if (earlier->hit.t < lowest_same(hit->hit.t)) break;
+            repeated = same_crossing(*earlier, *hit);
+        }
+        if (!repeated) out.push_back(hit->hit);
+    }
+}
+
+Bounds World::bounds() const {
+    Bounds box = triangle_bounds(*data_).box;
+    box.grow(data_->quadric_tree.bounds);
+    return box;
+}
+
+WorldStats World::stats() const { return data_->stats; }
+
+const WorldData& World::data() const { return *data_; }
+
+} // namespace glint::trace
