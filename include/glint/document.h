@@ -1,5 +1,5 @@
 #pragma once
-// Scene files that programs edit: values change where they stand, everything else keeps its bytes.
+// Editing scene files: values are changed in place, all other bytes of the file are kept.
 
 #include "glint/formats.h"
 #include "glint/scene.h"
@@ -11,69 +11,67 @@
 
 namespace glint {
 
-/// The text of a scene file, and the values that were set in it. Key paths are those of -D:
-/// "material.glass.index", "light.0.intensity", "camera.eye", "mesh.cat.transform.0.angle". A plain value:
-/// copies are independent, so that keeping one is all that undo takes.
+/// The text of a scene file and the edits made to it. Key paths are those of -D, such as
+/// "material.glass.index", "light.0.intensity", "camera.eye" or "mesh.cat.transform.0.angle". A plain value:
+/// copies are independent, so an undo history is a list of copies.
 class SceneDocument {
   public:
-    /// A document of that text; `name` stands for the file in messages, and its folder for relative names.
-    /// Throws Error(input) where the text is no TOML.
+    /// Makes a document from text; `name` is the file name for messages, and its folder resolves relative
+    /// names. Throws Error(input) if the text is not valid TOML.
     SceneDocument(std::string text, std::string name);
 
-    /// Reads a scene file. A bare mesh becomes a new document that stages it, named like the mesh with
-    /// ".toml", of which changed() is true; `options` say how it is staged. Throws what load_scene() throws.
+    /// Reads a scene file. A bare mesh becomes a new document with a preview scene, named like the mesh with
+    /// ".toml", for which changed() is true; `options` apply to the preview. Throws what load_scene() throws.
     static SceneDocument open(const std::string& path, const LoadOptions& options = {});
 
     const std::string& text() const { return text_; }
     const std::string& name() const { return name_; }
-    /// Does the text differ from the file as it was opened or saved last?
+    /// Whether the text differs from the file as opened or last saved.
     bool changed() const { return saved_ != text_; }
-    /// Is that the text of the file, as it was opened or saved last?
+    /// Whether `text` is the file as opened or last saved.
     bool is_saved_as(std::string_view text) const { return saved_ == text; }
-    /// Going back to a copy made before `now` was saved: the file is as `now` knows it, and the text is the
-    /// copy's.
+    /// For undo: keeps the text of this copy but takes the saved state of the file from `now`, a later copy.
     void take_saved(const SceneDocument& now) { saved_ = now.saved_; }
-    /// What was set since then, each key once, as -D has it: given beside that file it says what the text
-    /// says.
+    /// Edits since then, one per key, as arguments of -D: the file with these overrides has the values of
+    /// this text.
     std::vector<Override> changes() const;
 
-    /// The value at the path as it is written; none where the file leaves it out or has no such table.
+    /// The value at the path as written in the file; none if the key or its table is missing.
     std::optional<std::string> value(std::string_view path) const;
 
-    /// The numbers of the value at the path: one, or those of its list. Empty where it is no such thing.
+    /// The numbers at the path: one, or those of a list. Empty if the value is something else.
     std::vector<double> numbers(std::string_view path) const;
-    /// The list at the path as it is written, with one more value at its end, for set(). None where it stands
-    /// under headers of its own.
+    /// The list at the path as written, with one more value appended, for use with set(). None if the list is
+    /// an array of tables with headers.
     std::optional<std::string> longer_list(std::string_view path, std::string_view value) const;
 
-    /// Sets a value, given as after -D: TOML, or else text. Replaces the characters of the value where the
-    /// key exists, and else writes the key into its table; [camera], [render], [whitted] and [animation] are
-    /// added where they lack. What is set back to what the file said gets the file's own characters. The
-    /// scene is checked without reading its meshes; throws Error(input) as -D would, and changes nothing
-    /// then.
+    /// Sets a value, given as for -D: TOML, otherwise text. Replaces the characters of an existing value, or
+    /// adds the key to its table; missing tables [camera], [render], [whitted] and [animation] are added.
+    /// Setting the file's original value restores its original characters. The scene is checked without
+    /// reading meshes; throws Error(input) as -D would and then changes nothing.
     void set(std::string_view path, std::string_view value);
     void set(std::string_view path, const char* value) { set(path, std::string_view(value)); }
-    /// The shortest text that reads back as exactly this value.
+    /// Sets the shortest text that parses to exactly this value.
     void set(std::string_view path, double value);
     void set(std::string_view path, const Vec3& value);
     void set(std::string_view path, int value);
     void set(std::string_view path, bool value);
-    /// Sets several at once, "path=value" each, in order: what is wrong in between does not matter.
+    /// Sets several "path=value" in order; the scene is checked only after the last.
     void set_all(const std::vector<Override>& values);
-    /// Sets what differs from the scene's camera. What it looks at is written as look_at or direction, as the
-    /// file has it; look_at is eye + direction, rounded.
+    /// Sets the keys in which the camera differs from the scene's. The target is written as look_at or
+    /// direction as in the file; look_at is eye + direction, rounded.
     void set_camera(const CameraDescription& camera);
 
-    /// Takes the file's text as it is now, with the values set here put in again. Throws Error(input) where
-    /// one has no place any more, and changes nothing then.
+    /// Replaces the text by the current text of the file and applies the edits again. Throws Error(input) if
+    /// an edit no longer applies, and then changes nothing.
     void rebase(std::string text);
 
-    /// Writes the file, whole or not at all. What others changed in it since it was opened is kept: the
-    /// values set here go into the file as it is now. A staged mesh overwrites no file: Error(output). Throws
-    /// as rebase() and write_file().
+    /// Writes the file atomically. Changes that others made to it since it was opened are kept: the edits are
+    /// applied to its current text. Does not overwrite the mesh file of a preview scene: Error(output).
+    /// Throws what rebase() and write_file() throw.
     void save();
-    /// Writes to another file, over what is there, and stays with it. Mesh files are named as seen from
-    /// there.
+    /// Writes to another file, replacing it, and continues with that file. Mesh files are renamed relative to
+    /// it.
     void save_as(const std::string& path);
 
   private:
@@ -81,31 +79,32 @@ class SceneDocument {
         std::string path;   ///< as given
         std::string target; ///< as KeyTarget::path
         std::string value;
-        std::optional<std::string> original; ///< the characters in the file; none: the key was absent
+        std::optional<std::string> original; ///< original text in the file; none if the key was absent
     };
 
     void put(std::string_view path, std::string_view value);
 
     std::string name_;
     std::string text_;
-    std::optional<std::string> saved_; ///< the text in the file, as far as known; none: no file yet
-    std::vector<Edit> edits_;          ///< since then
+    std::optional<std::string> saved_; ///< last known text of the file; none if there is no file yet
+    std::vector<Edit> edits_;          ///< edits since then
 };
 
 /// A document for the scene in which load_scene() shows a bare mesh: named like the mesh with ".toml", the
 /// mesh named by its file in the same folder.
 SceneDocument preview_document(SceneDescription scene, const std::string& mesh);
 
-/// A value as scene files write it, the shortest that reads back as the same: "0.1", "[1, 2, 3]", "\"text\"".
+/// A value as written in scene files, in the shortest form that parses to the same value: "0.1", "[1, 2, 3]",
+/// "\"text\"".
 std::string scene_value(double value);
 std::string scene_value(const Vec3& value);
 std::string scene_value(std::string_view value);
 
-/// A scene file that says what the description says. Values that are the defaults are left out. Meshes are
-/// named by MeshShape::file; one without cannot be written: Error(output).
+/// A scene file with the contents of a description. Default values are omitted. Meshes are referred to by
+/// MeshShape::file; throws Error(output) if a mesh has none.
 std::string scene_text(const SceneDescription& description);
 
-/// The [camera] table of a camera, for pasting into a scene file.
+/// The [camera] table of a camera, to paste into a scene file.
 std::string camera_text(const CameraDescription& camera);
 
 } // namespace glint

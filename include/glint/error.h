@@ -1,6 +1,6 @@
 #pragma once
-// What went wrong, where, and what to do about it. Nothing below the programs prints: problems travel as
-// values (`Diagnostic`) or as the one exception type (`Error`).
+// Errors and warnings. The library never prints: problems are returned as values (`Diagnostic`) or thrown as
+// the only exception type of its own (`Error`).
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// A place in an input file. Lines and columns count from 1; 0 means unknown. Columns count bytes.
+/// A position in an input file. Lines and columns count from 1; 0 means unknown. Columns count bytes.
 struct Location {
     std::string file;
     int line = 0;
@@ -23,30 +23,30 @@ struct Location {
 
 enum class Severity { warning, error };
 
-/// One problem: place, cause and cure.
+/// A problem: location, cause and suggested cure.
 struct Diagnostic {
     Severity severity = Severity::error;
     Location location;
-    std::string message; ///< what is wrong, one sentence without a full stop
+    std::string message; ///< what is wrong: one sentence without a full stop
     std::string hint;    ///< what was expected, or the nearest valid name; may be empty
     std::string excerpt; ///< the source line at the location; may be empty
 };
 
-/// Why an operation failed; the command line maps each to one exit code.
+/// Kind of failure; each has its own exit code on the command line.
 enum class ErrorKind {
     usage,     ///< wrong arguments
     input,     ///< input invalid or unreadable
     output,    ///< output cannot be written
-    resource,  ///< memory or a size limit
-    device,    ///< a device is missing or lost
+    resource,  ///< out of memory, or beyond a size limit
+    device,    ///< a device is missing or was lost
     cancelled, ///< the caller asked to stop
-    internal,  ///< a defect of glint
+    internal,  ///< a bug in glint
 };
 
 /// "file:line:column: error: message", the source line with a caret, and the hint.
 std::string to_string(const Diagnostic& diagnostic);
 
-/// The one exception type. Carries every diagnostic of severity `error` that was found, at least one.
+/// The exception type of the library. Contains all errors that were found, at least one.
 class Error : public std::exception {
   public:
     Error(ErrorKind kind, std::string message, std::string hint = {}, Location location = {});
@@ -63,7 +63,7 @@ class Error : public std::exception {
     std::string text_;
 };
 
-/// The candidate nearest to `word` by edit distance, if it is near enough to be what was meant.
+/// The candidate with the smallest edit distance to `word`, if it is close enough to be meant.
 std::optional<std::string> nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
 } // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// The pixel that explains itself.
+// Explanations of pixels.
 
 #include "glint/explanation.h"
 #include "glint/scene.h"
@@ -13,27 +13,28 @@
 
 namespace glint {
 
-/// Traces pixel (x, y) of the scene's picture again and keeps everything: the rays of each of its samples and
-/// every term of the light along them. The same functions compute the picture, so the sum is its pixel, bit
-/// for bit. (0, 0) is top left. Throws Error(usage) for a pixel outside the picture.
+/// Traces pixel (x, y) again and records everything: the rays of each sample and every term of the light
+/// along them. Uses the functions that compute the picture, so the sum equals its pixel bit for bit. (0, 0)
+/// is top left. Throws Error(usage) for a pixel outside the picture.
 Explanation explain(const Scene& scene, int x, int y);
 
-/// What explanations call an object, by its index: sphere "ball", or sphere #3, the third object of the file.
+/// Label of an object in explanations: sphere "ball", or sphere #3 for the third object of the file.
 std::string object_label(const SceneDescription& scene, std::size_t object);
-/// And a light: point light 2, the second light of the file.
+/// Label of a light: point light 2 is the second light of the file.
 std::string light_label(const SceneDescription& scene, std::size_t light);
 
-/// How much of a pixel is told.
+/// Limits on the detail of an explanation.
 struct ExplainLimits {
-    int samples =
-        std::numeric_limits<int>::max(); ///< all make the pixel, but only of the first ones rays are kept
-    float weight = 0; ///< rays that weigh less have a way and what they bring, but neither lights nor steps
+    int samples = std::numeric_limits<int>::max(); ///< number of samples whose rays are recorded; all samples
+                                                   ///< contribute to the pixel
+    /// rays with less weight are recorded with their path and radiance but without lights and steps
+    float weight = 0;
 };
 
-/// The same for many pixels of one scene. One explainer for each thread.
+/// Explains many pixels of one scene. Use one explainer per thread.
 class Explainer {
   public:
-    /// Once `cancel` is set, pixel() throws Error(cancelled), within one ray.
+    /// Once `*cancel` is set, pixel() throws Error(cancelled) within one ray.
     explicit Explainer(const Scene& scene, const CancelFlag* cancel = nullptr);
     ~Explainer();
     Explainer(Explainer&&) noexcept;
@@ -46,8 +47,8 @@ class Explainer {
     std::unique_ptr<State> state_;
 };
 
-/// Many pixels, in their order, explained by several threads (0: one for each core). Throws what
-/// Explainer::pixel() does.
+/// Explains many pixels, in order, with several threads (0: one per core). Throws what Explainer::pixel()
+/// throws.
 std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelCoord> pixels,
                                         const ExplainLimits& limits = {}, int threads = 0,
                                         const CancelFlag* cancel = nullptr);

@@ -1,8 +1,7 @@
 #pragma once
-// Why a pixel has its colour, as a value: for each sample of the pixel its ray tree, and for each ray every
-// term of the light model with its formula, the numbers in it and what comes out. Made by explain()
-// (glint/explain.h), written as text, JSON, SVG and HTML by glint/formats.h. docs/explain.md says what the
-// numbers mean.
+// The explanation of a pixel as a value: for each sample its ray tree, and for each ray every term of the
+// light model with its formula, operands and result. Made by explain() (glint/explain.h); written as text,
+// JSON, SVG and HTML by glint/formats.h. docs/explain.md describes the numbers.
 
 #include "glint/term.h"
 
@@ -25,13 +24,13 @@ struct PixelCoord {
 
 enum class RayKind { primary, reflected, refracted };
 
-/// Why a ray's way ends where it does.
+/// How a path ends.
 enum class RayEnd {
-    bounced,     ///< it goes on in one or two branches
+    bounced,     ///< it continues in one or two branches
     matte,       ///< the surface neither reflects nor transmits
-    depth_limit, ///< no more bounces allowed
+    depth_limit, ///< maximum depth reached
     background,  ///< nothing was hit
-    absorbed,    ///< nothing was hit from inside a solid: nothing comes back
+    absorbed,    ///< nothing was hit from inside a solid: no light returns
 };
 
 /// "primary", "reflected", "refracted".
@@ -39,135 +38,136 @@ const char* ray_kind_name(RayKind kind);
 /// "bounced", "matte", "depth_limit", "background", "absorbed".
 const char* ray_end_name(RayEnd end);
 
-/// A number or a vector of three: a colour, a place, a direction.
+/// A number or a vector of three: colour, point or direction.
 struct Quantity {
     Quantity() = default;
-    Quantity(float number) : value(number, 0, 0), vector(false) {}   // NOLINT: both read as values
+    Quantity(float number) : value(number, 0, 0), vector(false) {}   // NOLINT: implicit by intention
     Quantity(const glm::vec3& three) : value(three), vector(true) {} // NOLINT
 
-    glm::vec3 value{0.0f}; ///< a number stands in x
+    glm::vec3 value{0.0f}; ///< a number is stored in x
     bool vector = false;
 };
 
-/// One line of the working: a quantity that is given, or what a formula makes of those before it.
-///
-/// Formulas are written as people write them and can be evaluated as they stand: + − · / ⊙ | | √ ² ^, max,
-/// min, normalize, arccos and arcsin (degrees). a·b is the dot product of two vectors and a product
-/// otherwise; ⊙ multiplies channel by channel. Evaluated in float from left to right they give `result` to
-/// the bit.
+/// One step of the calculation: a given quantity, or the result of a formula over preceding ones. Formulas
+/// use mathematical notation and can be evaluated: + − · / ⊙ | | √ ² ^, max, min, normalize, arccos and
+/// arcsin (degrees). a·b is the dot product of two vectors and otherwise a product; ⊙ multiplies by channel.
+/// Evaluated in float from left to right, they give `result` bit for bit.
 struct Step {
-    std::string symbol;  ///< "E", "cosθ", "diffuse": unique within its light and ray
-    std::string formula; ///< "I · (cosθ / r²)"; empty: given
+    std::string symbol;  ///< "E", "cosθ", "diffuse": unique within its light or ray
+    std::string formula; ///< such as "I · (cosθ / r²)"; empty for given quantities
     Quantity result;
     const char* topic = "";   ///< what it belongs to: a term's name, "shadow", "refraction", "weight" …
     const char* meaning = ""; ///< "light arriving"
-    const char* section = ""; ///< of the report: "2.2"; empty where the report is silent
-    const char* note = ""; ///< where the model invents or omits something, or why this formula and no other
+    const char* section = ""; ///< section of the report, such as "2.2"; empty if the report does not cover it
+    const char* note = "";    ///< where the model adds or omits something, or why this formula is used
 };
 
-/// A surface on the way of a shadow ray.
+/// A surface crossed by a shadow ray.
 struct Blocker {
     std::uint32_t object = 0; ///< index in SceneDescription::objects
     std::string label;        ///< sphere "ball"
     std::string material;     ///< name
-    float distance = 0;       ///< from the point that is lit
+    float distance = 0;       ///< from the shaded point
     float transparency = 0;   ///< τ of its material
-    float share = 0; ///< what it lets through: τ, or 0 where shadows are opaque, or 1 if passed over
-    bool passed_over = false; ///< hidden inside a solid that owns the space: it does not count
+    float share = 0;          ///< transmitted fraction: τ, 0 with opaque shadows, or 1 if passed over
+    bool passed_over = false; ///< hidden inside a solid that owns the space, so it has no effect
 };
 
-/// One light at one hit, with its shadow ray.
+/// A light at a hit, and its shadow ray.
 struct ExplainedLight {
     std::uint32_t light = 0;   ///< index in SceneDescription::lights
-    std::string label;         ///< point light 1 (numbers count all lights, from 1)
+    std::string label;         ///< such as point light 1 (counting all lights from 1)
     glm::vec3 direction{0.0f}; ///< unit, to the light
     float distance = 0;        ///< infinite for directional lights
     float cosine = 0;          ///< n·l, 0 below the geometric horizon
     float degrees = 0;         ///< angle between normal and light
     float attenuation = 1;     ///< 1/r², times the spot's falloff; 1 for directional lights
-    glm::vec3 arriving{0.0f};  ///< E, before shadows
-    bool asked = false;        ///< was a shadow ray sent? Not where nothing arrives or nothing would be shown
+    glm::vec3 arriving{0.0f};  ///< E before shadows
+    bool asked = false; ///< whether a shadow ray was traced: not if no light arrives or none would be visible
     glm::vec3 shadow_origin{0.0f};
-    std::vector<Blocker> blockers; ///< in the order of the way, up to the light
-    float shadow = 1;              ///< the share that gets through
+    std::vector<Blocker> blockers; ///< in order of distance, up to the light
+    float shadow = 1;              ///< transmitted fraction
     glm::vec3 diffuse{0.0f};       ///< after shadow and clamp
     glm::vec3 highlight{0.0f};
     std::vector<Step> steps;
 };
 
-/// One ray with what it met. Children and parent are indices into ExplainedSample::rays, −1 for none.
+/// A ray and its hit. Children and parent are indices into ExplainedSample::rays, −1 for none.
 struct ExplainedRay {
     RayKind kind = RayKind::primary;
     RayEnd end = RayEnd::matte;
-    std::string why; ///< `end` in a sentence
+    std::string why; ///< `end` as a sentence
     int parent = -1;
     int reflected = -1;
     int refracted = -1;
-    int depth = 0; ///< bounces before it
+    int depth = 0; ///< number of bounces before it
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f}; ///< unit
-    glm::vec3 weight{1.0f};    ///< what a light of 1 along it adds to the sample
+    glm::vec3 weight{1.0f};    ///< contribution to the sample of unit radiance along the ray
 
-    bool hit = false; ///< the rest up to `lights` holds where something was hit
+    bool hit = false; ///< the following fields up to `lights` are valid only if something was hit
     std::uint32_t object = 0;
-    std::string label;    ///< sphere "ball", or sphere #3 (numbers count all objects, from 1)
+    std::string label;    ///< sphere "ball", or sphere #3 (counting all objects from 1)
     std::string material; ///< name
     float distance = std::numeric_limits<float>::infinity();
     glm::vec3 position{0.0f};
     glm::vec3 geometric_normal{0.0f}; ///< toward the viewer
     glm::vec3 shading_normal{0.0f};
     glm::vec3 color{0.0f};
-    bool entering = true; ///< hit from the object's outer side
+    bool entering = true; ///< hit from outside the object
     float gain = 0;       ///< (1 − τ) · max(c) · k_d + ρ + τ: above 1, more light leaves than arrives
-    std::vector<ExplainedLight> lights; ///< all but ambient ones, in the order of the file
-    bool crosses = false;               ///< the light's way through the surface of a solid was asked for:
-    float index_before = 1;             ///< n₁
-    float index_after = 1;              ///< n₂
-    float degrees_before = 0;           ///< θ₁, to the normal
-    float degrees_after = 0;            ///< θ₂; 90 and meaningless where the reflection is total
-    float critical_degrees = 90;        ///< beyond it the reflection is total; 90: never
+    std::vector<ExplainedLight> lights; ///< all lights except ambient ones, in file order
+    /// refraction at the surface of a solid was computed; the following fields are valid:
+    bool crosses = false;
+    float index_before = 1;      ///< n₁
+    float index_after = 1;       ///< n₂
+    float degrees_before = 0;    ///< θ₁, to the normal
+    float degrees_after = 0;     ///< θ₂; 90 for total reflection
+    float critical_degrees = 90; ///< angle of total reflection; 90: never
     bool total_reflection = false;
 
-    std::vector<std::string>
-        inside; ///< labels of the solids around the ray's way, the owner of the space first
-    std::vector<std::string> passed_over; ///< surfaces on the way hidden inside a solid that owns the space
-    glm::vec3 transmittance{1.0f};        ///< what absorption on the way leaves
-    std::vector<Step> given;              ///< what the scene and the hit say
-    std::vector<Step> steps;              ///< terms, branches, their sum; after the lights' own
-    std::array<glm::vec3, term_count> terms{}; ///< by Term; weighted, absorption included
-    glm::vec3 radiance{0.0f};                  ///< their sum: what comes back along the ray
+    std::vector<std::string> inside; ///< labels of the solids around the ray, the owner of the space first
+    /// surfaces skipped because they are hidden inside a solid that owns the space
+    std::vector<std::string> passed_over;
+    glm::vec3 transmittance{1.0f};             ///< transmittance of the path to the hit
+    std::vector<Step> given;                   ///< given quantities of the scene and the hit
+    std::vector<Step> steps;                   ///< terms, branches and their sum, after the lights' own steps
+    std::array<glm::vec3, term_count> terms{}; ///< by Term; weighted, including absorption
+    glm::vec3 radiance{0.0f};                  ///< their sum: the radiance along the ray
 };
 
 /// One sample of the pixel.
 struct ExplainedSample {
-    float dx = 0;       ///< pixels from the pixel's centre, to the right
-    float dy = 0;       ///< pixels from the pixel's centre, downward
-    float weight = 1;   ///< +1, or −1 where the pixel filter is negative
-    bool counts = true; ///< negative samples are left out where there are few (docs/explain.md)
+    float dx = 0;     ///< pixels to the right of the pixel's centre
+    float dy = 0;     ///< pixels below the pixel's centre
+    float weight = 1; ///< +1, or −1 where the pixel filter is negative
+    /// false for negative samples that are ignored because there are few (docs/explain.md)
+    bool counts = true;
     std::array<glm::vec3, term_count> terms{};
     glm::vec3 radiance{0.0f};
-    std::vector<ExplainedRay> rays; ///< the first is the primary ray; parents stand before their children
+    std::vector<ExplainedRay> rays; ///< the first is the primary ray; parents precede their children
 };
 
-/// The same pixel as a graphics card renders it.
+/// The pixel as rendered by a graphics card.
 struct OtherPixel {
     std::string device;
     glm::vec3 color{0.0f}; ///< linear RGB
 };
 
-/// One pixel. `color` is the pixel of the float picture that the CPU renders, to the bit.
+/// The explanation of a pixel. `color` equals the pixel of the float picture rendered by the CPU, bit for
+/// bit.
 struct Explanation {
     int x = 0; ///< from the left
     int y = 0; ///< from the top
     int width = 0;
     int height = 0;
-    std::string scene;  ///< what to call the scene: its file; empty unless the caller names it
-    std::string filter; ///< "mitchell" …; of no effect with one sample, which is the pixel's centre
-    std::string rule;   ///< how the samples make the pixel, in a sentence
+    std::string scene;  ///< name of the scene, such as its file; empty unless set by the caller
+    std::string filter; ///< such as "mitchell"; unused with one sample, which is at the pixel's centre
+    std::string rule;   ///< how samples are combined, as a sentence
     std::vector<ExplainedSample> samples;
     std::array<glm::vec3, term_count> terms{}; ///< by Term; their sum in order is `color`
     glm::vec3 color{0.0f};                     ///< linear RGB
-    std::optional<OtherPixel> gpu; ///< to be told beside it, where the caller has rendered it there
+    std::optional<OtherPixel> gpu; ///< for comparison, if the caller has rendered it on a graphics card
 };
 
 } // namespace glint

@@ -13,43 +13,43 @@
 
 namespace glint {
 
-/// A readable tree of 6 digits, UTF-8; `color` adds a terminal's escape sequences.
+/// A text tree with 6 digits, in UTF-8; `color` adds terminal escape sequences.
 std::string explanation_text(const Explanation& explanation, bool color = false);
 
 /// "0.5", or "(1, 0, 0.25)".
 std::string quantity_text(const Quantity& q, int digits = 6);
 
-/// The formula of a step with its numbers for its symbols, as explanation_text() prints it; empty where it
-/// would say no more than the formula or the result. `light`: whose step it is, else the ray's own.
+/// The formula of a step with numbers in place of symbols, as printed by explanation_text(); empty if it
+/// would repeat the formula or the result. `light`: the light the step belongs to, if any.
 std::string formula_in_numbers(const Step& step, const ExplainedRay& ray,
                                const ExplainedLight* light = nullptr);
 
-/// What a graphics card makes of the pixel, and how far that is from the explanation:
-/// "on DEVICE it is (…), off by at most …".
+/// The pixel of a graphics card and its difference from the explanation: "on DEVICE it is (…), off by at most
+/// …".
 std::string other_pixel_text(const Explanation& explanation, const OtherPixel& other, int digits = 6);
 
-/// JSON with nine digits, which read back as the same floats; docs/explain.md lists the names.
+/// JSON with nine digits, which parse to the same floats; docs/explain.md lists the names.
 std::string explanation_json(const Explanation& explanation);
 
-/// A picture of the trees: SVG, for reading and for showing around.
+/// The ray trees as an SVG picture.
 std::string explanation_svg(const Explanation& explanation);
 
-/// What explanation_html() makes a page of.
+/// Input of explanation_html().
 struct ExplanationPage {
     std::string scene;                   ///< title
-    Image image;                         ///< the picture, and
-    std::array<Image, term_count> terms; ///< its terms, as render() gives them
-    std::string gpu;                     ///< the graphics card that rendered gpu_image; empty: none did
-    Image gpu_image;                     ///< the picture from there, to be compared with
-    int columns = 160; ///< the page holds the explanations of so many places, at most one a pixel:
-    int rows = 90;     ///< the middles of an even grid
-    /// Asked for the places of one row after the other; of each the rays of its first sample are shown.
+    Image image;                         ///< the picture
+    std::array<Image, term_count> terms; ///< its terms as returned by render()
+    std::string gpu;                     ///< name of the graphics card that rendered gpu_image; empty if none
+    Image gpu_image;                     ///< the picture of the graphics card, for comparison
+    int columns = 160; ///< the page contains explanations of a grid of pixels, at most one per pixel:
+    int rows = 90;     ///< at the centres of the cells of an even grid
+    /// Called for the pixels of one row after another; the rays of the first sample of each pixel are shown.
     std::function<std::vector<Explanation>(std::span<const PixelCoord> row)> explain;
-    std::size_t max_bytes = 9'900'000; ///< rays that bring least are left out until the page is no larger
+    std::size_t max_bytes = 9'900'000; ///< size limit: rays with the smallest contribution are omitted
 };
 
-/// A picture that can be asked, as one HTML file that needs no network: its terms can be switched on and off,
-/// and where the mouse is, the rays of the place are shown with every term.
+/// An interactive picture as one self-contained HTML file: terms can be switched on and off, and the rays
+/// under the mouse are shown with all terms.
 std::string explanation_html(const ExplanationPage& page);
 
 } // namespace glint

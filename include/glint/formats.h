@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Writes a file under a temporary name in the same folder, fsyncs, renames: whole or not at all.
+/// Writes a file atomically: under a temporary name in the same folder, then fsync and rename.
 void write_file(const std::string& path, std::span<const std::byte> bytes);
 
 } // namespace glint

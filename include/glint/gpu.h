@@ -1,6 +1,6 @@
 #pragma once
-// Rendering on a graphics card, by OpenGL compute shaders: docs/gpu.md. The picture is that of render() up to
-// the rounding of the card: the same samples, the same equations, the same rays.
+// Rendering on a graphics card with OpenGL compute shaders: docs/gpu.md. Pictures equal those of render() up
+// to the rounding of the card: same samples, equations and rays.
 
 #include "glint/progressive.h"
 #include "glint/render.h"
@@ -12,35 +12,35 @@
 
 namespace glint {
 
-/// A device that OpenGL can be had from without a window.
+/// A device that offers OpenGL without a window.
 struct GpuDevice {
     std::string name;             ///< "NVIDIA RTX A4000", "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string driver;           ///< vendor and version of OpenGL
-    std::string fault;            ///< why glint cannot use it; empty where it can
+    std::string fault;            ///< why glint cannot use it; empty if it can
     bool software = false;        ///< runs on the CPU
-    std::uint64_t max_buffer = 0; ///< bytes; no part of a scene may be larger
-    std::uint64_t buffers = 0;    ///< that a shader can see at once
-    std::uint64_t max_group = 0;  ///< invocations of one work group
+    std::uint64_t max_buffer = 0; ///< largest size of a buffer in bytes, which limits every array of a scene
+    std::uint64_t buffers = 0;    ///< number of storage buffers available to a shader
+    std::uint64_t max_group = 0;  ///< largest number of invocations in a work group
 };
 
-/// All devices, in the order of their numbers. Where there is none at all, `why` says what is missing.
+/// All devices in order of their numbers. If there is none, `*why` explains what is missing.
 std::vector<GpuDevice> gpu_devices(std::string* why = nullptr);
 
-/// Bounds that a renderer keeps to. 0: what the device allows, or what the renderer learns from its speed.
-/// They change the time, never the picture.
+/// Limits for a renderer. 0: the limit of the device, or adapted to its speed. They affect time, never the
+/// picture.
 struct GpuLimits {
-    std::uint64_t buffer = 0; ///< bytes of the largest buffer, where the device allows more
-    std::uint32_t pixels = 0; ///< that one dispatch looks at; rounded up to a multiple of 64
-    std::uint32_t rays = 0;   ///< of each pixel's tree that one dispatch follows at most
-    std::uint32_t steps = 0;  ///< of a pixel's rays through the scene, after which they wait for the next
-                              ///< dispatch; a driver may refuse to go on where there are too many
+    std::uint64_t buffer = 0; ///< largest buffer in bytes, if below that of the device
+    std::uint32_t pixels = 0; ///< pixels per dispatch; rounded up to a multiple of 64
+    std::uint32_t rays = 0;   ///< rays of each pixel per dispatch
+    std::uint32_t steps = 0;  ///< traversal steps per pixel and dispatch, after which rays wait for the next
+                              ///< one; drivers may abort dispatches that take too long
 };
 
-/// Renders on one device. To be used by one thread at a time.
+/// Renders on one device. For use by one thread at a time.
 class GpuRenderer {
   public:
-    /// The device of that number, or with −1 the first that can be used, those of hardware before software.
-    /// Throws Error(device) where there is none, or where the driver refuses the shader.
+    /// Uses the device with that number; −1: the first usable one, hardware before software. Throws
+    /// Error(device) if there is none or the driver rejects the shader.
     explicit GpuRenderer(int device = -1, const GpuLimits& limits = {});
     ~GpuRenderer();
     GpuRenderer(GpuRenderer&&) noexcept;
@@ -48,16 +48,15 @@ class GpuRenderer {
 
     const GpuDevice& device() const;
 
-    /// Lays a scene in the device's memory for render(), in place of the one before; of scenes that share
-    /// their trees (update_scene(), with_view()) the tree stays there. Throws Error(device) for a scene
-    /// beyond the device's limits, by name and with the sizes, or where memory runs out: then none is
-    /// prepared.
+    /// Uploads a scene for render(), replacing the previous one; a tree shared with it (update_scene(),
+    /// with_view()) is not uploaded again. Throws Error(device) for a scene beyond the device's limits,
+    /// naming these and the sizes, or if memory runs out; then no scene is prepared.
     void prepare(const Scene& scene);
 
-    /// Renders the prepared scene. Of the options show, crop, terms, coverage, progress and cancel count;
-    /// Aov::cost has the steps of the GPU's own walk through its own tree. Cancelling ends within one
-    /// dispatch, some hundredths of a second. Throws Error(device) where the device is lost, or a ray is in
-    /// more than eight transparent solids at once.
+    /// Renders the prepared scene. Uses show, crop, terms, coverage, progress and cancel of the options;
+    /// Aov::cost counts steps of the GPU's own traversal. Cancelling takes effect within one dispatch, some
+    /// hundredths of a second. Throws Error(device) if the device is lost, or if a ray is inside more than
+    /// eight transparent solids at once.
     Picture render(const RenderOptions& options = {});
 
   private:
@@ -65,16 +64,16 @@ class GpuRenderer {
     std::unique_ptr<State> state_;
 };
 
-/// Stands for the context of OpenGL that is current on the calling thread. Its owner keeps it current
-/// wherever what was made in it is used and ended.
+/// Denotes the OpenGL context current on the calling thread. The caller keeps it current while using or
+/// destroying objects made in it.
 struct GpuCurrentContext {};
 
-/// The device of that context, with why glint's shaders cannot run in it, if so.
+/// The device of that context, with the reason if it cannot run glint's shaders.
 GpuDevice gpu_device(GpuCurrentContext context);
 
-/// A linear picture that stays on the device: a texture of OpenGL, RGBA in 32-bit floats, its first row the
-/// top one. It can be used in every context that shares with the one it was made in, and is let go where such
-/// a context is current.
+/// A linear picture on the device: an OpenGL texture, RGBA in 32-bit floats, top row first. It can be used in
+/// all contexts that share objects with the one it was made in, and must be destroyed while such a context is
+/// current.
 class GpuPicture {
   public:
     ~GpuPicture();
@@ -85,10 +84,10 @@ class GpuPicture {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// To be called after commands that draw it, where they were given: once it is let go, nothing overwrites
-    /// it before they are done.
+    /// To be called after issuing commands that read the texture: it is not overwritten before these
+    /// complete.
     void was_drawn() const;
-    /// Brings it into memory; needs a context to be current.
+    /// Reads it back to memory; a context must be current.
     Image read() const;
 
   private:
@@ -100,17 +99,18 @@ class GpuPicture {
     std::uint32_t texture_ = 0;
     int width_;
     int height_;
-    mutable void* drawn_ = nullptr; ///< a fence of OpenGL
+    mutable void* drawn_ = nullptr; ///< an OpenGL fence
 };
 
-/// Progressive on a graphics card: the same passes, and after the last one the bits of GpuRenderer's picture.
-/// What `show` of the options asks for is numbers, as of Progressive. To be used by one thread at a time.
+/// Progressive rendering on a graphics card, with the passes of Progressive; the final picture equals
+/// GpuRenderer's bit for bit. The values for `show` are raw, as with Progressive. For use by one thread at a
+/// time.
 class GpuProgressive {
   public:
-    /// On a device of its own, by number or the best: see GpuRenderer.
+    /// Uses a device of its own, see GpuRenderer.
     explicit GpuProgressive(int device = -1);
-    /// In a context that is there: a window's, or one that shares with it and is current on another thread.
-    /// Throws Error(device) where it is older than OpenGL 4.3 or refuses the shader.
+    /// Uses the current context: a window's, or one that shares with it on another thread. Throws
+    /// Error(device) if it is older than OpenGL 4.3 or rejects the shader.
     explicit GpuProgressive(GpuCurrentContext context);
     ~GpuProgressive();
     GpuProgressive(const GpuProgressive&) = delete;
@@ -118,26 +118,25 @@ class GpuProgressive {
 
     const GpuDevice& device() const;
 
-    /// Begins a picture; the kernel of the options does not count. What is on the device of the scene before
-    /// stays there: trees that both share, and everything where only camera and size differ. Throws
-    /// Error(usage) for an impossible step, and Error(device) as GpuRenderer does: then the picture before is
-    /// gone, and none is begun.
+    /// Starts a picture; the kernel of the options is ignored. Data shared with the previous scene stays on
+    /// the device: shared trees, and everything if only camera and size differ. Throws std::invalid_argument
+    /// for an invalid step, and Error(device) as GpuRenderer does; then the previous picture is lost and none
+    /// is started.
     void start(const Scene& scene, const ProgressiveOptions& options = {});
 
-    /// Goes on for about so many seconds, by dispatches of some hundredths of a second, and at least to the
-    /// end of the first pass. False when nothing is left to do. After a cancelled call the next goes on where
-    /// it stood. Throws Error(device) where the device is lost, or cannot follow a ray: then the picture is
-    /// gone, and there is nothing to go on with before the next start().
+    /// Continues for about `seconds` in dispatches of some hundredths of a second, at least to the end of the
+    /// first pass. Returns false if there is nothing left to do. After cancelling, the next call continues.
+    /// Throws Error(device) if the device is lost or cannot trace a ray; then the picture is lost until the
+    /// next start().
     bool advance(double seconds);
 
     const Refinement& reached() const;
-    /// The picture so far, as it is now: what is done later is seen in the next one alone. None before the
-    /// first pass. For what works in a GpuCurrentContext; the textures of a device of its own cannot be
-    /// used outside: see image().
+    /// The picture so far; later work appears only in later results. None before the first pass. Only for a
+    /// GpuCurrentContext: textures of an own device cannot be used outside, see image().
     std::shared_ptr<const GpuPicture> picture() const;
-    /// The same, brought into memory; without pixels where there is none.
+    /// The picture so far, read back to memory; empty if there is none.
     Image image() const;
-    /// How often the device was given anything of a scene beside its camera.
+    /// Number of scene uploads, not counting camera changes.
     int upload_count() const;
 
   private:

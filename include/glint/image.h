@@ -1,5 +1,5 @@
 #pragma once
-// Pictures in memory: linear light, Rec.709 primaries, 32-bit float.
+// Pictures in memory: linear light, Rec. 709 primaries, 32-bit float.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Image {
     Image(int w, int h)
         : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3) {}
 
-    /// First of the three values of pixel (x, y).
+    /// Pointer to the three values of pixel (x, y).
     float* at(int x, int y) { return pixels.data() + offset(x, y); }
     const float* at(int x, int y) const { return pixels.data() + offset(x, y); }
 
@@ -29,25 +29,24 @@ struct Image {
     }
 };
 
-/// XXH3-128 of the pixels as width × height × 3 float32, little endian, rows from the top: 32 hex digits.
+/// XXH3-128 of the pixels as width × height × 3 float32, little endian, rows from the top: 32 hexadecimal
+/// digits.
 std::string picture_hash(const Image& image);
 
-/// How far two pictures of one size are apart, over all pixels and channels.
+/// Differences of two pictures of equal size over all pixels and channels.
 struct Comparison {
     double max = 0;   ///< largest absolute difference
     double mae = 0;   ///< mean absolute difference
     double rmse = 0;  ///< root of the mean squared difference
     double psnr = 0;  ///< dB against `peak`; infinite for equal pictures
-    double share = 0; ///< share of pixels with a channel that differs by more than `tolerance`, 0 … 1
+    double share = 0; ///< fraction of pixels with a channel that differs by more than `tolerance`
 };
 
-/// Compares a with b. `tolerance` is in the pictures' own units and inclusive (a difference equal to it
-/// passes); `peak` is white (1 for linear light, 255 for 8-bit values). Pictures of different sizes throw
-/// Error(input). NaN against NaN is no difference; NaN against a number is an infinite one.
+/// Compares two pictures. `tolerance` is in units of the pictures and inclusive; `peak` is white (1 for
+/// linear light, 255 for 8-bit values). NaN equals NaN and differs from numbers by infinity.
 Comparison compare(const Image& a, const Image& b, double tolerance, double peak);
 
-/// A picture of |a − b|: black is equal, through blue and yellow to white at `full_scale` and beyond.
-/// Pictures of different sizes throw Error(input).
+/// A heat map of |a − b|: black for equal, through blue and yellow to white at `full_scale` and beyond.
 Image difference_heat(const Image& a, const Image& b, double full_scale);
 
 } // namespace glint

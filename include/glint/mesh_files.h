@@ -17,16 +17,17 @@ struct LoadedMesh {
     std::vector<Diagnostic> warnings;
 };
 
-/// Reads a PLY file: ASCII, binary little or big endian. Of the options only `cancel` and `progress` count.
+/// Reads a PLY file: ASCII, binary little or big endian. Uses only `cancel` and `progress` of the options.
 LoadedMesh load_mesh(const std::string& path, const LoadOptions& options = {});
 
-/// The same from memory; `name` stands for the file in messages.
+/// Reads a PLY file from memory; `name` is the file name for messages.
 LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name,
                      const LoadOptions& options = {});
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
 
-/// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading gives the same bits.
+/// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading returns the same
+/// bits.
 void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format = PlyFormat::binary_little_endian);
 
 } // namespace glint

@@ -1,5 +1,5 @@
 #pragma once
-// From a place in the picture to the scene.
+// Picking: from a position in the picture to an object.
 
 #include "glint/scene.h"
 
@@ -8,7 +8,7 @@
 
 namespace glint {
 
-/// What stands at a place of the picture.
+/// The object visible at a position of the picture.
 struct Pick {
     std::size_t object = 0;   ///< index into SceneDescription::objects
     std::size_t material = 0; ///< index into SceneDescription::materials
@@ -17,8 +17,8 @@ struct Pick {
     double distance = 0;
 };
 
-/// What the ray through a place of the scene's picture meets first; surfaces hidden in glass that owns their
-/// space are passed over. In pixels from the top left: (0.5, 0.5) is the centre of pixel (0, 0).
+/// The first visible hit of the ray through a position, skipping surfaces hidden in glass that owns their
+/// space. In pixels from the top left: (0.5, 0.5) is the centre of pixel (0, 0).
 std::optional<Pick> pick(const Scene& scene, double x, double y);
 
 } // namespace glint

@@ -15,7 +15,7 @@ namespace glint {
 
 enum class View { srgb, raw };
 
-/// One named picture beside the main one: a term of the light, or coverage.
+/// A named picture in addition to the main one: a term of the light, or coverage.
 struct Layer {
     std::string name;
     Image image;
@@ -24,14 +24,13 @@ struct Layer {
 struct PictureOptions {
     View view = View::srgb;
     int bits = 8;              ///< PNG: 8 or 16
-    std::vector<float> alpha;  ///< PNG, EXR: width · height values, straight; empty: none
+    std::vector<float> alpha;  ///< PNG, EXR: width · height values, unassociated; empty: no alpha
     std::vector<Layer> layers; ///< EXR
-    std::vector<std::pair<std::string, std::string>>
-        metadata; ///< what decides the picture; PNG text, EXR attributes
+    /// settings that determine the picture, as PNG text or EXR attributes
+    std::vector<std::pair<std::string, std::string>> metadata;
 };
 
-/// What a screen shows of a picture: the codes that an 8-bit PNG would hold, a pixel packed as 0xffRRGGBB,
-/// rows from the top. `pixels` takes the picture's size.
+/// Converts to 8-bit codes for display, packed as 0xffRRGGBB, rows from the top. Resizes `pixels`.
 void screen_pixels(const Image& image, View view, std::vector<std::uint32_t>& pixels);
 
 enum class PictureFormat { png, exr, pfm };
@@ -39,23 +38,23 @@ enum class PictureFormat { png, exr, pfm };
 /// By the extension of a name, in any case; "-" (stdout) is PNG. None for any other.
 std::optional<PictureFormat> picture_format(const std::string& path);
 
-/// Writes .png, .exr or .pfm by the extension; "-" is stdout (as PNG).
+/// Writes .png, .exr or .pfm, chosen by the extension; "-" writes PNG to stdout.
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options = {});
 
-/// Throws what write_picture() would throw for the path alone: Error(usage) for an extension that is none of
-/// the three or cannot hold alpha or layers, Error(output) for a missing folder or permission. Writes
-/// nothing: call it before a long render.
+/// Throws what write_picture() would throw for this path: Error(usage) for an unsupported extension or one
+/// that cannot hold alpha or layers, Error(output) for a missing folder or permission. Writes nothing: for
+/// use before a long render.
 void check_picture_target(const std::string& path, bool with_alpha = false, bool with_layers = false);
 
-/// A picture as read: 8- and 16-bit ones hold their integer values, float ones linear light.
+/// A picture as read: 8- and 16-bit pictures keep integer values, float pictures are linear light.
 struct LoadedPicture {
     Image image;
     int bits = 32; ///< 8, 16, or 32 for float
 };
 LoadedPicture read_picture(const std::string& path);
 
-/// What `glint diff` compares: |a − b| in units of 1/255 where both pictures have 8 or 16 bits, linear light
-/// where both are float. One of each is refused with Error(usage), different sizes with Error(input).
+/// The comparison of `glint diff`: |a − b| in units of 1/255 if both pictures have 8 or 16 bits, in linear
+/// light if both are float. Throws Error(usage) for one of each, Error(input) for different sizes.
 struct PictureDifference {
     Comparison comparison;
     bool eight_bit = false; ///< units of 1/255

@@ -16,28 +16,29 @@ struct ProgressiveOptions {
     /// power of two from 1 to max_coarsest.
     int coarsest = 8;
     Aov show = Aov::final;
-    KernelChoice kernel;                ///< changes the time, never the picture
+    KernelChoice kernel;                ///< affects time, never the picture
     const CancelFlag* cancel = nullptr; ///< once it is set, advance() returns within milliseconds
 };
 inline constexpr int max_coarsest = 64;
 
-/// How good a picture has become.
+/// Progress of a picture.
 struct Refinement {
     int step = 0;        ///< every n-th pixel of each row and column is known; 0: nothing is
-    int samples = 0;     ///< of each pixel that its value is the mean of; 0: one ray through its centre
-    double fraction = 0; ///< of the whole way, by samples
+    int samples = 0;     ///< samples per pixel so far; 0: one ray through the centre
+    double fraction = 0; ///< fraction of all samples done
     bool finished = false;
     std::uint64_t rays = 0;
-    double seconds = 0; ///< spent in advance()
+    double seconds = 0; ///< time spent in advance()
 };
 
-/// Renders in passes: every 8th pixel of each row and column, say, then every 4th, every 2nd, all, by one ray
-/// through each centre; then antialiased, with twice as many samples each pass. After the last pass the
-/// picture is that of render(), to the bit, whatever was cancelled on the way. Keeps its threads and its
-/// memory (some 200 bytes a pixel where there is more than one sample) from scene to scene. For one thread.
+/// Renders in passes: every 8th pixel of each row and column, for example, then every 4th, every 2nd and all
+/// with one ray through each centre, then antialiased with twice as many samples each pass. The final picture
+/// equals that of render() bit for bit, regardless of cancelling in between. Keeps its threads and memory
+/// (some 200 bytes a pixel with more than one sample) between scenes. For use by one thread at a time.
 class Progressive {
+    /// 0: one for each core
   public:
-    explicit Progressive(int threads = 0); ///< 0: one for each core
+    explicit Progressive(int threads = 0);
     ~Progressive();
     Progressive(const Progressive&) = delete;
     Progressive& operator=(const Progressive&) = delete;
@@ -51,7 +52,7 @@ class Progressive {
     /// whole is kept, and the next call goes on.
     bool advance(double seconds);
 
-    /// The picture so far, linear; light is interpolated between the pixels that are known.
+    /// The picture so far, linear; unknown pixels are interpolated.
     const Image& image() const;
     const Refinement& reached() const;
     int threads() const;

@@ -1,5 +1,5 @@
 #pragma once
-// From a frozen scene to a picture.
+// Rendering pictures of scenes.
 
 #include "glint/image.h"
 #include "glint/kernels.h"
@@ -16,7 +16,7 @@
 
 namespace glint {
 
-/// A part of the picture, in pixels from the top left.
+/// A rectangle in pixels from the top left.
 struct Rect {
     int x = 0;
     int y = 0;
@@ -31,21 +31,21 @@ struct Progress {
     double seconds = 0; ///< wall time since the start of rendering
 };
 
-/// What a picture shows of its scene. All but the light and its terms ask one ray through each pixel's
-/// centre, whatever the number of samples.
+/// What a picture contains: the light, one of its terms, or another output channel (AOV). All except the
+/// light and its terms use one ray through each pixel's centre, whatever the number of samples.
 enum class Aov {
     final,   ///< the light: the sum of its terms
-    ambient, ///< the terms, in their order; see Term
+    ambient, ///< the terms in order, see Term
     diffuse,
     highlight,
     clamp,
     reflection,
     transmission,
     emission,
-    shadows, ///< how many lights the first hit does not see; those behind glass count in part
-    normal,  ///< the shading normal toward the viewer: x, y, z from −1 to 1; 0 where nothing is hit
-    depth,   ///< the distance along the ray, in scene units; infinite where nothing is hit
-    cost     ///< steps of a plain walk through the trees to the first hit: nodes, shapes tested, 0
+    shadows, ///< number of lights not visible from the first hit; those behind glass count fractionally
+    normal,  ///< shading normal facing the viewer: x, y, z from −1 to 1; 0 if nothing is hit
+    depth,   ///< distance along the ray in scene units; infinite if nothing is hit
+    cost     ///< steps of scalar traversal to the first hit: nodes, shapes tested, 0
 };
 inline constexpr int aov_count = 12;
 /// "final", "ambient", …
@@ -60,22 +60,22 @@ Image visible(const Image& numbers, Aov aov, const Scene& scene);
 bool is_visible(Aov aov);
 
 struct RenderOptions {
-    Aov show = Aov::final; ///< what Picture::image holds
+    Aov show = Aov::final; ///< contents of Picture::image
     int threads = 0;       ///< 0: one for each core
-    int tile_size = 16;    ///< pixels; changes the order of the work, never the picture
+    int tile_size = 16;    ///< in pixels; affects the order of work, never the picture
     std::optional<Rect> crop;
-    KernelChoice kernel;   ///< how rays are traced; changes the time, never the picture. Throws where the
-                           ///< machine lacks the SIMD target
-    bool terms = false;    ///< keep a picture of each term
-    bool coverage = false; ///< keep the share of samples that hit something
-    std::function<void(const Progress&)> progress; ///< called from rendering threads, one at a time
+    KernelChoice kernel;   ///< traversal kernel; affects time, never the picture. Throws if the machine lacks
+                           ///< the SIMD target
+    bool terms = false;    ///< return a picture of each term
+    bool coverage = false; ///< return the fraction of samples that hit something
+    std::function<void(const Progress&)> progress; ///< called by rendering threads, one at a time
     const CancelFlag* cancel = nullptr;
 };
 
 struct RenderStats {
     double wall_seconds = 0;
     double cpu_seconds = 0;
-    double device_seconds = 0; ///< that a graphics card worked
+    double device_seconds = 0; ///< time on a graphics card
     std::uint64_t primary_rays = 0;
     std::uint64_t reflected_rays = 0;
     std::uint64_t refracted_rays = 0;
@@ -87,22 +87,22 @@ struct RenderStats {
 
 struct Picture {
     Image image;
-    std::array<Image, term_count>
-        terms; ///< by Term; their sum in order is `image` to the bit; empty unless asked for
-    std::vector<float> coverage; ///< width · height: share of the samples that hit something; or empty
+    /// by Term; their sum in order equals `image` bit for bit; empty unless requested
+    std::array<Image, term_count> terms;
+    std::vector<float> coverage; ///< width · height: fraction of samples that hit something; or empty
     RenderStats stats;
-    bool complete = true; ///< false: cancelled; pixels of unfinished tiles are 0
+    bool complete = true; ///< false if cancelled; pixels of unfinished tiles are 0
 };
 
-/// Renders the scene by its own settings. The picture depends on scene and settings alone: not on threads or
-/// tiles. With a crop, the picture has the crop's size and holds exactly these pixels of the whole.
+/// Renders the scene with its own settings. The picture depends only on scene and settings, not on threads or
+/// tiles. With a crop, it has the crop's size and contains exactly these pixels.
 Picture render(const Scene& scene, const RenderOptions& options = {});
 
-/// The settings that decide the picture, for metadata: version, size, samples, seed, filter, integrator,
-/// depth …
+/// Settings that determine the picture, for metadata: version, size, samples, seed, filter, integrator, depth
+/// …
 std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& scene);
 
-/// The version of the library, "0.1.0".
+/// Version of the library, such as "0.1.0".
 const char* version();
 
 } // namespace glint

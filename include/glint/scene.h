@@ -1,6 +1,6 @@
 #pragma once
-// A scene as plain, editable values (`SceneDescription`), and frozen for tracing (`Scene`).
-// Names and meanings are those of scene files: docs/scene-format.md.
+// Scenes as plain, editable values (`SceneDescription`), and built for tracing (`Scene`). Names and meanings
+// are those of scene files: docs/scene-format.md.
 
 #include "glint/error.h"
 #include "glint/filter.h"
@@ -25,7 +25,7 @@ namespace glint {
 using Vec3 = glm::dvec3;
 using Mat4 = glm::dmat4; ///< column-major: m[column][row]
 
-/// A triangle mesh, or a point cloud where `triangles` is empty.
+/// A triangle mesh, or a point cloud if `triangles` is empty.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals; ///< per vertex, or empty
@@ -39,7 +39,7 @@ enum class Axis { x, y, z };
 /// A pinhole camera, right-handed.
 struct CameraDescription {
     Vec3 eye{0};
-    Vec3 direction{0, 1, 0}; ///< from the eye to what is looked at; any length
+    Vec3 direction{0, 1, 0}; ///< viewing direction; any length
     Vec3 up{0, 0, 1};
     double fov = 45; ///< full angle, degrees
     FovAxis fov_axis = FovAxis::y;
@@ -51,7 +51,7 @@ enum class Integrator { whitted };
 struct RenderSettings {
     int width = 640;
     int height = 480;
-    int spp = 4; ///< samples per pixel; 1 is the pixel's centre
+    int spp = 4; ///< samples per pixel; 1: through the pixel's centre
     std::uint64_t seed = 0;
     Integrator integrator = Integrator::whitted;
     PixelFilter filter = PixelFilter::mitchell;
@@ -68,7 +68,7 @@ struct WhittedSettings {
     bool clamp = false;
     Energy energy = Energy::report;
     HighlightModel highlight_model = HighlightModel::blinn;
-    double index = 1.0; ///< index of refraction of what surrounds everything
+    double index = 1.0; ///< index of refraction of the surroundings
 };
 
 struct Material {
@@ -87,7 +87,7 @@ struct Material {
     Location where;
 };
 
-/// All p with normal · p = offset, literally: the normal need not be of unit length.
+/// The points with normal · p = offset; the normal need not be normalized.
 struct PlaneShape {
     Vec3 normal{0, 0, 1};
     double offset = 0;
@@ -99,7 +99,7 @@ struct SphereShape {
     double radius = 1;
     friend bool operator==(const SphereShape&, const SphereShape&) = default;
 };
-/// A solid cylinder with both caps; `axis` gives the direction only.
+/// A solid cylinder with caps; only the direction of `axis` matters.
 struct CylinderShape {
     Vec3 base{0};
     Vec3 axis{0, 0, 1};
@@ -139,31 +139,30 @@ struct PolyhedronShape {
     PolyhedronKind kind = PolyhedronKind::box;
     Vec3 center{0};
     Vec3 size{1};       ///< box: edge lengths
-    double radius = 1;  ///< all others: circumscribed
+    double radius = 1;  ///< all others: radius of the circumscribed sphere
     int sides = 6;      ///< prism, pyramid
     double height = 1;  ///< prism, pyramid
     Vec3 axis{0, 0, 1}; ///< prism, pyramid
     friend bool operator==(const PolyhedronShape&, const PolyhedronShape&) = default;
 };
 enum class NormalsMode { automatic, flat, smooth };
-/// Which way a mesh's normals face when lights are summed.
+/// How a mesh's normals are oriented for lighting.
 enum class Facing {
-    viewer, ///< turned to the viewer, as everything else
-    stored  ///< by the winding: the inside of an open mesh is lit through its back, as the report's program
-            ///< did
+    viewer, ///< toward the viewer, like all other shapes
+    stored  ///< by the winding: an open mesh is lit from inside through its back
 };
 enum class VertexColors { automatic, ignore };
 struct MeshShape {
-    std::string file; ///< as written; empty for a mesh made in memory
+    std::string file; ///< as written in the scene file; empty for a mesh made in memory
     Vec3 scale{1};    ///< applied before the object's transform
     NormalsMode normals = NormalsMode::automatic;
     Facing facing = Facing::viewer;
     VertexColors vertex_colors = VertexColors::automatic;
-    std::optional<double> point_radius; ///< for point clouds; none: chosen from their density
-    std::shared_ptr<const Mesh> data;   ///< filled by load_scene(), or by hand
+    std::optional<double> point_radius; ///< radius for point clouds; none: chosen by density
+    std::shared_ptr<const Mesh> data;   ///< set by load_scene() or by hand
     friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
-/// A mesh again: its own scale and transform first, then this object's.
+/// An instance of a mesh: the mesh's scale and transform first, then this object's.
 struct InstanceShape {
     std::string mesh; ///< name of a mesh object
     friend bool operator==(const InstanceShape&, const InstanceShape&) = default;
@@ -174,9 +173,9 @@ using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, ConeShape, Di
 struct Object {
     std::string name; ///< unique within its type, or empty
     Shape shape;
-    std::string material; ///< name; an instance without one takes its mesh's
+    std::string material; ///< material name; an instance without one uses its mesh's
     bool visible = true;
-    int priority = 0; ///< of overlapping solids; the higher owns the space
+    int priority = 0; ///< of overlapping solids the one with higher priority owns the space
     Mat4 transform{1.0};
     Location where;
 };
@@ -187,10 +186,10 @@ struct AmbientLight {
 struct PointLight {
     Vec3 position{0};
     Vec3 color{1};
-    double intensity = 1; ///< a white matte surface facing it at distance 1 shows 1.0
+    double intensity = 1; ///< a white matte surface facing it at distance 1 has radiance 1.0
 };
 struct DirectionalLight {
-    Vec3 direction{0, 0, -1}; ///< the way the light travels; any length
+    Vec3 direction{0, 0, -1}; ///< direction of travel; any length
     Vec3 color{1};
     double irradiance = 1;
 };
@@ -210,9 +209,9 @@ struct Light {
 /// Whether a shape bounds a volume. A mesh is taken to: building its scene finds out.
 bool is_solid(const Shape& shape);
 
-/// Everything a scene file says. Objects and lights stand in the order of the file: it decides ties and sums.
+/// The contents of a scene file. Objects and lights are in file order, which decides ties and sums.
 struct SceneDescription {
-    std::optional<CameraDescription> camera; ///< none: the scene is framed by build_scene()
+    std::optional<CameraDescription> camera; ///< none: chosen by build_scene() to show the whole scene
     RenderSettings render;
     WhittedSettings whitted;
     std::vector<Material> materials;
@@ -226,7 +225,7 @@ struct PrimitiveCount {
     std::uint64_t count = 0;
 };
 
-/// Sizes of a frozen scene.
+/// Sizes of a built scene.
 struct SceneStats {
     std::uint64_t objects = 0;
     std::uint64_t triangles = 0;
@@ -236,14 +235,14 @@ struct SceneStats {
     std::uint64_t tree_nodes = 0;
     int tree_depth = 0;
     std::string tree_quality; ///< "fast", "high", or empty without triangles
-    std::uint64_t bytes = 0;  ///< held by geometry and trees
-    Vec3 bounds_min{0};       ///< of everything finite; min > max where there is nothing
+    std::uint64_t bytes = 0;  ///< memory of geometry and trees
+    Vec3 bounds_min{0};       ///< bounds of everything finite; min > max if there is nothing
     Vec3 bounds_max{0};
 };
 
 struct SceneData;
 
-/// A scene ready to be traced: immutable, cheap to copy, usable by any number of threads.
+/// A scene ready for rendering: immutable, cheap to copy, usable by any number of threads.
 class Scene {
   public:
     explicit Scene(std::shared_ptr<const SceneData> scene_data) : data_(std::move(scene_data)) {}
@@ -257,52 +256,51 @@ class Scene {
     std::shared_ptr<const SceneData> data_;
 };
 
-/// Set from any thread or a signal handler: what is under way ends within milliseconds.
+/// May be set by any thread or a signal handler: operations end within milliseconds.
 using CancelFlag = std::atomic<bool>;
 
-/// How far a scene is on its way from files to trees.
+/// Progress of loading and building a scene.
 struct LoadProgress {
     std::string activity; ///< "reading bunny.ply", "building the trees"
     double fraction = 0;  ///< of this activity, 0 … 1
 };
-/// Called now and then, from one thread at a time.
+/// Called occasionally, by one thread at a time.
 using LoadCallback = std::function<void(const LoadProgress&)>;
 
 struct BuildSceneOptions {
     int threads = 0; ///< 0: one for each core
-    /// Find out which meshes are closed even where nothing lets light through, so that update_scene() may
-    /// turn any material into glass. It takes a pass over all edges and changes no picture.
+    /// Determine which meshes are closed even if no material is transparent, so that update_scene() may make
+    /// any material transparent. Takes a pass over all edges and changes no picture.
     bool find_solids = false;
     const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
     LoadCallback progress;
 };
 
-/// Checks the description, bakes transforms, builds the trees. Throws Error(input) with every error found.
+/// Validates the description, bakes transforms and builds trees. Throws Error(input) with all errors found.
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options = {});
 
-/// What freeze(description) gives, in less time: where `scene` has the same objects in the same places, its
-/// trees are shared, whatever has become of materials, lights, camera and settings. Meshes count as the same
-/// where they share their data. Frozen anew are scenes whose objects differ, and those with meshes that
-/// become glass unless `scene` was frozen with `find_solids`.
+/// Equivalent to build_scene(description), but faster: if the objects and their transforms are those of
+/// `scene`, its trees are shared, whatever changed in materials, lights, camera and settings. Meshes are
+/// compared by their data pointers. Everything is rebuilt if objects differ, or if meshes become transparent
+/// and `scene` was built without `find_solids`.
 Scene update_scene(const Scene& scene, const SceneDescription& description,
                    const BuildSceneOptions& options = {});
 
-/// The same scene from another camera, in a picture of another size. Throws Error(input) where either cannot
-/// be.
+/// The scene with another camera and picture size. Throws Error(input) if either is invalid.
 Scene with_view(const Scene& scene, const CameraDescription& camera, int width, int height);
 
-/// What is suspicious though valid: no light, camera or light inside an object, open mesh made of glass,
-/// coincident glass faces, a material that gives more light than it gets, objects hidden inside glass that
-/// owns their space.
+/// Warnings about valid but suspicious scenes: no light, camera or light inside an object, open mesh made of
+/// glass, coincident glass faces, a material that emits more light than it receives, objects hidden inside
+/// glass that owns their space.
 std::vector<Diagnostic> warnings(const Scene& scene);
 
-/// The axis that points up in a mesh as it is stored, judged by its shape: y or z.
+/// Guesses the up axis of a mesh by its shape: y or z.
 Axis guess_up_axis(const Mesh& mesh);
 
-/// A scene that shows one mesh: framed, lit, on a floor, turned so that `up` points up (+z).
+/// A preview scene of a mesh: framed, lit, on a floor, rotated so that `up` points along +z.
 SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up);
 
-/// A camera from which everything finite in the scene is seen.
+/// A camera that shows everything finite in the scene.
 CameraDescription fit_camera(const SceneDescription& description);
 
 } // namespace glint

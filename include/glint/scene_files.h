@@ -12,53 +12,55 @@
 
 namespace glint {
 
-/// `path=value`, as given by -D: "whitted.max_depth=3", "material.glass.index=1.33", "light.0.intensity=500".
+/// `path=value` as for -D: "whitted.max_depth=3", "material.glass.index=1.33", "light.0.intensity=500".
 using Override = std::string;
 
 struct LoadOptions {
     std::vector<Override> overrides;
-    bool allow_outside = false; ///< may a scene name files outside its own folder?
+    bool allow_outside = false; ///< whether a scene may refer to files outside its folder
     bool load_meshes = true;
-    std::optional<Axis> up;             ///< for bare meshes; none: guessed, and said in `notes`
+    std::optional<Axis> up;             ///< up axis of bare meshes; none: guessed and reported in `notes`
     const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
-    LoadCallback progress;              ///< told of meshes as they are read
+    LoadCallback progress;              ///< called while meshes are read
 };
 
 class OpenScene;
 
-/// How a scene moves: what its [animation] and [[animate]] tables say.
+/// The animation of a scene: its [animation] and [[animate]] tables.
 struct Animation {
     int first = 0;
-    int last = 0; ///< the last keyframe where the file names none
+    int last = 0; ///< default: the last keyframe
     double fps = 24;
-    std::vector<std::string> keys;          ///< the key paths that move, in the order of the file
-    std::shared_ptr<const OpenScene> scene; ///< for scene_at(); null where nothing moves
+    std::vector<std::string> keys;          ///< animated key paths, in file order
+    std::shared_ptr<const OpenScene> scene; ///< for scene_at(); null if nothing is animated
 };
 
 struct LoadedScene {
     SceneDescription description;
-    std::vector<Diagnostic> warnings; ///< of the files; those of meaning come from glint::warnings()
-    std::vector<std::string> files; ///< that decide it, each once: the scene file, then its meshes. Not stdin
+    /// about the files; warnings about the scene come from glint::warnings()
+    std::vector<Diagnostic> warnings;
+    /// files it depends on, each once: the scene file, then meshes. Without stdin
+    std::vector<std::string> files;
     Animation animation;
-    std::vector<std::string> notes; ///< choices made for the user, one line each ("up axis: y (guessed) …")
+    std::vector<std::string> notes; ///< choices made automatically, one line each ("up axis: y (guessed) …")
 };
 
-/// Reads a scene file, or stages a bare mesh, judged by the extension and then by the content. "-" reads a
-/// scene from stdin. All errors of meaning are reported together.
+/// Reads a scene file, or makes a preview scene of a bare mesh; the format is determined by extension, then
+/// by content. "-" reads a scene from stdin. All semantic errors are reported together.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
-/// The same from text; `name` stands for the file in messages and its folder for relative names.
+/// Reads a scene from text; `name` is the file name for messages, and its folder resolves relative names.
 LoadedScene parse_scene(std::string_view text, const std::string& name, const LoadOptions& options = {});
 
-/// The scene at a frame, which may lie between whole ones. Overrides have the last word over what moves.
-/// Meshes are the same objects at every frame, so that what does not move can be told. Throws Error(input),
-/// naming the frame, where the scene is wrong there. May be called from any number of threads.
+/// The scene at a frame, which may be fractional. Overrides take precedence over animation. Meshes are shared
+/// between frames. Throws Error(input) naming the frame if the scene is invalid there. May be called by any
+/// number of threads.
 SceneDescription scene_at(const LoadedScene& scene, double frame);
 
-/// The reference page of all keys, Markdown, generated from the table that drives the parser.
+/// The reference of all keys in Markdown, generated from the table that drives the parser.
 std::string scene_key_reference();
 
-/// Names of the starter scenes of `glint new`, and the commented text of one.
+/// Names of the templates of `glint new`, and the commented text of one.
 std::vector<std::string> template_names();
 std::string template_text(const std::string& name);
 

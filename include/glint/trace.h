@@ -1,23 +1,25 @@
 #pragma once
-// Tracing for programs that bring their own triangles: meshes in, rays in, hits out. It stands alone: neither
-// scene files nor pictures nor a library of vectors come with it.
+// Ray tracing for programs with their own triangles: meshes and rays in, hits out. Independent of the rest of
+// glint: no scene files, pictures or vector library are needed.
 //
 //     using namespace glint::tracing;
-//     const Mesh mesh(xyz, indices);                    // vectors, or whatever converts to std::span
-//     mesh.closest(rays, hits, RayHint::coherent);      // hits[i] belongs to rays[i]
+//     const Mesh mesh(xyz, indices);                     // vectors, or anything that converts to std::span
+//     mesh.closest(rays, hits, RayHint::coherent);       // hits[i] belongs to rays[i]
 //     mesh.occluded(rays, blocked, RayHint::incoherent);
 //
-// What is promised:
-// - Of all hits a ray gets the least (t, triangle), or (t, instance, triangle): no tree decides a tie.
-// - The same bits for every hint, kernel, quality of the tree, number of threads, SIMD target and compiler.
-// - Watertight: a ray that meets an edge or a vertex of a closed mesh hits one of the triangles there (Woop,
-//   Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013, with exact signs). No epsilons: scaled by a
-//   power of two, a mesh is hit alike.
-// - Both sides of a triangle are hit. One without an area is hit by no ray.
-// - Const members may be called by any number of threads at once.
+// Guarantees:
+// - A ray gets the least (t, triangle), or (t, instance, triangle), of all hits: ties do not depend on the
+// tree.
+// - Results are bitwise identical for all hints, kernels, build qualities, numbers of threads, SIMD targets
+// and compilers.
+// - Watertight: a ray through an edge or a vertex of a closed mesh hits one of the adjacent triangles (Woop,
+// Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013, with exact signs). No epsilons: scaling a mesh
+// by a power of two does not change hits.
+// - Triangles are hit from both sides; degenerate ones are never hit.
+// - Const members may be called by any number of threads concurrently.
 //
-// Batches pay from a few dozen rays on and are best with 64 to 4096. Units are those of the vertices; t
-// counts in lengths of the ray's direction, which need not be 1.
+// Batches are faster from a few dozen rays on and best with 64 to 4096. Units are those of the vertices; t is
+// in units of the length of the ray's direction, which need not be 1.
 
 #include "glint/kernels.h"
 
@@ -30,8 +32,8 @@
 
 namespace glint::tracing {
 
-/// The points origin + t · direction with tmin < t < tmax. 32 bytes. A ray that is infinite, has a NaN, or
-/// has no direction hits nothing.
+/// The points origin + t · direction with tmin < t < tmax. 32 bytes. A ray with NaN, an infinite component or
+/// no direction hits nothing.
 struct Ray {
     std::array<float, 3> origin{0, 0, 0};
     float tmin = 0;
@@ -39,15 +41,15 @@ struct Ray {
     float tmax = std::numeric_limits<float>::infinity();
 };
 
-/// Stands for no triangle and no instance.
+/// The index of no triangle and no instance.
 inline constexpr std::uint32_t none = 0xffffffffu;
 
-/// What a ray meets in a mesh. 16 bytes. The point is (1 − u − v) · vertex 0 + u · vertex 1 + v · vertex 2.
+/// A hit in a mesh. 16 bytes. The point is (1 − u − v) · vertex 0 + u · vertex 1 + v · vertex 2.
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
     float u = 0;
     float v = 0;
-    std::uint32_t triangle = none; ///< in the order given
+    std::uint32_t triangle = none; ///< index in the order given
 
     explicit operator bool() const { return triangle != none; }
 };
@@ -59,7 +61,7 @@ using glint::KernelChoice;
 using glint::RayHint;
 using glint::SimdTarget;
 
-/// Vertices in the caller's memory: x, y, z as three floats, `stride` bytes from one vertex to the next.
+/// Vertices in the caller's memory: x, y, z as floats, `stride` bytes apart.
 struct Vertices {
     const float* first;
     std::size_t count;
@@ -69,7 +71,7 @@ struct Vertices {
         : first(first_vertex), count(vertex_count), stride(bytes_apart) {}
 };
 
-/// Triangles in the caller's memory: three numbers of vertices, `stride` bytes from one triangle to the next.
+/// Triangles in the caller's memory: three vertex indices, `stride` bytes apart.
 struct Triangles {
     const std::uint32_t* first;
     std::size_t count;
@@ -81,63 +83,63 @@ struct Triangles {
 
 struct BuildOptions {
     BuildQuality quality = BuildQuality::high;
-    int threads = 0; ///< 0 or less: one for each core; the tree does not depend on it
+    int threads = 0; ///< 0 or less: one per core; the tree does not depend on it
 };
 
-/// An axis-aligned box, closed; lo > hi where there is nothing.
+/// A closed axis-aligned box; lo > hi if empty.
 struct Box {
     std::array<float, 3> lo;
     std::array<float, 3> hi;
 };
 
 struct MeshStats {
-    std::size_t triangles = 0; ///< as given
-    std::size_t skipped = 0;   ///< of these: with a vertex that is not finite, hit by no ray
-    std::size_t nodes = 0;     ///< of eight children each
-    std::size_t bytes = 0;     ///< held by the tree and its leaves; the caller's arrays are not needed
-    int depth = 0;             ///< nodes on the longest way to a leaf
+    std::size_t triangles = 0; ///< number of triangles given
+    std::size_t skipped = 0;   ///< number of these with a vertex that is not finite, which are never hit
+    std::size_t nodes = 0;     ///< nodes with up to eight children
+    std::size_t bytes = 0;     ///< memory of the tree; the caller's arrays are not needed
+    int depth = 0;             ///< number of nodes on the longest path to a leaf
     BuildQuality quality = BuildQuality::high;
 };
 
-/// Triangles ready for rays. Copies share one tree.
+/// A mesh with its acceleration structure. Copies share one tree.
 class Mesh {
   public:
-    /// No triangles: no ray hits.
+    /// An empty mesh.
     Mesh();
 
-    /// Vertices as x y z x y z …, triangles as three numbers of vertices each. The arrays are read during the
-    /// call and not kept. Throws std::invalid_argument where a length is no multiple of three or a triangle
-    /// names a vertex that there is not, std::length_error where there are too many triangles.
+    /// Vertices as x y z x y z …, triangles as three vertex indices each. The arrays are read during the call
+    /// and not kept. Throws std::invalid_argument if a length is not a multiple of three or an index is out
+    /// of range, std::length_error for too many triangles.
     Mesh(std::span<const float> vertices, std::span<const std::uint32_t> triangles,
          const BuildOptions& options = {});
-    /// The same from arrays of structures. A stride of 12 bytes spares a copy during the call. Throws
-    /// std::invalid_argument for a stride that is impossible too.
+    /// Reads from arrays of structures. A stride of 12 bytes avoids a temporary copy. Also throws
+    /// std::invalid_argument for an invalid stride.
     Mesh(const Vertices& vertices, const Triangles& triangles, const BuildOptions& options = {});
 
     Mesh(const Mesh&) = default;
     Mesh& operator=(const Mesh&) = default;
 
-    /// Follows vertices that moved: the same triangles, in the same order, over new positions. Much cheaper
-    /// than a new mesh, and answers as one; slower to trace the more the shape has changed. Copies and scenes
-    /// made before keep the old positions: while there are any, the tree is copied first. Throws as the
-    /// constructor does, and std::invalid_argument where the number of triangles is another. Not to be called
+    /// Updates the mesh for moved vertices: the same triangles in the same order with new positions. Much
+    /// cheaper than a new mesh, with the same results; tracing gets slower the more the shape changed. Copies
+    /// and scenes made before keep the old positions: if there are any, the tree is copied first. Throws as
+    /// the constructor does, and std::invalid_argument if the number of triangles changed. Must not be called
     /// while other threads use this object.
     void refit(std::span<const float> vertices, std::span<const std::uint32_t> triangles, int threads = 0);
     void refit(const Vertices& vertices, const Triangles& triangles, int threads = 0);
 
-    /// The least (t, triangle) of each ray; Hit{} where there is none. Throws std::invalid_argument unless
-    /// rays and hits have one length, and for a SIMD target that the machine does not have.
+    /// Closest hit of each ray, the least (t, triangle), or Hit{}. Throws std::invalid_argument if `rays` and
+    /// `hits` differ in length, and for an unavailable SIMD target.
     void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint,
                  const KernelChoice& choice = {}) const;
     Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;
 
-    /// 1 where the ray meets any triangle, else 0. Throws std::invalid_argument unless rays and blocked have
-    /// one length.
+    /// 1 for each ray that hits any triangle, otherwise 0. Throws std::invalid_argument if `rays` and
+    /// `blocked` differ in length.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                   const KernelChoice& choice = {}) const;
     bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
 
-    /// Around all triangles that can be hit.
+    /// Bounds of all triangles that can be hit.
     Box bounds() const;
     MeshStats stats() const;
 
@@ -147,63 +149,63 @@ class Mesh {
     std::shared_ptr<const Data> data_;
 };
 
-/// p_world = m · (p_local, 1): three rows, the translation in the last column. Rotations, scales, mirrors and
-/// shears may be in it.
+/// p_world = m · (p_local, 1): three rows with the translation in the last column. May rotate, scale, mirror
+/// and shear.
 struct Transform {
     std::array<std::array<float, 4>, 3> m{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
 
-/// A mesh at a place of the world.
+/// A mesh with a transform.
 struct Instance {
     Mesh mesh;
     Transform world_from_local;
 };
 
-/// What a ray meets in a scene. 20 bytes.
+/// A hit in a scene. 20 bytes.
 struct InstanceHit {
     float t = std::numeric_limits<float>::infinity();
     float u = 0;
     float v = 0;
-    std::uint32_t triangle = none; ///< of the instance's mesh
-    std::uint32_t instance = none; ///< in the order given
+    std::uint32_t triangle = none; ///< index in the instance's mesh
+    std::uint32_t instance = none; ///< index in the order given
 
     explicit operator bool() const { return instance != none; }
 };
 
 struct SceneStats {
     std::size_t instances = 0;
-    std::size_t meshes = 0; ///< different ones: each is stored once
-    std::size_t bytes = 0;  ///< held by the tree of instances and all meshes
+    std::size_t meshes = 0; ///< number of different meshes; each is stored once
+    std::size_t bytes = 0;  ///< memory of the instance tree and all meshes
 };
 
-/// Meshes at many places. An instance is hit as its mesh is hit by the ray taken to its space, direction and
-/// all, so that t counts alike in both; u and v are those of the mesh's triangle. Watertight within each
-/// instance. Copies share everything. To move instances, make a new scene: it takes microseconds each.
+/// Instances of meshes. Rays are transformed to an instance's space without normalizing the direction, so t
+/// is the same in both; u and v refer to the mesh's triangle. Watertight within each instance. Copies share
+/// all data. To move instances, make a new scene: it takes microseconds per instance.
 class Scene {
   public:
-    /// No instances: no ray hits.
+    /// An empty scene.
     Scene();
-    /// Keeps the meshes alive. Throws std::invalid_argument for a transform that is not finite, or singular:
-    /// one that squeezes some direction more than a million times as much as another, or that puts a mesh
-    /// beyond the range of floats.
+    /// Shares ownership of the meshes. Throws std::invalid_argument for a transform that is not finite,
+    /// nearly singular (it shrinks some direction more than a million times as much as another), or that
+    /// exceeds the range of floats.
     explicit Scene(std::span<const Instance> instances, const BuildOptions& options = {});
 
     Scene(const Scene&) = default;
     Scene& operator=(const Scene&) = default;
 
-    /// The least (t, instance, triangle) of each ray; InstanceHit{} where there is none. Throws
-    /// std::invalid_argument unless rays and hits have one length.
+    /// Closest hit of each ray, the least (t, instance, triangle), or InstanceHit{}. Throws
+    /// std::invalid_argument if `rays` and `hits` differ in length.
     void closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint,
                  const KernelChoice& choice = {}) const;
     InstanceHit closest(const Ray& ray, const KernelChoice& choice = {}) const;
 
-    /// 1 where the ray meets any triangle, else 0. Throws std::invalid_argument unless rays and blocked have
-    /// one length.
+    /// 1 for each ray that hits any triangle, otherwise 0. Throws std::invalid_argument if `rays` and
+    /// `blocked` differ in length.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                   const KernelChoice& choice = {}) const;
     bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
 
-    /// Around all that can be hit, and a little more.
+    /// Bounds of everything that can be hit, slightly enlarged.
     Box bounds() const;
     SceneStats stats() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a caller may want to know, and to stop, while a large file is read.
+// Progress reports and cancellation while reading files.
 
 #include "glint/formats.h"
 
@@ -10,13 +10,13 @@ namespace glint {
 
 class LoadWatch {
   public:
-    /// Nobody watches.
+    /// Without callbacks.
     LoadWatch() = default;
     LoadWatch(const std::string& file, const LoadOptions& options)
         : cancel_(options.cancel), progress_(options.progress ? &options.progress : nullptr),
           activity_("reading " + file) {}
 
-    /// Tells that `done` of `all` is read. Throws Error(cancelled) where the caller has had enough.
+    /// Reports progress. Throws Error(cancelled) if the caller has cancelled.
     void at(std::uint64_t done, std::uint64_t all) const {
         if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed))
             throw Error(ErrorKind::cancelled, activity_ + " was cancelled");

@@ -1,3 +1,5 @@
+// Reading whole files.
+
 #include "formats/read_bytes.h"
 
 #include "glint/error.h"
@@ -68,7 +70,8 @@ void FileBytes::grow(std::size_t size, std::size_t kept) {
 }
 
 FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
-    // Pipes tell no size, and files may grow: the size only says where to begin. One byte more finds the end.
+    // Pipes have no size, and files may grow: the size is only an initial guess. Reading one byte more
+    // detects the end.
     constexpr std::size_t least = 1U << 16U;
     constexpr std::size_t at_once = 1U << 24U;
     FileBytes bytes(file.size() ? *file.size() + 1 : least);

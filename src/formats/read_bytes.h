@@ -1,4 +1,5 @@
 #pragma once
+// Reading files into memory.
 
 #include "formats/load_watch.h"
 
@@ -10,8 +11,8 @@
 
 namespace glint {
 
-/// A file to be read from its beginning to its end. Throws Error(input), naming the file, the system's reason
-/// and a cure.
+/// A file opened for sequential reading. Throws Error(input) with the file name, the reason given by the
+/// system, and a cure.
 class InputFile {
   public:
     explicit InputFile(std::string path);
@@ -19,11 +20,11 @@ class InputFile {
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
-    /// What the system says of its size; nothing for pipes and the like, which tell none.
+    /// Size reported by the system; none for pipes and the like.
     std::optional<std::size_t> size() const { return size_; }
-    /// Reads some of the next bytes; how many, 0 at the end.
+    /// Reads some of the next bytes; returns their number, 0 at the end.
     std::size_t read(std::span<std::byte> bytes);
-    /// Back to its beginning; only of a file that has a size.
+    /// Seeks to the start; only if the file has a size.
     void rewind();
 
   private:
@@ -32,16 +33,16 @@ class InputFile {
     std::optional<std::size_t> size_;
 };
 
-/// Bytes that are not zeroed before they are written: for large files that is a pass over memory saved.
+/// A byte buffer without zero initialization, which saves a pass over memory for large files.
 class FileBytes {
   public:
     explicit FileBytes(std::size_t size);
 
     std::byte* data() { return bytes_.get(); }
     std::size_t size() const { return size_; }
-    /// Takes larger memory; the first `kept` bytes stay.
+    /// Reallocates; keeps the first `kept` bytes.
     void grow(std::size_t size, std::size_t kept);
-    /// Forgets what stands beyond `size`.
+    /// Truncates to `size`.
     void cut(std::size_t size) { size_ = size; }
 
     operator std::span<const std::byte>() const { return {bytes_.get(), size_}; }
@@ -51,9 +52,9 @@ class FileBytes {
     std::size_t size_;
 };
 
-/// All that is left of a file, in memory.
+/// Reads the rest of a file.
 FileBytes read_bytes(InputFile& file, const LoadWatch& watch = {});
-/// A whole file.
+/// Reads a whole file.
 FileBytes read_bytes(const std::string& path);
 
 } // namespace glint

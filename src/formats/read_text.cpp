@@ -1,3 +1,5 @@
+// Reading scene files and stdin.
+
 #include "formats/read_text.h"
 
 #include "glint/error.h"

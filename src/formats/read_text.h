@@ -1,25 +1,25 @@
 #pragma once
-// Scene files as text.
+// Reading scene files as text.
 
 #include <string>
 #include <string_view>
 
 namespace glint {
 
-/// How messages name stdin.
+/// Name of stdin in messages.
 inline constexpr const char* stdin_name = "<stdin>";
 
-/// The whole text of a scene file, or of stdin for "-". Throws Error(input) where it cannot be read and
-/// Error(resource) where it is larger than scene files may be.
+/// Reads a scene file, or stdin for "-". Throws Error(input) if it cannot be read and Error(resource) if it
+/// is too large.
 std::string read_text(const std::string& path);
 
-/// Throws Error(resource) for a text larger than scene files may be.
+/// Throws Error(resource) if a text is too large for a scene file.
 void require_scene_size(std::string_view text, const std::string& name);
 
-/// ".toml", in small letters.
+/// The extension in lower case, such as ".toml".
 std::string lower_extension(const std::string& path);
 
-/// Does the text begin as PLY files do?
+/// Whether the text starts like a PLY file.
 bool looks_like_ply(std::string_view text);
 
 } // namespace glint

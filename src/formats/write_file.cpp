@@ -1,3 +1,5 @@
+// Atomic file writes.
+
 #include "formats/write_file.h"
 
 #include "glint/formats.h"
@@ -63,14 +65,14 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int fd() const { return fd_; }
-    /// Closes now; some file systems report a full disk only here.
+    /// Closes explicitly; some file systems report a full disk only then.
     int close() { return ::close(std::exchange(fd_, -1)); }
 
   private:
     int fd_;
 };
 
-/// Removes the file when left before keep().
+/// A temporary file, removed unless keep() is called.
 class Temporary {
   public:
     explicit Temporary(fs::path path) : path_(std::move(path)) {}
@@ -87,10 +89,10 @@ class Temporary {
     bool kept_ = false;
 };
 
-/// 0, or the system's reason.
+/// Returns 0 or errno.
 int write_all(int fd, Pieces pieces) {
     std::array<iovec, 256> some;
-    std::size_t written = 0; // of the first piece
+    std::size_t written = 0; // bytes of the first piece written
     while (!pieces.empty()) {
         const std::size_t count = std::min(some.size(), pieces.size());
         for (std::size_t i = 0; i < count; ++i)
@@ -108,7 +110,7 @@ int write_all(int fd, Pieces pieces) {
     return 0;
 }
 
-/// Where a file of this name really lies: renaming over a link would replace the link.
+/// Resolves symbolic links: renaming over a link would replace the link.
 fs::path follow_links(const fs::path& path) {
     constexpr int max_links = 40;
     fs::path target_path = path;
@@ -124,7 +126,7 @@ fs::path follow_links(const fs::path& path) {
 struct Target {
     fs::path target_path;
     bool exists = false;
-    bool regular = true; ///< false: a device or a pipe, which no file may replace
+    bool regular = true; ///< false for devices and pipes, which must not be replaced
     mode_t mode = 0;
 };
 
@@ -150,7 +152,7 @@ fs::path folder_of(const fs::path& target_path) {
     return target_path.has_parent_path() ? target_path.parent_path() : ".";
 }
 
-/// Opens a new file beside the target under a name that no other writer uses.
+/// Opens a new file with a unique name in the folder of the target.
 int open_temporary(const fs::path& folder, fs::path& name) {
     static std::atomic<unsigned> counter{0};
     for (;;) {
@@ -167,7 +169,7 @@ void write_in_place(const fs::path& path, const Target& target, Pieces pieces) {
     if (file.close() != 0) fail_at(path, errno);
 }
 
-/// After a crash of the machine the new name should still be there; folders that cannot be synced are let be.
+/// Syncs the folder, so that the new name survives a crash; ignores folders that cannot be synced.
 void sync_folder(const fs::path& folder) {
     const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (opened.fd() >= 0) ::fsync(opened.fd());
@@ -198,7 +200,7 @@ void write_pieces(const std::string& path, Pieces pieces) {
     if (file.fd() < 0) fail_at(path, errno);
     Temporary temporary(name);
 
-    // The new file takes the permissions of the one it replaces.
+    // Keep the permissions of the replaced file.
     if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail_at(path, errno);
     if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
     if (::fsync(file.fd()) != 0 && errno != EINVAL) fail_at(path, errno);

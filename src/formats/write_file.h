@@ -1,5 +1,5 @@
 #pragma once
-// The library's way to the disk; glint::write_file() is declared in glint/formats.h.
+// Writing files; glint::write_file() is declared in the public headers.
 
 #include <cstddef>
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace glint {
 
-/// Throws the Error(output) that write_file() would throw for the path alone: a missing folder, a folder in
-/// place of a file, no permission. Writes nothing.
+/// Throws the Error(output) that write_file() would throw for this path: missing folder, path is a folder, no
+/// permission. Writes nothing.
 void check_writable(const std::string& path);
 
-/// Pieces of a file, one behind the other.
+/// Consecutive pieces of a file.
 using Pieces = std::span<const std::span<const std::byte>>;
 
 /// write_file() of all pieces as one file.

@@ -1,4 +1,5 @@
 #pragma once
+// Set-up of the pinhole camera.
 
 #include "glint/fov_axis.h"
 #include "imaging/camera.shared.h"
@@ -6,9 +7,9 @@
 
 namespace glint {
 
-/// Sets up a camera in double, rounded once to float. `direction` and `up` may have any length but not 0, and
-/// must not be parallel; `fov_degrees` is the full angle, above 0 and below 180; pixels are square.
-/// Right-handed: x to the right, y up, the view along −z of the camera's own frame.
+/// Sets up a camera in double precision, rounded once to float. `direction` and `up` may have any non-zero
+/// length but must not be parallel. `fov_degrees` is the full angle, in (0, 180). Pixels are square.
+/// Right-handed: x to the right, y up, viewing along −z of the camera frame.
 PinholeCamera pinhole_camera(const dvec3& eye, const dvec3& direction, const dvec3& up, double fov_degrees,
                              FovAxis axis, int width, int height);
 

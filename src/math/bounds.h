@@ -1,4 +1,5 @@
 #pragma once
+// Axis-aligned boxes.
 
 #include "math/vec.h"
 
@@ -6,7 +7,7 @@
 
 namespace glint {
 
-/// An axis-aligned box, closed. Empty while lo > hi, as it is when made.
+/// A closed axis-aligned box. Empty if lo > hi, as initially.
 struct Bounds {
     vec3 lo{std::numeric_limits<float>::infinity()};
     vec3 hi{-std::numeric_limits<float>::infinity()};
@@ -21,7 +22,7 @@ struct Bounds {
         lo = glm::min(lo, b.lo);
         hi = glm::max(hi, b.hi);
     }
-    /// Half the surface area: what the surface area heuristic compares.
+    /// Half the surface area, as used by the surface area heuristic.
     float half_area() const {
         const vec3 d = extent();
         return d.x * d.y + d.y * d.z + d.z * d.x;

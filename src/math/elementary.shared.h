@@ -2,13 +2,13 @@
 #define GLINT_MATH_ELEMENTARY_SHARED_H
 #include "math/shared.h"
 
-// log2, exp2 and what follows from them, in float, from + - * / floor alone: the C library's change with the
-// CPU.
+// log2, exp2 and functions derived from them in float, from + - * / and floor only: results of the C library
+// vary between machines.
 
 GLINT_SHARED_BEGIN
 
-/// log2 x for finite x > 0. Relative error below 4e-7 everywhere, near x = 1 too: the mantissa is brought
-/// into [√½, √2) and log m = 2 atanh((m − 1)/(m + 1)) is summed as an odd series, in which m − 1 is exact.
+/// log2 x for finite x > 0. Relative error below 4e-7 everywhere, also near x = 1: the mantissa m is brought
+/// into [√½, √2), and log m = 2 atanh((m − 1)/(m + 1)) is summed as an odd series, in which m − 1 is exact.
 GLINT_FN real log2_of(real x) {
     real scale = pick(x < 1.17549435e-38f, -24.0f, 0.0f);
     integer bits = floatBitsToInt(pick(x < 1.17549435e-38f, x * 16777216.0f, x));
@@ -27,7 +27,7 @@ GLINT_FN real log2_of(real x) {
     return (real(exponent) + scale) + ln_m * 1.44269504f;
 }
 
-/// 2^x; 0 below −149, infinite from 128. The fraction in [−½, ½] goes through the exponential series.
+/// 2^x; 0 below −149, infinite from 128 on. The fraction in [−½, ½] is evaluated by the exponential series.
 GLINT_FN real exp2_of(real power) {
     real x = pick(power > -150.0f, pick(power < 128.0f, power, 128.0f), -150.0f);
     real rounded = floor(x + 0.5f);
@@ -40,7 +40,7 @@ GLINT_FN real exp2_of(real power) {
     series = series * f + 0.5f;
     series = series * f + 1.0f;
     series = series * f + 1.0f;
-    // Two factors, so that results below the normal range are rounded once, by the last product.
+    // Scale by two factors, so that subnormal results are rounded once, by the last product.
     integer e = integer(rounded);
     integer first = e >> 1;
     real a = intBitsToFloat((first + 127) << 23);

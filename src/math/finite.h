@@ -1,4 +1,5 @@
 #pragma once
+// Tests for finite vectors.
 
 #include "math/vec.h"
 

@@ -1,4 +1,5 @@
 #pragma once
+// The sentinel of indices.
 
 #include <cstdint>
 

@@ -1,11 +1,12 @@
 #pragma once
+// Matrix inversion.
 
 #include "math/vec.h"
 
 namespace glint {
 
-/// The inverse by cofactors: homogeneous in every column, so that it scales by 2^k to the bit. Not finite
-/// where m is singular.
+/// The inverse by cofactors. Homogeneous in every column: scaling by 2^k is exact. Not finite if m is
+/// singular.
 inline dmat3 inverted(const dmat3& m) {
     const dvec3 r0 = glm::cross(m[1], m[2]);
     const dvec3 r1 = glm::cross(m[2], m[0]);

@@ -4,20 +4,20 @@
 
 GLINT_SHARED_BEGIN
 
-/// The float next to x in the direction of `toward` (±); 0 steps to the least subnormal.
+/// The next float from x in the direction of the sign of `toward`; from 0, the smallest subnormal.
 GLINT_FN real next_float(real x, real toward) {
-    // +1 away from 0, −1 toward it, by the signs alone: which it is cannot be predicted.
+    // +1 away from 0, −1 toward it, computed from signs without an unpredictable branch.
     integer bits = floatBitsToInt(x);
     integer step = 1 | ((bits ^ floatBitsToInt(toward)) >> 31);
-    integer least = pick(toward > 0.0f, 1, int(0x80000001u));
-    return intBitsToFloat(pick(x == 0.0f, least, bits + step));
+    integer smallest = pick(toward > 0.0f, 1, int(0x80000001u));
+    return intBitsToFloat(pick(x == 0.0f, smallest, bits + step));
 }
 
-/// One float further than x in the direction of w; x itself where w is 0.
+/// The next float from x in the direction of w; x if w is 0.
 GLINT_FN real step_toward(real x, real w) { return pick(w == 0.0f, x, next_float(x, w)); }
 
-/// An origin for rays that leave p toward w (any length): on w's side of the surface with unit normal n,
-/// beyond the error bound of p. Units: those of p. After Pharr, Jakob, Humphreys, "Physically Based
+/// Origin of a ray leaving p in direction w (any length): on w's side of the surface with unit normal n,
+/// beyond the error bound of p. All lengths in one unit. After Pharr, Jakob, Humphreys, "Physically Based
 /// Rendering", section 6.8.6.
 GLINT_FN vec3 offset_ray_origin(vec3 p, vec3 p_error, vec3 n, vec3 w) {
     real distance = dot(abs(n), p_error);

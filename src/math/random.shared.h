@@ -2,8 +2,8 @@
 #define GLINT_MATH_RANDOM_SHARED_H
 #include "math/shared.h"
 
-// Counter-based random numbers: a function of (seed, pixel, sample, dimension) and nothing else, so that any
-// sample of any pixel can be drawn anywhere, in any order, on any machine.
+// Counter-based random numbers: pure functions of (seed, pixel, sample, dimension), so any sample of any
+// pixel can be drawn in any order on any machine.
 
 GLINT_SHARED_BEGIN
 
@@ -17,7 +17,7 @@ GLINT_FN uint hash_mix(uint x) {
     return x;
 }
 
-/// One hash of a hash and one more word.
+/// Combines a hash with another word.
 GLINT_FN uint hash_with(uint h, uint word) { return hash_mix(h * 0x9e3779b1u + word + 0x7f4a7c15u); }
 
 GLINT_FN uint reverse_bits(uint x) {
@@ -28,8 +28,8 @@ GLINT_FN uint reverse_bits(uint x) {
     return (x >> 16) | (x << 16);
 }
 
-/// Owen's nested uniform scramble of the bits of x, most significant first, through a hash in which each bit
-/// depends on higher ones alone (Laine and Karras 2011; Burley, "Practical Hash-based Owen Scrambling", JCGT
+/// Owen's nested uniform scrambling of the bits of x, most significant first, by a hash in which each bit
+/// depends on higher bits only (Laine and Karras 2011; Burley, "Practical Hash-based Owen Scrambling", JCGT
 /// 2020).
 GLINT_FN uint owen_scramble(uint x, uint key) {
     x = reverse_bits(x);
@@ -41,8 +41,8 @@ GLINT_FN uint owen_scramble(uint x, uint key) {
     return reverse_bits(x);
 }
 
-/// The second dimension of Sobol's sequence; the first is reverse_bits(index). Its generator matrix is
-/// Pascal's triangle mod 2, the Kronecker power of (1 1; 0 1), so five shifts do for 32 columns.
+/// The second dimension of the Sobol sequence; the first is reverse_bits(index). Its generator matrix is
+/// Pascal's triangle mod 2, the Kronecker power of (1 1; 0 1), so five shifts suffice for 32 columns.
 GLINT_FN uint sobol_second(uint index) {
     uint x = index;
     x = x ^ ((x >> 1) & 0x55555555u);
@@ -56,7 +56,7 @@ GLINT_FN uint sobol_second(uint index) {
 /// A float in [0, 1): the high 24 bits.
 GLINT_FN float unit_float(uint bits) { return float(bits >> 8) * (1.0f / 16777216.0f); }
 
-/// The key of one pixel's stream.
+/// The key of a pixel's random stream.
 GLINT_FN uint pixel_key(uint seed_low, uint seed_high, uint x, uint y) {
     uint h = hash_with(0x243f6a88u, seed_low);
     h = hash_with(h, seed_high);
@@ -64,8 +64,8 @@ GLINT_FN uint pixel_key(uint seed_low, uint seed_high, uint x, uint y) {
     return hash_with(h, y);
 }
 
-/// Point `index` of a (0, 2)-sequence in base 2, scrambled by `key` and padded by `dimension` (a pair of
-/// numbers counts as one): every 2^k first points are stratified in every way that 2^k boxes allow.
+/// Point `index` of a (0, 2)-sequence in base 2, Owen-scrambled by `key` and padded by `dimension` (one per
+/// pair of numbers): every 2^k first points are stratified in all elementary intervals of 2^k boxes.
 GLINT_FN vec2 sample_pair(uint key, uint index, uint dimension) {
     uint stream = hash_with(key, dimension);
     uint shuffled = owen_scramble(index, hash_with(stream, 0u));

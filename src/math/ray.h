@@ -1,4 +1,5 @@
 #pragma once
+// Rays.
 
 #include "math/vec.h"
 
@@ -6,8 +7,8 @@
 
 namespace glint {
 
-/// Points origin + t · direction for tmin < t < tmax. The direction need not be of unit length; t counts in
-/// it.
+/// Points origin + t · direction for tmin < t < tmax. The direction need not be normalized; t is in units of
+/// its length.
 struct Ray {
     vec3 origin{0.0f};
     float tmin = 0.0f;
@@ -15,7 +16,8 @@ struct Ray {
     float tmax = std::numeric_limits<float>::infinity();
 };
 
-/// Can the ray hit anything? NaN, infinite origins and directions, none at all, and an empty interval cannot.
+/// Whether the ray can hit anything: false for NaN, infinite origins or directions, a zero direction, and an
+/// empty interval.
 inline bool is_traceable(const Ray& ray) {
     // Each product is 0, or NaN where a value is not finite.
     const vec3 zero = ray.origin * 0.0f + ray.direction * 0.0f;

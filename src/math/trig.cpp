@@ -1,3 +1,5 @@
+// Trigonometric functions by Taylor series and Newton iteration.
+
 #include "math/trig.h"
 
 #include <cmath>
@@ -8,7 +10,7 @@ namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 
-// Taylor series on [0, 45] degrees: the first term left out is below 1e-19 there.
+// Taylor series on [0, 45] degrees: the first omitted term is below 1e-19.
 double sin_core(double degrees) {
     const double x = degrees * radians_per_degree;
     const double z = x * x;
@@ -25,7 +27,7 @@ double cos_core(double degrees) {
     return series;
 }
 
-// sin on [0, 90]; 30 degrees is given exactly, since people draw with it.
+// sin on [0, 90]; 30 degrees is exact, as it is common in scenes.
 double sin_quadrant(double degrees) {
     if (degrees == 30) return 0.5;
     return degrees <= 45 ? sin_core(degrees) : cos_core(90 - degrees);
@@ -34,7 +36,7 @@ double sin_quadrant(double degrees) {
 } // namespace
 
 double sin_degrees(double degrees) {
-    // fmod is exact, so nothing is lost by large angles.
+    // fmod is exact, so large angles lose no precision.
     const double turned = std::fmod(degrees, 360.0);
     const double a = std::fabs(turned);
     double value;
@@ -55,9 +57,9 @@ double cos_degrees(double degrees) { return sin_degrees(90 - std::fabs(std::fmod
 double asin_degrees(double sine) {
     const double x = std::fabs(sine);
     if (x >= 1) return std::copysign(90, sine);
-    // The other half by the half angle, where the sine is steep: asin x = 90° − 2 asin √((1 − x)/2).
+    // Above 1/2, where asin is steep: asin x = 90° − 2 asin √((1 − x)/2).
     if (x > 0.5) return std::copysign(90 - 2 * asin_degrees(std::sqrt((1 - x) / 2)), sine);
-    // Newton's steps double the digits; below 30 degrees the first guess has three.
+    // Newton iteration doubles the digits; below 30 degrees the initial guess has three.
     double angle = (x + x * x * x / 6) / radians_per_degree;
     for (int i = 0; i < 4; ++i) angle -= (sin_core(angle) - x) / (cos_core(angle) * radians_per_degree);
     return std::copysign(angle, sine);

@@ -1,6 +1,7 @@
 #pragma once
-// Trigonometry of set-up: angles in degrees, as scene files give them, in double. Our own, since the C
-// library's last bit changes with the CPU. Multiples of 30° and 90° come out exact where the value is.
+// Trigonometric functions of angles in degrees in double precision, for scene set-up. Independent of the C
+// library, whose last bit varies between machines. Exact at multiples of 30° and 90° where the value is
+// representable.
 
 namespace glint {
 
@@ -11,8 +12,8 @@ double cos_degrees(double degrees);
 /// sin/cos; infinite at 90 + 180 k.
 double tan_degrees(double degrees);
 
-/// The angle in degrees, 0 … 180, of a cosine, and −90 … 90 of a sine; |error| below 1e-13. What lies beyond
-/// ±1 counts as ±1.
+/// Arc cosine in 0 … 180 degrees and arc sine in −90 … 90 degrees, |error| below 1e-13. Arguments are clamped
+/// to ±1.
 double acos_degrees(double cosine);
 double asin_degrees(double sine);
 

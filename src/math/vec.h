@@ -1,5 +1,5 @@
 #pragma once
-// The vocabulary: GLM's vectors and matrices, pure (no SIMD types), under glint's namespace.
+// GLM's vectors and matrices, without SIMD types, in namespace glint.
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -27,10 +27,10 @@ using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
-/// The largest |coordinate|.
+/// The maximum norm: largest |coordinate|.
 inline double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The matrix norm that goes with it.
+/// The matrix norm induced by largest().
 inline double norm(const dmat3& m) {
     const dvec3 rows = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]);
     return std::max({rows.x, rows.y, rows.z});

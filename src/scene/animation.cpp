@@ -1,3 +1,5 @@
+// Monotone cubic interpolation.
+
 #include "scene/animation.h"
 
 #include <algorithm>
@@ -23,7 +25,7 @@ double Timeline::slope(std::size_t segment, const Values& value) const {
     return (value(segment + 1) - value(segment)) / (frames[segment + 1] - frames[segment]);
 }
 
-// The weighted harmonic mean of the slopes on both sides, 0 where they differ in direction.
+// Slope at a keyframe: the weighted harmonic mean of the adjacent slopes, 0 if their signs differ.
 double Timeline::speed(std::size_t key, const Values& value) const {
     const std::size_t last = frames.size() - 1;
     const bool end = key == 0 || key == last;
@@ -53,7 +55,7 @@ double Timeline::at(double frame, const Values& value) const {
         const double bend = speed(key, value) * rest - speed(key + 1, value) * t;
         result = start + (end - start) * (t * t * (3 - 2 * t)) + width * (t * rest * bend);
     }
-    // Rounding must not leave the range either.
+    // Clamp, as rounding could leave the range.
     return std::clamp(result, std::min(start, end), std::max(start, end));
 }
 

@@ -1,3 +1,5 @@
+// Baking of all objects, and ranks of solids.
+
 #include "scene/bake.h"
 
 #include "scene/shapes/shapes.h"

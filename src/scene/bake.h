@@ -1,5 +1,6 @@
 #pragma once
-// From described objects to what the tracing core takes: transforms applied in double, rounded once.
+// Baking: converts described objects to the input of the tracing core. Transforms are applied in double
+// precision and rounded once.
 
 #include "scene/scene_data.h"
 
@@ -7,7 +8,7 @@
 
 namespace glint {
 
-/// What baking fills in: the core's input, and the attributes of meshes.
+/// Output of baking: input of the tracing core, and attributes of meshes.
 struct Baked {
     trace::WorldInput input;
     std::vector<ObjectData> objects;
@@ -15,10 +16,10 @@ struct Baked {
     std::vector<dmat3> normal_matrices; ///< of instances
 };
 
-/// Bakes all visible objects; a mesh that several of them show is stored once, in its own space. Ranks and
-/// materials are set; `solid` is found out for meshes only where `need_closedness`, since that takes a pass
-/// over all edges. `between` is called before each object and each pass over a mesh: what it throws ends the
-/// baking. Throws Error(input) for coordinates beyond 10^12.
+/// Bakes all visible objects; a mesh used by several objects is stored once, in local space. Sets ranks and
+/// materials; determines `solid` for meshes only with `need_closedness`, as that takes a pass over all edges.
+/// `between` is called before each object and each pass over a mesh; exceptions from it abort. Throws
+/// Error(input) for coordinates beyond 10^12.
 Baked bake(const SceneDescription& description, bool need_closedness, const std::function<void()>& between);
 
 } // namespace glint

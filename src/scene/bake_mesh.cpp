@@ -1,3 +1,5 @@
+// Meshes, point clouds and instances.
+
 #include "scene/bake_mesh.h"
 
 #include "geometry/mesh.h"
@@ -24,7 +26,7 @@ dmat4 with_scale(const dmat4& transform, const Vec3& scale) {
     return m;
 }
 
-// Half the spacing that as many points would have if they lay evenly on the sides of their box.
+// Half the spacing of the points if they were evenly distributed on the sides of their box.
 double default_point_radius(const std::vector<vec3>& points) {
     Bounds bounds;
     for (const vec3& p : points) bounds.grow(p);
@@ -58,7 +60,7 @@ Normals own(std::vector<vec3> normals) {
     return std::make_shared<const std::vector<vec3>>(std::move(normals));
 }
 
-// In the mesh's space. Smooth ones are found where the mesh lies, since angles depend on its scale.
+// Normals in local space. Smooth normals are computed in world space, since angles depend on scale.
 Normals shared_normals(const MeshShape& s, const dmat4& m) {
     if (s.normals == NormalsMode::smooth) {
         const std::vector<vec3> smooth =
@@ -69,7 +71,7 @@ Normals shared_normals(const MeshShape& s, const dmat4& m) {
     return Normals(s.data, &s.data->normals);
 }
 
-// Vertices that no face uses need not even be finite.
+// Bounds of the vertices used by faces; others need not even be finite.
 Bounds bounds_of_used(const std::vector<vec3>& positions, const std::vector<uvec3>& triangles) {
     Bounds bounds;
     for (const uvec3& t : triangles)

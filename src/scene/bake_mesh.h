@@ -1,5 +1,5 @@
 #pragma once
-// The part of baking that deals with triangles and points: meshes and their instances. Private to this room.
+// Baking of triangles and points: meshes and their instances. Private to this room.
 
 #include "scene/bake.h"
 
@@ -9,31 +9,30 @@ namespace glint {
 
 inline dvec3 transform_point(const dmat4& m, const dvec3& p) { return dvec3(m * dvec4(p, 1.0)); }
 
-/// Bounds of the image of a box under an affine map.
+/// Bounds of a transformed box.
 Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi);
 
-/// Adds triangles in world space as object `id`. Closed shapes are turned outward: a mirror in the transform,
-/// or a winding inside out, shows in the volume.
+/// Adds triangles in world space as object `id`. Closed shapes are oriented outward, judged by the sign of
+/// their volume.
 void add_triangles(Baked& baked, trace::WorldInput::Triangles triangles, std::uint32_t id, bool closed);
 
-/// A mesh that is seen once is baked into world space; one that is seen more often is stored once, as it is,
-/// and placed.
+/// Bakes meshes: one used once in world space, one used several times in local space with instances.
 class MeshBaker {
   public:
-    /// All must outlive this.
+    /// All arguments must outlive this object.
     MeshBaker(const SceneDescription& scene, bool need_closedness, const std::function<void()>& between,
               Baked& baked);
 
-    /// Adds the mesh of the object `source` as object `id`: by its own scale, then by `transform`.
+    /// Adds the mesh of object `source` as object `id`, transformed by its own scale, then by `transform`.
     void bake(const Object& source, const dmat4& transform, std::uint32_t id);
 
   private:
-    /// What all places of a mesh have in common.
+    /// Data shared by all instances of a mesh.
     struct Shared {
         std::uint32_t mesh = 0; ///< index into WorldInput::shared_meshes
         Bounds bounds;          ///< in the mesh's space
         bool closed = false;
-        double volume = 0; ///< if closed: below 0 where wound inside out
+        double volume = 0; ///< of closed meshes; negative if wound inside out
         std::int32_t attributes = no_attributes;
     };
 
@@ -46,7 +45,7 @@ class MeshBaker {
     bool need_closedness_;
     const std::function<void()>& between_;
     Baked& baked_;
-    std::map<const Object*, int> uses_; ///< how many visible objects show a mesh object's mesh
+    std::map<const Object*, int> uses_; ///< number of visible objects that use the mesh of a mesh object
     std::map<const Object*, Shared> shared_;
 };
 

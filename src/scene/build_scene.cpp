@@ -1,3 +1,5 @@
+// Building a scene: validation, baking, trees, and the solids around the camera.
+
 #include "scene/build_scene.h"
 
 #include "math/trig.h"
@@ -72,7 +74,8 @@ void build_lights(SceneData& scene) {
     scene.ambient = vec3(ambient);
 }
 
-// Counts the crossings of each object along one ray; false if one is so near an edge that parity may lie.
+// Counts the hits of each object along a ray; returns false if one is so near an edge that the parity is
+// unreliable.
 bool count_crossings(const SceneData& scene, const Ray& ray, std::vector<int>& counts) {
     std::vector<Hit> hits;
     scene.world.all_hits(ray, hits);
@@ -115,7 +118,7 @@ void find_camera_interiors(SceneData& scene) {
 }
 
 std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& point) {
-    // Directions without meaning to any scene; the first that meets no edge decides.
+    // Arbitrary directions; the first ray that hits no edge decides.
     constexpr int tries = 8;
     std::vector<int> counts;
     for (int i = 0; i < tries; ++i) {
@@ -142,8 +145,8 @@ std::vector<std::uint32_t> objects_around(const SceneData& scene, const vec3& po
 
 namespace {
 
-/// A better tree is worth its time where many rays will use it. Architecture gains as much in 20 to 270 rays
-/// a triangle, by their kind, as the better tree costs; scans gain nothing (docs/performance.md).
+/// A better tree pays off if many rays use it: architecture gains as much in 20 to 270 rays a triangle as the
+/// better tree costs; scans gain nothing (docs/performance.md).
 BuildQuality quality_for(const SceneDescription& description, const WorldInput& input) {
     constexpr double rays_a_triangle = 200;
     double triangles = 0;

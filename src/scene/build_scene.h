@@ -1,17 +1,17 @@
 #pragma once
-// The parts of freezing that need no trees. Private to this room.
+// Steps of building a scene that need no trees. Private to this room.
 
 #include "scene/scene_data.h"
 
 namespace glint {
 
-/// Does a visible object let light through?
+/// Whether a visible object is transparent.
 bool shows_glass(const SceneDescription& description);
 
-/// Fills in materials, lights and what else of the description stands beside its objects.
+/// Sets materials, lights and everything else that does not depend on objects.
 void build_values(SceneData& scene);
 
-/// Fills in the eye's own list: only what light goes through owns space.
+/// Determines the transparent solids around the eye.
 void find_camera_interiors(SceneData& scene);
 
 } // namespace glint

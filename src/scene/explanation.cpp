@@ -1,3 +1,5 @@
+// Names of enumerators in explanations.
+
 #include "glint/explanation.h"
 
 namespace glint {

@@ -1,3 +1,5 @@
+// Cameras that show everything finite.
+
 #include "glint/scene.h"
 #include "math/trig.h"
 #include "scene/framing.h"
@@ -10,10 +12,10 @@ namespace {
 
 constexpr double framed_fov = 40; // degrees
 
-// Where there is nothing finite, a ball of this radius is framed in its place.
+// Radius of the ball that is framed if nothing is finite.
 constexpr double stand_in_radius = 1;
 
-// The point of the first plane that is nearest to the origin, or the origin.
+// The point of the first plane nearest to the origin, or the origin.
 dvec3 something_to_look_at(const SceneDescription& description) {
     for (const Object& object : description.objects) {
         const auto* plane = std::get_if<PlaneShape>(&object.shape);
@@ -35,8 +37,8 @@ ViewAxes three_quarter_view(double azimuth, double elevation) {
 }
 
 CameraDescription fit_camera(const ViewAxes& view, const Lens& lens, const SupportFunction& reach) {
-    // A point p is inside the right edge of the picture if (right − k · forward) · (p − eye) ≤ 0, and so for
-    // the other three: the farthest point in each of four directions decides where the eye may stand.
+    // A point p is inside the right edge of the picture if (right − k · forward) · (p − eye) ≤ 0, and
+    // similarly for the other edges: the support points in four directions determine the eye.
     const double k = tan_degrees(lens.fov / 2) * lens.fill;
     const double k_across = k * lens.aov;
     const double to_right = reach(view.right - k_across * view.forward);
@@ -44,7 +46,7 @@ CameraDescription fit_camera(const ViewAxes& view, const Lens& lens, const Suppo
     const double to_top = reach(view.up - k * view.forward);
     const double to_bottom = reach(-view.up - k * view.forward);
 
-    // The tighter pair sets the distance; across, the eye stands midway.
+    // The tighter of the two pairs determines the distance; in the other direction the eye is centred.
     const double along = -std::max((to_right + to_left) / (2 * k_across), (to_top + to_bottom) / (2 * k));
     CameraDescription camera;
     camera.eye =

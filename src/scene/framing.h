@@ -1,5 +1,5 @@
 #pragma once
-// Cameras that see all of something, as near as they can stand.
+// Cameras that show a set of points as large as possible.
 
 #include "glint/scene.h"
 #include "math/vec.h"
@@ -15,8 +15,8 @@ struct ViewAxes {
     dvec3 forward{0, 1, 0};
 };
 
-/// From the front (−y), turned by `azimuth` degrees to the left and raised by `elevation`, looking down; z is
-/// up.
+/// View from the front (−y), rotated by `azimuth` degrees to the left and raised by `elevation`, looking
+/// down; z is up.
 ViewAxes three_quarter_view(double azimuth, double elevation);
 
 inline constexpr double default_azimuth = 28;   // degrees
@@ -25,13 +25,14 @@ inline constexpr double default_elevation = 20; // degrees
 struct Lens {
     double fov = 40;    ///< full angle in y, degrees
     double aov = 1;     ///< width / height
-    double fill = 0.85; ///< share of the picture that may be filled
+    double fill = 0.85; ///< fraction of the picture that may be filled
 };
 
-/// d ↦ the largest d · p over all points p of what is to be seen.
+/// Support function: d ↦ max d · p over the points p to show.
 using SupportFunction = std::function<double(const dvec3&)>;
 
-/// The nearest camera with these axes that sees everything within the middle `fill` of the picture.
+/// The nearest camera with these axes that shows everything within the central fraction `fill` of the
+/// picture.
 CameraDescription fit_camera(const ViewAxes& view, const Lens& lens, const SupportFunction& reach);
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// The preview scene of a bare mesh: floor, lights and camera.
+
 #include "glint/scene.h"
 #include "scene/framing.h"
 #include "scene/support.h"
@@ -8,7 +10,7 @@
 namespace glint {
 namespace {
 
-// The rotation by a quarter turn that takes `up` to +z, exact.
+// The exact rotation that takes `up` to +z.
 Mat4 upright(Axis up) {
     switch (up) {
     case Axis::x:
@@ -21,7 +23,7 @@ Mat4 upright(Axis up) {
     return Mat4(1.0);
 }
 
-// The box of the staged mesh, and half its diagonal: what the stage is measured in.
+// Bounding box of the mesh and half its diagonal, the unit of the preview scene.
 struct Extent {
     dvec3 lo{0};
     dvec3 hi{0};
@@ -40,7 +42,7 @@ Extent extent_of(const SceneDescription& scene) {
     }
     e.radius = glm::length(e.hi - e.lo) / 2;
 
-    // A single point has no size of its own: one that its coordinates can resolve stands in.
+    // A single point has no extent: use one that its coordinates can resolve.
     if (e.radius == 0) e.radius = std::max(1.0, glm::length(e.middle()) / 1024);
     return e;
 }
@@ -63,7 +65,7 @@ void add_materials(SceneDescription& scene, const Mesh& mesh) {
 }
 
 void add_floor(SceneDescription& scene, const Extent& extent) {
-    // A hair below the lowest point, so that a flat mesh does not lie in the floor.
+    // Slightly below the lowest point, so that a flat mesh does not coincide with the floor.
     PlaneShape plane;
     plane.offset = extent.lo.z - extent.radius * 1e-4;
     Object floor;
@@ -73,7 +75,7 @@ void add_floor(SceneDescription& scene, const Extent& extent) {
     scene.objects.push_back(floor);
 }
 
-// A point light in the given direction that gives `brightness` on a white surface facing it at the middle.
+// A point light in the given direction that produces `brightness` on a white surface facing it at the centre.
 Light preview_light(const Extent& extent, const dvec3& direction, const Vec3& color, double brightness) {
     const double distance = extent.radius * 5;
     PointLight light;
@@ -84,7 +86,7 @@ Light preview_light(const Extent& extent, const dvec3& direction, const Vec3& co
 }
 
 void add_lights(SceneDescription& scene, const Extent& extent, const ViewAxes& view) {
-    // A warm key light over the camera's left shoulder, a cool and weaker one from the right.
+    // A warm key light over the camera's left shoulder and a weaker, cool light from the right.
     const dvec3 up(0, 0, 1);
     const dvec3 back = glm::normalize(-dvec3(view.forward.x, view.forward.y, 0));
     scene.lights.push_back({AmbientLight{Vec3(0.13, 0.14, 0.16)}, {}});
@@ -120,7 +122,7 @@ SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::stri
     const bool one_point = extent.lo == extent.hi;
     if (one_point) std::get<MeshShape>(scene.objects[0].shape).point_radius = extent.radius / 2;
 
-    // The horizon stays above the picture: the view looks down by more than half its angle.
+    // Keep the horizon above the picture: look down by more than half the field of view.
     const ViewAxes view = three_quarter_view(default_azimuth, default_elevation);
     Lens lens;
     lens.fov = 30;

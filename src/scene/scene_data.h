@@ -1,5 +1,6 @@
 #pragma once
-// What a Scene holds: single precision, resolved names, trees. Made by freeze.cpp, read by render/.
+// Contents of a Scene: single precision, resolved names, trees. Made by build_scene(), read by render/ and
+// gpu/.
 
 #include "geometry/surface.shared.h"
 #include "glint/scene.h"
@@ -14,10 +15,10 @@
 
 namespace glint {
 
-/// What shading needs of a mesh beside its triangles, once for all its instances.
+/// Vertex attributes of a mesh, shared by its instances.
 struct MeshAttributes {
-    /// Per vertex; null where there is nothing to interpolate. In world space and unit, unless the object has
-    /// a normal matrix: then of any length, in the mesh's space.
+    /// Per vertex; null without interpolation. Unit vectors in world space or, if the object has a normal
+    /// matrix, of any length in the mesh's space.
     std::shared_ptr<const std::vector<vec3>> normals;
     std::shared_ptr<const Mesh> mesh; ///< for indices and colours
     bool colored = false;
@@ -29,16 +30,16 @@ inline constexpr std::int32_t no_normal_matrix = -1;
 /// Parallel to SceneDescription::objects.
 struct ObjectData {
     std::uint32_t material = 0;
-    std::uint32_t rank = 0;     ///< of overlapping solids the one of higher rank owns the space
-    bool solid = false;         ///< closed: has an inside
-    bool lit_as_stored = false; ///< lights find its normals as its winding has them
-    bool turned = false;        ///< its normals are turned against the winding
+    std::uint32_t rank = 0;     ///< of overlapping solids the one with the highest rank owns the space
+    bool solid = false;         ///< closed, so it has an inside
+    bool lit_as_stored = false; ///< shading uses normals by the winding (Facing::stored)
+    bool turned = false;        ///< normals are opposite to the winding
     Bounds bounds;              ///< world space; empty for planes and invisible objects
     std::int32_t attributes = no_attributes;
     std::int32_t normal_matrix = no_normal_matrix; ///< index into SceneData::normal_matrices
 };
 
-/// A solid plane: what lies behind its normal is inside.
+/// A solid plane: the half-space behind its normal is inside.
 struct HalfSpace {
     std::uint32_t object = 0;
     trace::WorldInput::Plane plane;
@@ -46,24 +47,24 @@ struct HalfSpace {
 
 struct SceneData {
     SceneDescription description; ///< as given, with its camera filled in
-    /// Scenes that with_view() made of each other have the same; all else is equal in them.
+    /// Identifies everything but the view: equal for scenes made from each other by with_view().
     std::shared_ptr<const int> all_but_view;
     trace::World world;
     std::vector<MaterialRecord> materials;
     std::vector<ObjectData> objects;
     std::vector<MeshAttributes> attributes;
     std::vector<dmat3> normal_matrices; ///< of instances, from the mesh's space to the world
-    std::vector<LightRecord> lights;    ///< all but ambient, in the order of the file
+    std::vector<LightRecord> lights;    ///< lights except ambient ones, in file order
     vec3 ambient{0.0f};                 ///< sum of the ambient lights
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
-    bool solids_known = false; ///< ObjectData::solid holds for meshes too
+    bool solids_known = false; ///< ObjectData::solid is valid for meshes too
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first
 };
 
-/// The settings as the steps of shading/whitted_steps.shared.h take them.
+/// The settings in the form used by shading/whitted_steps.shared.h.
 inline WhittedModes whitted_modes(const WhittedSettings& settings) {
     WhittedModes modes{};
     modes.opaque_shadows = settings.shadows == Shadows::opaque ? 1 : 0;
@@ -73,11 +74,11 @@ inline WhittedModes whitted_modes(const WhittedSettings& settings) {
     return modes;
 }
 
-/// The objects whose surfaces a ray from the point crosses an odd number of times: what is around it, if
-/// closed. Planes do not count.
+/// The objects crossed an odd number of times by a ray from the point, which contain it if closed. Without
+/// planes.
 std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& point);
 
-/// The objects with an inside that contain a point, judged by the parity of crossings. Solid planes included.
+/// The solids that contain a point, judged by the parity of crossings, including solid planes.
 std::vector<std::uint32_t> objects_around(const SceneData& scene, const vec3& point);
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// Support functions by shape.
+
 #include "scene/support.h"
 
 #include "scene/shapes/shapes.h"

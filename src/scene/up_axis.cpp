@@ -1,4 +1,4 @@
-// Which way up a mesh was meant: told by what it could stand on.
+// Guessing the up axis of a mesh by what it could stand on.
 
 #include "glint/scene.h"
 #include "math/vec.h"
@@ -43,11 +43,11 @@ bool contains(const std::vector<dvec2>& hull, const dvec2& p) {
     return hull.size() > 2;
 }
 
-// What tells how a mesh lies: the points it consists of, and its surface as a whole.
+// Points and surface of a mesh.
 struct Body {
-    std::vector<dvec3> points; ///< finite, and used by a face where there are faces
+    std::vector<dvec3> points; ///< finite, and used by a face if there are faces
     dvec3 middle{0};           ///< centre of the surface, or of the points
-    dvec3 facing{0};           ///< sum of the areas as vectors, by the surface: 0 for what is closed
+    dvec3 facing{0};           ///< vector area of the surface: 0 if closed
 };
 
 std::vector<dvec3> points_of(const Mesh& mesh) {
@@ -86,10 +86,10 @@ Body body_of(const Mesh& mesh) {
     return body;
 }
 
-// A point as seen from above when the given axis is up.
+// A point projected along the given axis.
 dvec2 on_ground(const dvec3& p, int up) { return dvec2(p[(up + 1) % 3], p[(up + 2) % 3]); }
 
-// The hull of what lies between two heights, as seen from above.
+// Convex hull, seen along the axis, of the points between two heights.
 std::vector<dvec2> hull_between(const Body& body, int up, double from, double to) {
     std::vector<dvec2> points;
     for (const dvec3& p : body.points) {
@@ -98,8 +98,8 @@ std::vector<dvec2> hull_between(const Body& body, int up, double from, double to
     return convex_hull(std::move(points));
 }
 
-// How well the mesh stands with this axis up: the share of its outline that its lowest layer spans, less half
-// of what its highest one does, and less again where it would fall over. A ball has about 0.06, a box 0.5.
+// How well the mesh stands with this axis up: the fraction of its outline covered by its lowest layer, minus
+// half that of its highest layer, minus a penalty if it would fall over. A ball has about 0.06, a box 0.5.
 double stability(const Body& body, int up) {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -lowest;
@@ -122,13 +122,12 @@ double stability(const Body& body, int up) {
 Axis guess_up_axis(const Mesh& mesh) {
     const Body body = body_of(mesh);
 
-    // An open sheet, such as a landscape, shows its upper side.
+    // Threshold for open sheets such as landscapes, which show their upper side.
     constexpr double open = 0.3;
     const dvec3 facing = glm::abs(body.facing);
     if (std::max(facing.y, facing.z) > open) return facing.y > facing.z ? Axis::y : Axis::z;
 
-    // Anything else stands on what is flat and wide enough. What stands on neither is y-up, as most scans
-    // are.
+    // Threshold for standing on a flat base. Otherwise y is up, as in most scans.
     constexpr double standing = 0.1;
     const double with_z_up = stability(body, 2);
     return with_z_up > standing && with_z_up >= stability(body, 1) ? Axis::z : Axis::y;

@@ -1,4 +1,4 @@
-// A scene again with other materials, lights, settings or another camera, over the same trees.
+// Updating a scene with new materials, lights, settings or camera, sharing its trees.
 
 #include "scene/build_scene.h"
 #include "scene/validate.h"
@@ -9,7 +9,7 @@
 namespace glint {
 namespace {
 
-/// Do the objects make the same trees? Names count, since instances go by them.
+/// Whether two objects result in the same trees. Names count, since instances refer to them.
 bool same_object(const Object& a, const Object& b) {
     return a.name == b.name && a.visible == b.visible && a.priority == b.priority &&
            a.transform == b.transform && a.shape == b.shape;

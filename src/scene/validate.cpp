@@ -1,3 +1,5 @@
+// Validation of descriptions.
+
 #include "scene/validate.h"
 
 #include "glint/names.h"

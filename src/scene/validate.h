@@ -1,5 +1,5 @@
 #pragma once
-// Checks of meaning that every description must pass, however it was made.
+// Semantic validation of scene descriptions.
 
 #include "glint/limits.h"
 #include "glint/scene.h"
@@ -9,16 +9,16 @@
 
 namespace glint {
 
-/// Whether shapes and transforms are checked as well, or have been before.
+/// Whether to check shapes and transforms, or assume that they have been checked.
 enum class Shapes { unchecked, checked };
 
-/// Everything that makes a description impossible to freeze, each with its place; empty if it is sound.
+/// All errors that prevent building a scene, with their locations; empty if valid.
 std::vector<Diagnostic> find_errors(const SceneDescription& description, Shapes shapes = Shapes::unchecked);
 
-/// The mesh object that an instance names, or nullptr.
+/// The mesh object that an instance refers to, or nullptr.
 const Object* find_mesh(const SceneDescription& description, const std::string& name);
 
-/// The material that an object shows: its own, or its mesh's for an instance without one; nullptr if unknown.
+/// The material of an object: its own, or its mesh's for an instance without one; nullptr if unknown.
 const Material* material_of(const SceneDescription& description, const Object& object);
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// Splitting formulas into symbols, and inserting numbers.
+
 #include "formats/explain/formula.h"
 
 #include "glint/formats.h"
@@ -11,7 +13,7 @@
 namespace glint {
 namespace {
 
-/// Signs of more than one byte that are no letters.
+/// Multi-byte characters that are not letters.
 constexpr std::string_view signs[] = {"·", "⊙", "−", "√", "²"};
 
 std::size_t sign_at(std::string_view text, std::size_t at) {
@@ -27,7 +29,7 @@ bool is_letter(std::string_view text, std::size_t at) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// The end of the word that begins at a letter.
+/// End of the word that starts at a letter.
 std::size_t word_end(std::string_view text, std::size_t at) {
     while (at < text.size() && (is_letter(text, at) || is_digit(text[at]))) {
         ++at;
@@ -56,7 +58,7 @@ void Scope::split(std::string_view formula, const Part& part) const {
         const Step* step = nullptr;
         if (is_letter(formula, at)) {
             end = word_end(formula, at);
-            // r² is a quantity of its own where there is one, else a square.
+            // r² is a quantity if one has that symbol, otherwise a square.
             constexpr std::string_view square = "²";
             if (formula.substr(end, square.size()) == square)
                 step = find(formula.substr(at, end + square.size() - at));
@@ -86,7 +88,7 @@ std::string Scope::filled_in(const Step& step) const {
     split(step.formula, [&](std::string_view part, const Step* named) {
         if (named == nullptr) return void(text += part);
         const std::string number = quantity_text(named->result, readable_digits);
-        // A sign of its own would be read as an operator's.
+        // Put negative numbers in parentheses, as their sign would read as an operator.
         text += !named->result.vector && number.rfind("−", 0) == 0 ? "(" + number + ")" : number;
     });
     return text == step.formula || text == quantity_text(step.result, readable_digits) ? "" : text;

@@ -1,5 +1,5 @@
 #pragma once
-// Formulas as text: their numbers found, printed and put in.
+// Formulas as text: finding symbols and inserting numbers.
 
 #include "glint/explanation.h"
 
@@ -10,30 +10,30 @@
 
 namespace glint {
 
-/// The given and computed quantities that a formula may name, nearest last.
+/// The quantities that a formula may refer to, innermost last.
 class Scope {
   public:
-    /// Of a whole ray, or of one of its lights.
+    /// Scope of a ray, or of one of its lights.
     explicit Scope(const ExplainedRay& ray, const ExplainedLight* light = nullptr);
 
-    /// The quantities that a formula names, each once, in the order of the formula.
+    /// The quantities a formula refers to, each once, in order.
     std::vector<const Step*> named_in(std::string_view formula) const;
-    /// The step's formula with its numbers for its symbols; empty where that says nothing new.
+    /// The formula with numbers in place of symbols; empty if that adds nothing.
     std::string filled_in(const Step& step) const;
 
   private:
     const Step* find(std::string_view symbol) const;
-    /// Calls part(text, step): step is null for what is no symbol.
+    /// Calls part(text, step) for each part; step is null unless it is a symbol.
     template <class Part>
     void split(std::string_view formula, const Part& part) const;
 
     std::vector<const std::vector<Step>*> lists_;
 };
 
-/// How many digits are for reading.
+/// Number of digits for display.
 inline constexpr int readable_digits = 6;
 
-/// A number with so many digits, as short as it can be; "∞" where it is infinite.
+/// A number with at most `digits` digits; "∞" for infinity.
 std::string number_text(float x, int digits);
 
 } // namespace glint

@@ -1,4 +1,4 @@
-// A picture that can be asked: one file, no network.
+// The interactive HTML page.
 
 #include "formats/explain/markup.h"
 #include "formats/explain/page.h"
@@ -30,7 +30,7 @@ std::string base64(std::span<const std::byte> bytes) {
     return out;
 }
 
-/// The pixels that the page can be asked for, in one of its rows.
+/// The pixels of one grid row.
 std::vector<PixelCoord> grid_row(const ExplanationPage& page, int row) {
     std::vector<PixelCoord> all;
     for (int column = 0; column < page.columns; ++column)
@@ -48,7 +48,7 @@ bool is_black(const Image& image) {
     return std::all_of(image.pixels.begin(), image.pixels.end(), [](float x) { return x == 0.0f; });
 }
 
-/// The layers that show anything; what the clamp takes is shown as light.
+/// The non-zero terms; the clamp is shown as a positive value.
 std::string layers(const std::array<Image, term_count>& terms) {
     std::string out;
     for (int i = 0; i < term_count; ++i) {
@@ -62,7 +62,7 @@ std::string layers(const std::array<Image, term_count>& terms) {
     return out;
 }
 
-/// Whose numbers the page has, and how far a graphics card is from them.
+/// Description of the backend, and the difference of the graphics card.
 std::string backends(const ExplanationPage& page) {
     const std::string own = "The numbers are the CPU's. ";
     if (page.gpu.empty()) return own;
@@ -75,7 +75,7 @@ std::string backends(const ExplanationPage& page) {
     return own + "On " + escape_markup(page.gpu) + " " + figures;
 }
 
-/// What the card has at each place.
+/// The card's values at the grid pixels.
 std::string gpu_of(const ExplanationPage& page) {
     if (page.gpu.empty()) return "null";
     nlohmann::json colors = nlohmann::json::array();
@@ -118,9 +118,9 @@ std::string head_of(const ExplanationPage& page, const Explanation& any) {
            ",\"gpu\":" + gpu_of(page) + ",";
 }
 
-/// As many rays as the page has room for.
+/// Packs as many rays as fit the size limit.
 std::string packed(const PageData& data, const std::string& head, std::size_t room) {
-    // A first guess that seldom leaves out too much: packing costs time.
+    // Initial estimate that rarely omits too much, as packing is slow.
     constexpr std::size_t min_bytes_per_ray = 22;
     std::size_t count = std::min(data.rays(), room / min_bytes_per_ray);
     std::string bytes = data.packed(head, count);
@@ -148,7 +148,7 @@ std::string explanation_html(const ExplanationPage& request) {
     std::string out = before_data(page);
     const std::string end =
         std::string("</script>\n<script>\n") + page_script() + "</script>\n</body></html>\n";
-    // Four characters of text hold three bytes.
+    // Base64: four characters for three bytes.
     const std::size_t taken = out.size() + end.size() + 4;
     const std::size_t room = taken < page.max_bytes ? (page.max_bytes - taken) / 4 * 3 : 0;
     return out + packed(data, head, room) + end;

@@ -1,4 +1,4 @@
-// An explanation for programs. Names are fixed: docs/explain.md lists them.
+// Explanations as JSON. Names are stable: docs/explain.md lists them.
 
 #include "formats/explain/formula.h"
 #include "glint/formats.h"
@@ -11,7 +11,7 @@
 namespace glint {
 namespace {
 
-/// Nine digits, which read back as the same float; what JSON has no number for is null.
+/// Nine digits, which parse to the same float; null for values that JSON cannot represent.
 std::string json_number(float x) {
     if (!std::isfinite(x)) return "null";
     char buffer[32];
@@ -34,7 +34,7 @@ std::string json_text(const std::string& text) {
 std::string json_index(int index) { return index < 0 ? "null" : std::to_string(index); }
 const char* json_bool(bool value) { return value ? "true" : "false"; }
 
-/// Members of an object, in order; every value is JSON already.
+/// Writes the members of an object; values are JSON already.
 class Members {
   public:
     Members& add(const char* name, const std::string& value) {
@@ -42,7 +42,7 @@ class Members {
         return *this;
     }
     Members& words(const char* name, const std::string& text) { return add(name, json_text(text)); }
-    /// Left out where empty.
+    /// Omitted if empty.
     Members& perhaps(const char* name, const std::string& text) {
         return text.empty() ? *this : words(name, text);
     }
@@ -52,7 +52,7 @@ class Members {
     std::string text_;
 };
 
-/// One element a line, indented.
+/// Joins elements, one per line, indented.
 std::string lines(const std::vector<std::string>& elements, int indent) {
     if (elements.empty()) return "[]";
     const std::string space(static_cast<std::size_t>(indent), ' ');

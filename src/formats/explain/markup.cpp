@@ -1,3 +1,5 @@
+// Escaping and colours for SVG and HTML.
+
 #include "formats/explain/markup.h"
 
 #include "imaging/tone.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of SVG and HTML.
+// Helpers for SVG and HTML.
 
 #include <glm/vec3.hpp>
 
@@ -10,9 +10,9 @@ namespace glint {
 
 /// Text with & < > and quotes escaped.
 std::string escape_markup(std::string_view text);
-/// At most so many characters, with … for what is cut.
+/// Truncates to at most `most` characters, ending in "…" if cut.
 std::string cut(const std::string& text, std::size_t most);
-/// "#ff8800" of linear light, by the sRGB curve; below 0 is black, above 1 white.
+/// "#rrggbb" of linear light by the sRGB curve, clamped to 0 … 1.
 std::string web_color(const glm::vec3& linear);
 
 } // namespace glint

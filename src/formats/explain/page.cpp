@@ -1,3 +1,5 @@
+// Packing the data of the page.
+
 #include "formats/explain/page.h"
 
 #include <nlohmann/json.hpp>
@@ -12,7 +14,7 @@
 namespace glint {
 namespace {
 
-/// More constants than that are stored with their rays: they vary as the numbers do.
+/// Beyond this number, constants are stored per ray.
 constexpr std::size_t max_constants = 2048;
 
 std::string quoted(const std::string& text) {
@@ -31,7 +33,7 @@ std::string exact(float x) {
     return buffer;
 }
 
-/// Steps whose numbers belong to the scene, not to the hit.
+/// Whether the numbers of a step are properties of the scene rather than of the hit.
 bool belongs_to_scene(std::string_view topic) {
     for (const std::string_view one :
          {"material", "light", "ambient", "emission", "absorption", "refraction", "shadow"})
@@ -39,7 +41,7 @@ bool belongs_to_scene(std::string_view topic) {
     return false;
 }
 
-/// The number in the symbol "D₁₂".
+/// The subscript of a symbol such as "D₁₂".
 int subscript(std::string_view symbol) {
     int number = 0;
     for (std::size_t i = 0; i + 2 < symbol.size(); ++i)
@@ -52,7 +54,7 @@ void add_word(std::string& out, std::uint32_t word) {
     for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(word >> shift & 255u);
 }
 
-/// All lowest bytes, then all second ones …: likes stand beside likes and compress better.
+/// Groups bytes by significance, which compresses better.
 void add_planes(std::string& out, const std::vector<std::uint32_t>& words) {
     for (int shift = 0; shift < 32; shift += 8)
         for (const std::uint32_t word : words) out += static_cast<char>(word >> shift & 255u);
@@ -89,7 +91,7 @@ void PageData::add(const Explanation& explanation) {
         out.reflected = ray.reflected;
         out.refracted = ray.refracted;
         out.radiance = ray.radiance;
-        // A branch cannot stand without its parent, so it never outweighs it.
+        // A branch requires its parent, so its weight is at most the parent's.
         out.weight = std::max({ray.weight.x, ray.weight.y, ray.weight.z});
         if (ray.parent >= 0)
             out.weight =
@@ -143,7 +145,7 @@ std::string PageData::steps_of(const ExplainedRay& ray, const std::vector<const 
     return "[" + out + "]";
 }
 
-/// Where the page finds the result: ",SOURCE[,NUMBER]"; nothing where it evaluates the formula.
+/// Source of the result for the page: ",SOURCE[,NUMBER]"; empty if the page evaluates the formula.
 std::string PageData::source_of(const ExplainedRay& ray, const Step& step) {
     const auto source = [](Source s) { return "," + std::to_string(static_cast<int>(s)); };
     if (!step.formula.empty() && step.formula.find('^') == std::string::npos) return "";
@@ -152,7 +154,7 @@ std::string PageData::source_of(const ExplainedRay& ray, const Step& step) {
     if (inherited || symbol == "L_R" || symbol == "L_T") return source(Source::link);
     const std::string_view topic = step.topic;
     if (step.formula.empty() && (topic == "diffuse" || topic == "highlight")) {
-        // What a light gives is known there.
+        // Results of lights are known.
         for (std::size_t i = 0; i < ray.lights.size(); ++i)
             if (static_cast<int>(ray.lights[i].light) + 1 == subscript(symbol))
                 return source(Source::link) + "," + std::to_string(i);
@@ -192,7 +194,7 @@ void PageData::store(const Quantity& q) {
     numbers_.push_back(q.value.z);
 }
 
-/// Which rays stay: all primary ones, and of the others those that weigh most.
+/// Selects rays: all primary ones, then those with the largest weights.
 std::vector<bool> PageData::heaviest(std::size_t count) const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < rays_.size(); ++i)
@@ -225,8 +227,9 @@ std::string PageData::packed(const std::string& head, std::size_t count) const {
         const std::size_t header = whole.size();
         whole.push_back(0);
         for (const glm::vec3& sum : pixel.sums) add_vector(numbers, sum);
-        std::vector<std::uint32_t> index_of(pixel.rays, 0); // from 1; 0: left out
-        std::vector<std::size_t> slot(pixel.rays, 0); // where the nearest kept one counts those left out
+        std::vector<std::uint32_t> index_of(pixel.rays, 0); // from 1; 0: omitted
+        // Position at which the nearest kept ancestor counts omitted rays.
+        std::vector<std::size_t> slot(pixel.rays, 0);
         for (std::size_t i = 0; i < pixel.rays; ++i) {
             const Ray& ray = rays_[pixel.first_ray + i];
             const auto parent = static_cast<std::size_t>(std::max(ray.parent, 0));

@@ -1,7 +1,7 @@
 #pragma once
-// The data behind the page of explanation_html(): rays as shapes (what they have in common: words and
-// formulas) and numbers. The page evaluates the formulas itself; only what is given, and what its own
-// mathematics would round in another way, is stored.
+// Data of the page of explanation_html(): rays consist of a shape (texts and formulas, shared by many rays)
+// and numbers. The page evaluates the formulas; only given quantities, and results that JavaScript would
+// round differently, are stored.
 
 #include "glint/explanation.h"
 
@@ -18,34 +18,34 @@ struct PageFile {
     const char* name; ///< below src/
     const char* text;
 };
-extern const PageFile page_files[]; ///< explain_page.css and explain_page.js, then one without a name
+extern const PageFile page_files[]; ///< style sheet and script, then a terminator without name
 
 inline const char* page_style() { return page_files[0].text; }
-/// Plain JavaScript: no library, no network.
+/// Plain JavaScript without libraries or network access.
 inline const char* page_script() { return page_files[1].text; }
 
 class PageData {
   public:
-    /// Adds a place: the pixel's sum and the rays of its first sample.
+    /// Adds a pixel: its colour and the rays of its first sample.
     void add(const Explanation& explanation);
 
-    /// That can be shown.
+    /// Number of rays that can be shown.
     std::size_t rays() const { return complete_; }
-    /// The whole as compressed bytes, with the `count` rays that weigh most and all they need. `head` is the
-    /// beginning of a JSON object: "{…,".
+    /// Compressed data with the `count` heaviest rays and everything they need. `head` is the start of a JSON
+    /// object: "{…,".
     std::string packed(const std::string& head, std::size_t count) const;
 
   private:
     enum class Source { formula, stored, constant, link };
     struct Ray {
         std::uint32_t shape = 0;
-        bool complete = true;     ///< has it steps?
-        std::int32_t parent = -1; ///< within its place
+        bool complete = true;     ///< whether it has steps
+        std::int32_t parent = -1; ///< index within its pixel
         std::int32_t reflected = -1;
         std::int32_t refracted = -1;
         float weight = 0;
         glm::vec3 radiance{0.0f};
-        std::size_t first = 0; ///< of its numbers
+        std::size_t first = 0; ///< index of its first number
     };
     struct PixelRecord {
         std::size_t first_ray = 0;
@@ -67,7 +67,7 @@ class PageData {
     std::vector<Ray> rays_;
     std::size_t complete_ = 0;
     std::vector<float> numbers_;
-    std::vector<std::uint32_t> sizes_; ///< of the shapes: numbers stored for each
+    std::vector<std::uint32_t> sizes_; ///< by shape: count of numbers per ray
     std::vector<std::string> shapes_;
     std::map<std::string, std::uint32_t> shape_numbers_;
     std::vector<std::string> steps_;

@@ -1,4 +1,4 @@
-// The ray tree of a pixel as a picture: rays from left to right, one column a bounce.
+// The ray tree of a pixel as SVG: rays from left to right, one column per bounce.
 
 #include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
@@ -18,10 +18,10 @@ constexpr double column = 470;
 constexpr double line_height = 19;
 constexpr double box_gap = 18;
 constexpr double margin = 24;
-/// Rays that can add less than this are counted, not drawn.
+/// Rays with less weight are counted but not drawn.
 constexpr float min_weight = 1.0f / 1000;
 
-/// Terms and rays below a thousandth of the darkest step of an 8-bit picture are not worth a line.
+/// Terms and rays below 1/1000 of the darkest 8-bit step are omitted.
 constexpr float too_dark_to_see = 1e-7f;
 
 float largest(const glm::vec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -32,22 +32,22 @@ std::string seen_text(const glm::vec3& v) {
 
 std::string at(double x) { return number_text(static_cast<float>(std::round(x * 10) / 10), 7); }
 
-/// SVG wants its minus in ASCII.
+/// SVG requires an ASCII minus sign.
 std::string coordinate(double x) { return x < 0 ? "-" + at(-x) : at(x); }
 
 std::string angle_label(float degrees) { return number_text(degrees, 3) + "°"; }
 
 struct TextLine {
     std::string text;
-    const char* style = ""; ///< class of the style sheet
+    const char* style = ""; ///< CSS class
     bool swatch = false;
     glm::vec3 color{0.0f};
 };
 
-/// The box of one ray.
+/// The box of a ray.
 struct Box {
     std::vector<TextLine> lines;
-    std::vector<std::size_t> children; ///< rays that are drawn
+    std::vector<std::size_t> children; ///< children that are drawn
     double y = 0;                      ///< top
     double height() const { return line_height * static_cast<double>(lines.size()) + 18; }
     double middle() const { return y + height() / 2; }
@@ -96,7 +96,7 @@ class SvgTree {
   private:
     void lay_out(const ExplainedSample& sample, double& y) {
         boxes_.assign(sample.rays.size(), {});
-        // Children stand behind their parents, so each knows its branches when its turn comes.
+        // Children follow their parents, so going backward completes branches first.
         for (std::size_t i = sample.rays.size(); i-- > 0;) fill(sample, i);
         stack(sample, 0, y);
     }
@@ -152,7 +152,7 @@ class SvgTree {
         }
     }
 
-    /// Gives the boxes their heights from the leaves on: a parent stands beside the middle of its children.
+    /// Places boxes from the leaves on: a parent is centred beside its children.
     void stack(const ExplainedSample& sample, std::size_t index, double& y) {
         Box& box = boxes_[index];
         const double top = y;
@@ -194,7 +194,7 @@ class SvgTree {
         }
     }
 
-    /// "0.1 ×", what the branch is weighed with.
+    /// Weight of a branch, such as "0.1 ×".
     static std::string weight_text(const ExplainedRay& ray, bool mirror) {
         for (const Step& step : ray.steps)
             if (step.symbol == (mirror ? "w_R" : "w_T")) return number_text(step.result.value.x, 3) + " ×";

@@ -1,4 +1,4 @@
-// The ray tree of a pixel as lines of text.
+// The ray tree of a pixel as text.
 
 #include "formats/explain/formula.h"
 #include "glint/formats.h"
@@ -11,7 +11,7 @@ namespace {
 constexpr int digits = readable_digits;
 constexpr std::size_t longest_line = 100;
 
-/// Escape sequences of a terminal, or nothing.
+/// Terminal escape sequences, or empty strings.
 struct Colors {
     explicit Colors(bool on)
         : strong(on ? "\x1b[1m" : ""), name(on ? "\x1b[36m" : ""), value(on ? "\x1b[32m" : ""),
@@ -25,7 +25,7 @@ struct Colors {
 
 std::string text_of(const Quantity& q) { return quantity_text(q, digits); }
 
-/// Characters, not bytes.
+/// Width in characters, not bytes.
 std::size_t width(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
@@ -62,7 +62,7 @@ class TextTree {
   private:
     void line(const std::string& text) { text_ += text + "\n"; }
 
-    /// The terms that are not 0: "ambient (…) + reflection (…)".
+    /// The non-zero terms: "ambient (…) + reflection (…)".
     static std::string terms_text(const std::array<glm::vec3, term_count>& terms) {
         std::string text;
         for (int i = 0; i < term_count; ++i) {
@@ -123,7 +123,7 @@ class TextTree {
         return text;
     }
 
-    /// What is given, several to a line.
+    /// Writes given quantities, several per line.
     void write_given(const std::vector<Step>& given, const std::string& inner) {
         std::string row;
         for (const Step& step : given) {
@@ -158,11 +158,11 @@ class TextTree {
             if (!step.formula.empty()) write_step(scope, step, inner);
     }
 
-    /// "D = E ⊙ c · k_d · s = … = …", on as many lines as it takes.
+    /// Writes "D = E ⊙ c · k_d · s = … = …" on as many lines as needed.
     void write_step(const Scope& scope, const Step& step, const std::string& inner) {
         const std::string numbers = scope.filled_in(step);
         const std::string result = text_of(step.result);
-        // A formula that is a number is its own result.
+        // A formula that is just a number equals its result.
         const std::string formula = step.formula == result ? "" : " = " + step.formula;
         const std::string left = step.symbol + formula;
         const std::string aside =

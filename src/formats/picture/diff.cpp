@@ -1,3 +1,5 @@
+// The comparison of `glint diff`.
+
 #include "glint/formats.h"
 
 namespace glint {
@@ -13,7 +15,7 @@ Image scaled(Image image, float factor) {
     return image;
 }
 
-/// In units of 1/65535, so that whole steps stay whole: an 8-bit step is 257 of them.
+/// Compare in units of 1/65535, in which an 8-bit step is exactly 257.
 Comparison compare_16_bit(const LoadedPicture& a, const LoadedPicture& b, double tolerance) {
     constexpr double steps = 257;
     const auto widened = [](const LoadedPicture& p) { return scaled(p.image, p.bits == 8 ? 257.0f : 1.0f); };

@@ -1,3 +1,5 @@
+// Reading and writing pictures of any format.
+
 #include "formats/picture/codecs.h"
 #include "formats/read_bytes.h"
 #include "formats/write_file.h"

@@ -1,3 +1,5 @@
+// Conversion of pictures to display codes.
+
 #include "glint/formats.h"
 #include "imaging/tone.h"
 

@@ -1,3 +1,5 @@
+// Reading, checking and interpolating animation tracks.
+
 #include "formats/scene/animation_tracks.h"
 
 #include "formats/scene/file_keys.h"
@@ -13,7 +15,7 @@ namespace {
 
 using Kind = TreeValue::Kind;
 
-/// Are there values between two values of such a key?
+/// Whether values of such a key can be interpolated.
 bool has_values_between(KeyType type) {
     switch (type) {
     case KeyType::integer:
@@ -48,7 +50,7 @@ TreeValue list_of(const Vec3& v, const SourcePos& where) {
     return list;
 }
 
-/// Do two values consist of the same parts, so that their numbers pair up?
+/// Whether two values have the same structure, so that their numbers correspond.
 bool same_form(const TreeValue& a, const TreeValue& b) {
     if (is_number(a) && is_number(b)) return true;
     if (a.kind != b.kind || a.items.size() != b.items.size() || a.entries.size() != b.entries.size())
@@ -76,7 +78,7 @@ class TrackReader {
     }
 
   private:
-    /// The frames there are: as the file says, or up to the last keyframe.
+    /// Reads the frame range; the default ends at the last keyframe.
     void read_frames(Tracks& all) {
         for (const Track& track : all.tracks)
             if (!track.timeline.frames.empty())
@@ -115,7 +117,7 @@ class TrackReader {
         if (check_key(track) && check_form(track, table)) all.tracks.push_back(std::move(track));
     }
 
-    /// Is there such a key, and can it have all these values?
+    /// Checks that the key exists and accepts all values.
     bool check_key(Track& track) {
         const KeyTarget target = find_target(scene_, track.path, track.where, problems_);
         if (!target.table) return false;
@@ -144,7 +146,7 @@ class TrackReader {
         return good;
     }
 
-    /// Colours by name and scales by one number become lists of three numbers.
+    /// Expands colour names and uniform scales to three numbers.
     void write_out(TreeValue& value, KeyType type) const {
         if (type == KeyType::color && value.kind == Kind::text)
             value = list_of(linear_color(*color_codes(value.text), context_.colors), value.where);
@@ -155,7 +157,7 @@ class TrackReader {
                 write_out(scale->value, KeyType::scale);
     }
 
-    /// Can the track do what its interpolation asks for?
+    /// Checks that the values can be interpolated as requested.
     bool check_form(Track& track, TableReader& table) {
         if (track.timeline.interpolation == Interpolation::step) return true;
         if (!has_values_between(track.type)) {
@@ -180,12 +182,12 @@ class TrackReader {
     }
 
     const TreeValue& root_;
-    TreeValue scene_; ///< where paths are looked up: that may add tables
+    TreeValue scene_; ///< copy for looking up paths, which may add tables
     Problems& problems_;
     ReadContext context_;
 };
 
-/// The value of the first list, each number in it on its way between those of all.
+/// Interpolates every number of a value.
 TreeValue blend(const Track& track, double frame, const std::vector<const TreeValue*>& all) {
     TreeValue value = *all[track.timeline.keyframe(frame)];
     std::vector<const TreeValue*> parts(all.size());

@@ -1,5 +1,5 @@
 #pragma once
-// The [[animate]] tables of a scene file: what moves, and what it has at a frame.
+// The [[animate]] tables of a scene file, and their values at a frame.
 
 #include "formats/scene/key_table.h"
 #include "formats/scene/read.h"
@@ -11,13 +11,14 @@
 
 namespace glint {
 
-/// One value that moves.
+/// An animated value.
 struct Track {
-    std::string path; ///< of its key, as written
+    std::string path; ///< key path as written
     SourcePos where;  ///< of the path
     KeyType type = KeyType::number;
     Timeline timeline;
-    std::vector<TreeValue> values; ///< one for each of timeline.frames; all of one form unless they step
+    /// one for each of timeline.frames; all of the same structure unless stepped
+    std::vector<TreeValue> values;
 };
 
 struct Tracks {
@@ -27,11 +28,11 @@ struct Tracks {
     std::vector<Track> tracks;
 };
 
-/// Reads [animation] and [[animate]]. Reports what is wrong with them, paths that lead nowhere and values
-/// that their keys cannot have.
+/// Reads [animation] and [[animate]]. Reports errors in them, invalid paths, and values that their keys do
+/// not accept.
 Tracks read_tracks(const TreeValue& root, Problems& problems);
 
-/// The value of a track at a frame; it stands where the keyframe at or before it does.
+/// The value of a track at a frame; its position is that of the keyframe at or before it.
 TreeValue value_at(const Track& track, double frame);
 
 } // namespace glint

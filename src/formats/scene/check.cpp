@@ -1,3 +1,5 @@
+// Checks across tables of a scene.
+
 #include "formats/scene/check.h"
 
 #include "glint/limits.h"
@@ -24,7 +26,7 @@ bool within_limits(const ShapeBox& box, const Mat4& transform) {
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 p{corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
                      corner & 4 ? box.hi.z : box.lo.z};
-        // Written so that NaN is out of range too.
+        // Negated comparison, so that NaN is out of range.
         if (!(largest(Vec3(transform * glm::dvec4(p, 1))) <= coordinate_limit)) return false;
     }
     return true;
@@ -122,7 +124,7 @@ class SceneCheck {
             report_limit(positions.shape, object, "reaches");
     }
 
-    /// Many instances of a mesh, and many meshes of a file, look at its vertices once.
+    /// Bounds of a mesh, computed once for all its instances.
     const ShapeBox& box_of(const Mesh& data, const MeshShape& mesh) {
         const auto [entry, is_new] = boxes_.try_emplace(&data);
         if (is_new) entry->second = box(mesh);

@@ -1,12 +1,12 @@
 #pragma once
-// What is wrong with a scene beyond its single tables.
+// Checks across the tables of a scene.
 
 #include "formats/scene/read.h"
 
 namespace glint {
 
-/// Reports names given twice, unknown materials and meshes, degenerate triangles, coordinates out of range
-/// (of meshes as far as they are loaded) and materials that the balanced model cannot have.
+/// Reports duplicate names, unknown materials and meshes, degenerate triangles, coordinates out of range (for
+/// meshes that are loaded) and materials invalid for the balanced model.
 void check_scene(const ReadScene& scene, Problems& problems);
 
 /// Reports meshes and instances whose vertices are out of range after scaling and transforming.

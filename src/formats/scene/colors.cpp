@@ -1,3 +1,5 @@
+// Parsing of colours.
+
 #include "formats/scene/colors.h"
 
 #include "imaging/tone.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Colours as people write them: "#rgb", "#rrggbb", and names.
+// Colours in scene files: "#rgb", "#rrggbb", and names.
 
 #include "glint/scene.h"
 
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// How the codes 0 … 255 of a written colour become linear light.
+/// Conversion of the codes 0 … 255 of a colour to linear light.
 enum class ColorValues {
     srgb,  ///< decoded by the sRGB curve
     linear ///< divided by 255
@@ -23,7 +23,7 @@ struct NamedColor {
     std::uint32_t rgb;     ///< 0xrrggbb
 };
 
-/// An X11 name that stands for four colours: NAME1 to NAME4.
+/// An X11 name with four numbered shades: NAME1 to NAME4.
 struct ShadedColor {
     std::string_view name; ///< lower case
     std::uint32_t rgb[4];
@@ -32,11 +32,11 @@ struct ShadedColor {
 /// The 148 names of CSS Color Module Level 4.
 std::span<const NamedColor> css_colors();
 
-/// The 78 numbered names of X11's rgb.txt; besides them there are gray0 … gray100 and grey0 … grey100.
+/// The 78 shaded names of X11's rgb.txt; there are also gray0 … gray100 and grey0 … grey100.
 std::span<const ShadedColor> x11_shades();
 
-/// 0xrrggbb of "#rgb", "#rrggbb" or a name in any case; CSS names win over X11's. None: there is no such
-/// colour.
+/// 0xrrggbb of "#rgb", "#rrggbb" or a case-insensitive name; CSS names take precedence over X11's. None if
+/// there is no such colour.
 std::optional<std::uint32_t> color_codes(std::string_view text);
 
 /// Linear RGB of 0xrrggbb.

@@ -1,3 +1,5 @@
+// Tables of colour names.
+
 #include "formats/scene/colors.h"
 
 namespace glint {

@@ -1,4 +1,4 @@
-// SceneDocument: finds where values stand, and keeps what was there.
+// SceneDocument: locates values in the text and keeps their original characters.
 
 #include "glint/document.h"
 
@@ -19,7 +19,7 @@ std::string path_and(std::string_view path, std::string_view value) {
     return std::string(path) + "=" + std::string(value);
 }
 
-/// The value as TOML writes it: as given, without a comment behind it, or as text in quotes.
+/// The value in TOML syntax: as given without a trailing comment, or as a quoted string.
 std::string as_toml(std::string_view given) {
     const std::string_view value = trimmed(given);
     const auto tree = parse_tree_value(value, {});
@@ -27,7 +27,7 @@ std::string as_toml(std::string_view given) {
     return std::string(value.substr(0, SceneSource(value, {}, {}).offset(tree->end)));
 }
 
-/// A tree with what is needed to edit it.
+/// A parsed text.
 struct Parsed {
     SceneSource source;
     Problems problems;
@@ -99,7 +99,7 @@ std::optional<std::string> SceneDocument::longer_list(std::string_view path, std
     if (!text.starts_with('[') || text.starts_with("[[") || list->kind != TreeValue::Kind::list)
         return std::nullopt;
     if (list->items.empty()) return "[" + added + "]";
-    // Behind the last value, before what is said of it.
+    // Insert after the last value, before its comment.
     const std::size_t begin = parsed.source.offset(list->where);
     return text.insert(parsed.source.offset(list->items.back().end) - begin, ", " + added);
 }
@@ -149,7 +149,7 @@ void SceneDocument::put(std::string_view path, std::string_view given) {
     }
     const TextEdit change = edit_for(parsed.source, parsed.root, target, as_it_was ? *edit->original : value);
 
-    // A value set back needs no edit; edits of its parts are overtaken in any case.
+    // A value set back to the original needs no edit; edits of sub-keys are superseded.
     if (edit == edits_.end()) {
         std::optional<std::string> original;
         if (entry) original = text_of(parsed.source, entry->value);

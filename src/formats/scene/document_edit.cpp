@@ -1,3 +1,5 @@
+// Text edits that set a value in TOML.
+
 #include "formats/scene/document_edit.h"
 
 #include <algorithm>
@@ -9,11 +11,11 @@ namespace {
 
 using Kind = TreeValue::Kind;
 
-/// How a table came into the file.
+/// How a table is written in the file.
 enum class Writing {
-    header, ///< [camera], [[light]], and the tables that [material.glass] implies
+    header, ///< [camera], [[light]], and tables implied by [material.glass]
     braces, ///< { … }
-    dotted  ///< its keys are written with its name before them: whitted.max_depth = 3
+    dotted  ///< by dotted keys: whitted.max_depth = 3
 };
 
 class Inserter {
@@ -62,7 +64,7 @@ class Inserter {
                writing(value.items[0]) == Writing::header;
     }
 
-    /// The last of the table's keys that stand under its own header, or with its name before them.
+    /// The last key of the table written under its own header, or as a dotted key.
     std::optional<Extent> last_own(const TreeValue& table) const {
         std::optional<Extent> last;
         for (const TreeEntry& entry : table.entries) {
@@ -84,7 +86,7 @@ class Inserter {
         return std::string(text_.substr(start, end - start));
     }
 
-    /// A new line after the one that holds the byte.
+    /// Inserts a line after the one that contains the byte.
     TextEdit line_after(std::size_t at, const std::string& line) const {
         const std::size_t end = text_.find('\n', at);
         if (end == std::string_view::npos) return {text_.size(), text_.size(), line_end_ + line};
@@ -97,7 +99,7 @@ class Inserter {
         return {text_.size(), text_.size(), before + header + line_end_ + statement + line_end_};
     }
 
-    /// After the keys of the top; where there are none, after the comments that open the file.
+    /// Inserts after the top-level keys or, if there are none, after the initial comments.
     TextEdit insert_at_top(const std::string& statement) const {
         if (const auto last = last_own(root_)) return line_after(last->end, statement);
         std::size_t at = 0;
@@ -112,7 +114,7 @@ class Inserter {
         return {source_.offset(table.where), source_.offset(table.end), "{ " + statement + " }"};
     }
 
-    /// Beside the first key of a dotted table, with the same name before it.
+    /// Inserts after the first dotted key, with the same prefix.
     TextEdit insert_beside(const TreeValue& table, const std::string& statement) const {
         const TreeEntry* first = &table.entries.front();
         const TreeValue* leaf = &first->value;

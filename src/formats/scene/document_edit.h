@@ -1,5 +1,5 @@
 #pragma once
-// Where in the text of a scene file a value is written.
+// Text edits of scene files.
 
 #include "formats/scene/key_path.h"
 #include "formats/scene/tree.h"
@@ -10,22 +10,22 @@
 
 namespace glint {
 
-/// Characters of SceneSource::text() and what takes their place.
+/// A range of SceneSource::text() and its replacement.
 struct TextEdit {
     std::size_t begin = 0;
     std::size_t end = 0;
     std::string text;
 };
 
-/// What puts a value, as TOML writes it, under the target's key. `root` is the tree of the source, as
-/// find_target() left it: only there are tables that the file lacks.
+/// The edit that sets a value, in TOML syntax, at the target's key. `root` is the tree of the source after
+/// find_target(), which adds missing tables.
 TextEdit edit_for(const SceneSource& source, const TreeValue& root, const KeyTarget& target,
                   std::string_view value);
 
-/// The characters of a value of the file.
+/// The characters of a value in the file.
 std::string_view text_of(const SceneSource& source, const TreeValue& value);
 
-/// Do two values say the same? An integer is the number; places do not matter.
+/// Whether two values are equal. Integers equal floats of the same value; positions are ignored.
 bool same_value(const TreeValue& a, const TreeValue& b);
 
 } // namespace glint

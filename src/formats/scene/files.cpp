@@ -1,4 +1,4 @@
-// load_scene() and parse_scene(): text or mesh in, description out.
+// load_scene() and parse_scene(): from text or mesh to description.
 
 #include "formats/read_text.h"
 #include "formats/scene/open_scene.h"

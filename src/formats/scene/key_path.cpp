@@ -1,3 +1,5 @@
+// Resolving key paths.
+
 #include "formats/scene/key_path.h"
 
 #include "scene/text.h"
@@ -12,7 +14,7 @@ using Kind = TreeValue::Kind;
 
 constexpr std::string_view transform_part = ".transform.";
 
-// A name may stand between quotes, as in TOML.
+// Names may be quoted as in TOML.
 std::string_view unquoted(std::string_view name) {
     const bool quotes =
         name.size() >= 2 && (name.front() == '"' || name.front() == '\'') && name.back() == name.front();
@@ -26,9 +28,9 @@ std::optional<std::size_t> number_of(std::string_view text) {
     return whole ? std::optional(number) : std::nullopt;
 }
 
-/// "material.glass.index" in its parts; the name may hold dots.
+/// The parts of a path such as "material.glass.index"; the name may contain dots.
 struct Path {
-    std::string_view table; ///< empty: a key of the top
+    std::string_view table; ///< empty: a top-level key
     std::string_view name;  ///< empty: none
     std::string_view key;
     bool has_name = false;
@@ -76,7 +78,7 @@ class Finder {
     }
 
     static KeyTarget target(TreeValue& table, const TableSpec& spec, std::string_view key, std::string path) {
-        // A table that is none is reported by the reader.
+        // The reader reports values that should be tables.
         if (table.kind != Kind::table) return {};
         if (!path.empty()) path += '.';
         return {&table, &spec, std::string(key), path + std::string(key)};
@@ -99,7 +101,7 @@ class Finder {
                         "expected " + example(spec.name));
         TreeEntry* entry = root_.find(spec.name);
         if (!entry) {
-            // What the file left out is as if it stood there empty.
+            // Add an empty table for one that is missing.
             TreeValue empty;
             empty.where = where_;
             root_.entries.push_back({std::string(spec.name), where_, empty});
@@ -137,7 +139,7 @@ class Finder {
                       found_as + std::string(transform_part) + std::to_string(*index));
     }
 
-    /// The table of that name or number; null if there is none. `found_as` becomes its path.
+    /// The table with that name or number; null if there is none. `found_as` is set to its path.
     TreeValue* part(const TableSpec& spec, std::string_view written, std::string& found_as) {
         TreeEntry* entry = root_.find(spec.name);
         if (!entry) return nullptr;
@@ -155,7 +157,7 @@ class Finder {
         return &items[*index];
     }
 
-    /// By its `name`, else by its number.
+    /// Finds a table by `name`, otherwise by number.
     static std::optional<std::size_t> index_of(const std::vector<TreeValue>& items, std::string_view name) {
         for (std::size_t i = 0; i < items.size(); ++i) {
             const TreeEntry* entry = items[i].find("name");

@@ -1,5 +1,6 @@
 #pragma once
-// Key paths, "material.glass.index": how -D, documents and animations name one value of a scene.
+// Key paths such as "material.glass.index", by which -D, documents and animations refer to a value of a
+// scene.
 
 #include "formats/scene/key_table.h"
 #include "formats/scene/tree.h"
@@ -9,15 +10,15 @@
 
 namespace glint {
 
-/// Without blanks around it.
+/// Removes surrounding white space.
 std::string_view trimmed(std::string_view text);
 
-/// Where a key path leads.
+/// The target of a key path.
 struct KeyTarget {
-    TreeValue* table = nullptr; ///< null: nowhere
+    TreeValue* table = nullptr; ///< null if not found
     const TableSpec* spec = nullptr;
     std::string key;
-    std::string path; ///< the same for all paths that lead here: tables of lists by number
+    std::string path; ///< canonical path: tables of lists by number
 };
 
 /// Finds the table that a path names, and makes an empty one where the scene lacks a table such as [camera].
@@ -27,10 +28,10 @@ struct KeyTarget {
 /// whether the table has such a key is for its reader to say.
 KeyTarget find_target(TreeValue& root, std::string_view path, const SourcePos& where, Problems& problems);
 
-/// Puts a value under the target's key. Key and value stand at `where` from now on.
+/// Sets the value of the target's key. Key and value get the position `where`.
 void put_value(const KeyTarget& target, TreeValue value, const SourcePos& where);
 
-/// The value as -D has it: TOML, else text. All places are `where`.
+/// Parses a value as for -D: TOML, otherwise text. All positions are `where`.
 TreeValue read_value(std::string_view text, const SourcePos& where);
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// Lookup of tables and keys.
+
 #include "formats/scene/key_table.h"
 
 #include "formats/scene/file_keys.h"

@@ -12,7 +12,7 @@ namespace glint {
 /// All tables, in the order of the reference page.
 const std::vector<TableSpec>& table_specs();
 
-/// The table of that name; null if there is none. The file itself is "".
+/// The table with that name; null if there is none. The name of the file itself is "".
 const TableSpec* find_table(std::string_view name);
 
 /// The keys of a table of that type, in the order of the reference page.

@@ -1,3 +1,5 @@
+// Resolving and loading mesh files.
+
 #include "formats/scene/meshes.h"
 
 #include "scene/text.h"
@@ -12,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without symbolic links and "..", as far as the path exists.
+// Resolves symbolic links and ".." as far as the path exists.
 fs::path resolve_links(const fs::path& path) {
     std::error_code failed;
     const fs::path absolute = fs::absolute(path, failed);
@@ -23,7 +25,7 @@ fs::path resolve_links(const fs::path& path) {
 
 bool is_inside(const fs::path& file, const fs::path& folder) {
     const auto [left, _] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-    // A folder written with a final slash ends in an empty part.
+    // A folder with a trailing slash ends in an empty component.
     return left == folder.end() || left->empty();
 }
 
@@ -39,7 +41,7 @@ class MeshLoader {
         : policy_(policy), problems_(problems), loaded_(loaded), warnings_(warnings),
           fence_(resolve_links(folder_of(policy.scene_file))) {}
 
-    /// Adds the files' names to `files`, each once, before they are read.
+    /// Adds the names of all files to `files`, each once, before reading them.
     void run(ReadScene& scene, std::vector<std::string>& files) {
         std::vector<Wanted> wanted;
         std::size_t number = 0;
@@ -57,7 +59,7 @@ class MeshLoader {
             check(each);
             if (named_.insert(each.path.string()).second) files.push_back(each.path.string());
         }
-        // Large files are not read for a scene that is refused anyway.
+        // Do not read large files for a scene that has errors anyway.
         if (!policy_.load || problems_.any_error()) return;
         for (const Wanted& each : wanted) each.mesh->data = load(each);
     }
@@ -67,7 +69,7 @@ class MeshLoader {
         MeshShape* mesh;
         fs::path path;
         SourcePos where;
-        std::string called; ///< how -D names the mesh
+        std::string called; ///< key path of the mesh
     };
 
     void check(const Wanted& wanted) {

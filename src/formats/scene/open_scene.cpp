@@ -1,3 +1,5 @@
+// Reading a scene at any frame.
+
 #include "formats/scene/open_scene.h"
 
 #include "formats/read_text.h"
@@ -28,7 +30,7 @@ ReadScene OpenScene::read(const TreeValue& root, Problems& problems, std::vector
 
 LoadedScene OpenScene::load() {
     Problems problems(source_);
-    // What does not move is read once.
+    // Without animation the tree is read only once.
     TreeValue root = tree_.find("animate") ? tree_ : std::move(tree_);
     apply_overrides(root, source_, problems);
     tracks_ = read_tracks(root, problems);
@@ -39,7 +41,7 @@ LoadedScene OpenScene::load() {
     const auto own = problems.warnings();
     loaded.warnings.insert(loaded.warnings.begin(), own.begin(), own.end());
 
-    // Who asks for frames later is not who waited now.
+    // Later queries must not use the cancel flag of this call.
     options_.cancel = nullptr;
     options_.progress = nullptr;
 

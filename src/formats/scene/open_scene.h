@@ -1,5 +1,5 @@
 #pragma once
-// A scene file held open, to be read as it stands or at a frame of its animation.
+// A parsed scene file, which can be read as it is or at a frame of its animation.
 
 #include "formats/scene/animation_tracks.h"
 #include "formats/scene/meshes.h"
@@ -16,10 +16,10 @@ class OpenScene {
     /// Throws Error(input) at the text's first syntax error.
     OpenScene(std::string text, std::string name, const LoadOptions& options);
 
-    /// The scene without its animation, which is checked; `animation.scene` is left out.
+    /// Reads the scene as its tables say and checks its animation; leaves `animation.scene` empty.
     LoadedScene load();
-    /// The scene at a frame: tracks first, then overrides, which have the last word. Meshes that were read
-    /// before are the same objects. Any number of threads may ask.
+    /// The scene at a frame: tracks are applied first, then overrides, which take precedence. Meshes are
+    /// shared with earlier results. May be called by any number of threads.
     SceneDescription at(double frame) const;
 
   private:

@@ -1,3 +1,5 @@
+// Applying -D overrides.
+
 #include "formats/scene/overrides.h"
 
 #include "formats/scene/key_path.h"

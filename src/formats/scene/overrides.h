@@ -1,13 +1,12 @@
 #pragma once
-// -D path=value: values of the command line put into the tree of a scene file before it is checked.
+// -D path=value: overrides applied to the tree of a scene file before it is checked.
 
 #include "formats/scene/tree.h"
 
 namespace glint {
 
-/// Puts the source's overrides into the tree, the later over the earlier; find_target() tells what paths
-/// name. A value that is not TOML is taken as text. Reports paths that lead nowhere; throws Error(usage)
-/// where there is no '='.
+/// Applies the overrides of the source in order; find_target() defines paths. Values that are not TOML are
+/// text. Reports invalid paths; throws Error(usage) if '=' is missing.
 void apply_overrides(TreeValue& root, const SceneSource& source, Problems& problems);
 
 } // namespace glint

@@ -1,3 +1,5 @@
+// Reading tables into a SceneDescription.
+
 #include "formats/scene/read.h"
 
 #include "formats/scene/file_keys.h"

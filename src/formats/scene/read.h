@@ -1,5 +1,5 @@
 #pragma once
-// From the tree of a scene file to a SceneDescription.
+// Reading the tree of a scene file into a SceneDescription.
 
 #include "formats/scene/table.h"
 #include "formats/scene/tree.h"
@@ -10,33 +10,32 @@
 
 namespace glint {
 
-/// Where the parts of an object were written.
+/// Source positions of the parts of an object.
 struct ObjectPositions {
     std::string table; ///< "sphere"
     SourcePos header;
     SourcePos name;
     SourcePos material;
-    SourcePos
-        shape; ///< what gives its extent: vertices, a mesh's file or an instance's mesh, else the header
-    SourcePos transform; ///< the header where there is none
-    bool good = true;    ///< nothing was wrong with its table
+    SourcePos shape;     ///< of what determines its extent: vertices, mesh file, or the mesh of an instance;
+                         ///< otherwise the header
+    SourcePos transform; ///< otherwise the header
+    bool good = true;    ///< its table had no errors
 };
 
-/// A description and the places in it; `objects` runs along description.objects.
+/// A description with source positions; `objects` is parallel to description.objects.
 struct ReadScene {
     SceneDescription description;
     std::vector<ObjectPositions> objects;
-    std::vector<SourcePos> materials; ///< energies: where reflectivity stands, else the header
+    std::vector<SourcePos> materials; ///< location for energy errors: `reflectivity`, or the header
 };
 
-/// How colours by name are meant, as the top of the file says.
+/// The color_values setting of the file.
 ColorValues color_values_of(const TreeValue& root);
 
-/// Reads a scene, but not how it moves. Reports what is wrong with single tables; check_scene() does the
-/// rest.
+/// Reads a scene without its animation. Reports errors in single tables; check_scene() does the rest.
 ReadScene read_scene(const TreeValue& root, Problems& problems);
 
-/// Changes settings, camera and materials of a description that exists already, as the tree says.
+/// Applies settings, camera and materials of the tree to an existing description.
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
 
 } // namespace glint

@@ -1,4 +1,4 @@
-// The reference page of scene files, written from the table that drives their parser.
+// The reference page of scene files, generated from the key table.
 
 #include "formats/scene/key_table.h"
 #include "formats/scene/write.h"
@@ -210,7 +210,7 @@ std::string scene_key_reference() {
     std::string text(introduction);
     bool objects_opened = false;
     for (const TableSpec& table : table_specs()) {
-        // What all objects share stands before the first of them.
+        // Common keys of objects precede the first object.
         if (table.object && !objects_opened) text += object_section();
         objects_opened = objects_opened || table.object;
         text += section(table);

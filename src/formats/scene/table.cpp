@@ -1,3 +1,5 @@
+// Reading and checking the values of one table.
+
 #include "formats/scene/table.h"
 
 #include "scene/keys/check.h"
@@ -48,7 +50,7 @@ void TableReader::check_required() {
     for (const KeySpec& spec : spec_.keys) {
         if (find_key(spec_, spec.key, type_) != &spec || (type_.empty() && !spec.types.empty())) continue;
         const bool either = !spec.alternative.empty() && has(spec.alternative);
-        // Of two keys that exclude each other the later one is reported, once.
+        // Of two mutually exclusive keys report only the later one.
         if (either && has(spec.key) && position_of(spec.alternative) < position_of(spec.key))
             error(position_of(spec.key),
                   label_of(spec) + " cannot go together with " + in_quotes(spec.alternative) + " in " +
@@ -73,7 +75,7 @@ SourcePos TableReader::position_of(std::string_view key) const {
 
 void TableReader::read_members(const KeyOwner& owner) {
     for (const KeySpec& key : spec_.keys) {
-        // A key that this type does not have was reported as such; its value does not matter.
+        // Keys that the type does not have were reported; ignore their values.
         if (!key.set || find_key(spec_, key.key, type_) != &key) continue;
         if (const auto read = value(key)) key.set(owner, *read);
     }

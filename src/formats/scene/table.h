@@ -1,5 +1,5 @@
 #pragma once
-// Reads one table of a scene file as its key table says.
+// Reads one table of a scene file according to the key table.
 
 #include "formats/scene/colors.h"
 #include "formats/scene/key_table.h"
@@ -12,15 +12,16 @@
 
 namespace glint {
 
-/// What reading needs to know besides the table at hand.
+/// Context of reading.
 struct ReadContext {
     Problems& problems;
     ColorValues colors = ColorValues::srgb;
-    bool patch = false; ///< keys change values that exist already: none is required
+    bool patch = false; ///< patching an existing description: no key is required
 };
 
-/// One table while it is read. The constructor reports unknown and missing keys and keys that exclude each
-/// other; reading reports wrong types and ranges.
+/// Reads one table. The constructor reports unknown, missing and mutually exclusive keys; each read() reports
+/// a wrong type or range, otherwise sets its target. Targets are unchanged if the key is absent or invalid.
+/// Every key of the specification must be read once.
 class TableReader {
   public:
     /// `label` names the table in messages: "[[sphere]]". `type` is its selector's value, empty if unknown.
@@ -31,7 +32,7 @@ class TableReader {
     /// Position of the key's value, or of the table's header where the key is absent.
     SourcePos position_of(std::string_view key) const;
     SourcePos header() const { return table_.where; }
-    /// True while nothing was wrong with this table.
+    /// Whether no error was found in this table.
     bool good() const { return good_; }
 
     /// Sets the members that the keys of this type are bound to. Those of absent and wrong keys stay as they
@@ -42,7 +43,7 @@ class TableReader {
     }
     /// The value of a key; none if it is absent or wrong.
     std::optional<KeyValue> value(const KeySpec& key);
-    /// The list itself, for values that are read elsewhere; null where it is absent or no list.
+    /// The list for values read elsewhere; null if absent or not a list.
     const TreeValue* list(std::string_view key);
 
     /// Reports what is wrong with this table beyond single values.
@@ -81,7 +82,7 @@ class TableReader {
     bool good_ = true;
 };
 
-/// The value of a table's selector ("kind", "type"), reporting none; empty if absent or wrong.
+/// The value of a table's selector ("kind", "type") without reporting errors; empty if absent or invalid.
 std::string selected_type(const TreeValue& table, const TableSpec& spec);
 
 /// The matrix of a list of transform entries, the first applied first.

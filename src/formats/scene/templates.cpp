@@ -1,4 +1,4 @@
-// The starter scenes of `glint new`.
+// The templates of `glint new`.
 
 #include "glint/formats.h"
 
@@ -365,7 +365,7 @@ color = [1, 0.85, 0.7]
 intensity = 10
 )";
 
-// The first is what `glint new` writes without a name.
+// The first is the default template.
 constexpr std::array<Template, 4> templates{{
     {"spheres", spheres},
     {"glass", glass},

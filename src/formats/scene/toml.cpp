@@ -1,4 +1,4 @@
-// The only file that knows the TOML library.
+// The interface to the TOML library; no other file uses it.
 
 #include "formats/scene/tree.h"
 
@@ -7,11 +7,10 @@
 #include <algorithm>
 
 #define TOML_EXCEPTIONS 0
-// Scene files nest four deep; the limit keeps recursion over hostile files shallow.
+// Scene files nest four levels; the limit bounds recursion on malicious files.
 #define TOML_MAX_NESTED_VALUES 32
-// The library (3.3) takes what it asserts for granted, though "[=" breaks it, and its test for white space
-// takes for granted that letters like U+00E4 do not come. Told not to assume, it reports such text as it
-// should.
+// toml++ 3.3 relies on its assertions, although "[=" violates them, and its white-space test assumes that
+// characters like U+00E4 do not occur. With assertions it reports such text correctly.
 #undef NDEBUG
 #define TOML_ASSERT(condition) static_cast<void>(0)
 // clang-format off
@@ -43,16 +42,15 @@ SourcePos position_of(const toml::source_position& position) {
     throw Error(ErrorKind::internal, "a syntax error got lost");
 }
 
-/// What the library must not be given, and where.
+/// Text that must not reach the library, and its position.
 struct Offence {
     std::size_t byte;
     std::string message;
     std::string hint;
 };
 
-// Walks over TOML text just well enough to tell strings and comments from the rest, and finds what the
-// library lets pass: dotted keys without end, over which it recurses until the stack is full, and letters
-// beyond ASCII.
+// Scans TOML text, distinguishing strings and comments, for input that the library mishandles: unbounded
+// dotted keys, on which it recurses until the stack overflows, and characters beyond ASCII.
 class TextCheck {
   public:
     explicit TextCheck(std::string_view text) : text_(text) {}
@@ -134,7 +132,7 @@ TreeValue tree_of_table(const toml::table& table) {
     tree.entries.reserve(table.size());
     for (const auto& [key, value] : table)
         tree.entries.push_back({std::string(key.str()), position_of(key.source().begin), tree_of(value)});
-    // The library walks tables by name; people read them by place.
+    // The library iterates by name; restore file order.
     std::stable_sort(tree.entries.begin(), tree.entries.end(),
                      [](const TreeEntry& a, const TreeEntry& b) { return a.where < b.where; });
     return tree;
@@ -204,7 +202,7 @@ std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos
     const std::string document = std::string(key) + std::string(text);
     if (TextCheck(document).run()) return std::nullopt;
     const toml::parse_result result = toml::parse(std::string_view(document), std::string_view{});
-    // Behind a line break a value could bring further keys along.
+    // After a line break a value could be followed by more keys.
     if (!result || result.table().size() != 1) return std::nullopt;
     TreeValue tree = tree_of(*result.table().get("value"));
     move_all(tree, where);

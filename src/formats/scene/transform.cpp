@@ -1,3 +1,5 @@
+// Reading transforms.
+
 #include "formats/scene/file_keys.h"
 #include "formats/scene/table.h"
 #include "math/trig.h"
@@ -8,7 +10,7 @@
 namespace glint {
 namespace {
 
-// Rodrigues' formula; quarter turns about the axes come out exact.
+// Rodrigues' formula; exact for quarter turns about the axes.
 Mat4 rotation(const Vec3& axis, double degrees) {
     const Vec3 a = axis / std::sqrt(glm::dot(axis, axis));
     const double s = sin_degrees(degrees);
@@ -21,7 +23,7 @@ Mat4 rotation(const Vec3& axis, double degrees) {
     return m;
 }
 
-// Reports an entry that does not hold exactly one transformation.
+// Reports an entry without exactly one transformation.
 void check_one(TableReader& entry) {
     if (!entry.good()) return;
     int count = 0;

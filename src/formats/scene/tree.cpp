@@ -1,3 +1,5 @@
+// Source positions and problems.
+
 #include "formats/scene/tree.h"
 
 #include "scene/text.h"
@@ -12,14 +14,14 @@ constexpr std::size_t max_excerpt = 240;
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; }
 
-// Bytes of the character that starts with this one, as far as UTF-8 is well formed.
+// Length of the UTF-8 character that starts with this byte, if well formed.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
     std::size_t end = at + 1;
     while (end < text.size() && continues_character(text[end])) ++end;
     return end - at;
 }
 
-// True where the bytes are one character of UTF-8, by the pattern of their leading bits.
+// Whether the bytes form one UTF-8 character, judged by the leading bits.
 bool well_formed(std::string_view character) {
     const auto first = static_cast<unsigned char>(character[0]);
     if (first < 0x80u) return character.size() == 1;
@@ -80,7 +82,7 @@ std::string_view SceneSource::line(int number) const {
     return text;
 }
 
-// Searches rather than walks: a hostile file may hold a million places on one line.
+// Binary search: a malicious file may have a million positions on one line.
 std::size_t SceneSource::byte_of(const SourcePos& pos) const {
     const std::string_view text = line(pos.line);
     if (text.empty()) return 0;
@@ -88,14 +90,15 @@ std::size_t SceneSource::byte_of(const SourcePos& pos) const {
     const auto before = static_cast<std::size_t>(std::max(pos.column, 1) - 1); // characters
     const auto first = std::lower_bound(continuations_.begin(), continuations_.end(), start);
 
-    // The k-th continuing byte of the line has its offset − k other bytes before it: this grows with k.
+    // The k-th continuation byte of the line has its offset − k other bytes before it, which increases with
+    // k.
     std::size_t low = 0, high = static_cast<std::size_t>(continuations_.end() - first);
     while (low < high) {
         const std::size_t k = low + (high - low) / 2;
         const bool within = first[static_cast<std::ptrdiff_t>(k)] - start - k <= before;
         (within ? low : high) = within ? k + 1 : k;
     }
-    // A place beyond the line's end, as the library gives for the end of the file, is brought to it.
+    // Clamp positions beyond the end of the line, as the library reports for the end of the file.
     return std::min(before + low, text.size());
 }
 
@@ -115,7 +118,7 @@ std::string SceneSource::excerpt(const SourcePos& pos) const {
     if (pos.origin > 0) return {};
     std::string_view text = line(pos.line);
     if (text.size() > max_excerpt) {
-        // Without the start of the line the caret would stand wrong: a place far out has no excerpt.
+        // No excerpt for positions far from the start, whose caret would be misplaced.
         if (locate(pos).column > static_cast<int>(max_excerpt) / 2) return {};
         text = text.substr(0, max_excerpt);
     }

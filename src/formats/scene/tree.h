@@ -1,5 +1,5 @@
 #pragma once
-// The text of a scene file as a tree of values, each with its place; and the list of what is wrong with it.
+// The tree of values of a scene file with source positions, and the list of problems.
 
 #include "glint/error.h"
 
@@ -12,7 +12,7 @@
 
 namespace glint {
 
-/// Where a value was written: in the file (origin 0), or in the origin-th override (1, 2, …; no line).
+/// Source position of a value: in the file (origin 0), or in an override (origin 1, 2, …; without line).
 struct SourcePos {
     int origin = 0;
     int line = 0;
@@ -36,9 +36,9 @@ struct TreeValue {
     std::vector<TreeValue> items;   ///< of a list
     std::vector<TreeEntry> entries; ///< of a table, in the order of the file
     SourcePos where;
-    SourcePos end; ///< after the last character; of what is written as a value, not of tables under a header
+    SourcePos end; ///< after the last character; of values, not of tables with headers
 
-    /// The entry of a table; null if it has none of that name.
+    /// The entry with that name; null if there is none.
     const TreeEntry* find(std::string_view key) const;
     TreeEntry* find(std::string_view key);
     /// "a boolean", "an integer", … for messages.
@@ -51,22 +51,21 @@ struct TreeEntry {
     TreeValue value;
 };
 
-/// A scene's text and overrides: turns places into locations and excerpts.
+/// Text and overrides of a scene; converts positions to locations and excerpts.
 class SceneSource {
   public:
-    /// A byte order mark at the start of the text is passed over. The text must outlive this, and be below 4
-    /// GiB.
+    /// Skips a byte order mark. The text must outlive this object and be below 4 GiB.
     SceneSource(std::string_view text, std::string name, std::vector<std::string> overrides);
 
     const std::string& name() const { return name_; }
     std::string_view text() const { return text_; }
     const std::vector<std::string>& overrides() const { return overrides_; }
 
-    /// The place in bytes; an override's location has its own text as the file.
+    /// The location of a position, with columns in bytes; an override's location has its text as the file.
     Location locate(const SourcePos& pos) const;
-    /// The byte of text() at a place of the file.
+    /// Offset in text() of a position.
     std::size_t offset(const SourcePos& pos) const;
-    /// The line of the place, made fit for showing; empty where there is none or it is too long.
+    /// The line of a position for display; empty if there is none or it is too long.
     std::string excerpt(const SourcePos& pos) const;
 
   private:
@@ -80,23 +79,23 @@ class SceneSource {
     std::vector<std::uint32_t> continuations_; ///< offsets of the bytes that do not start a character
 };
 
-/// What is wrong with a scene, gathered so that everything is reported at once.
+/// Collects problems of a scene, to report all at once.
 class Problems {
   public:
     explicit Problems(const SceneSource& source) : source_(source) {}
 
     void error(const SourcePos& pos, std::string message, std::string hint = {});
-    /// A problem of another file that is named at this place.
+    /// Adds a problem of another file that is referred to at this position.
     void error_elsewhere(const SourcePos& named_at, Diagnostic diagnostic);
     void warning(const SourcePos& pos, std::string message, std::string hint = {});
-    /// did_you_mean(), or nothing once so much is wrong that searching on would take long.
+    /// did_you_mean(), or empty after so many errors that searching would take long.
     std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) const;
 
     Location locate(const SourcePos& pos) const { return source_.locate(pos); }
     bool any_error() const { return !errors_.empty(); }
-    /// Throws Error(input) with all errors in the order of their places, if there is one.
+    /// Throws Error(input) with all errors in order of position, if any.
     void throw_if_any() const;
-    /// The warnings, in the order of their places.
+    /// The warnings in order of position.
     std::vector<Diagnostic> warnings() const;
 
   private:
@@ -114,11 +113,11 @@ class Problems {
     std::size_t unlisted_ = 0;
 };
 
-/// The tree of a TOML document. Throws Error(input) at its first syntax error.
+/// Parses a TOML document. Throws Error(input) at its first syntax error.
 TreeValue parse_tree(const SceneSource& source);
 
-/// The tree of one TOML value, as written after a key; none if it is not one. All places are `where`, but
-/// the value's end, which is in the text: a comment may follow.
+/// Parses a TOML value as written after a key; none if invalid. All positions are `where` except the end of
+/// the value in the text, which a comment may follow.
 std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos& where);
 
 } // namespace glint

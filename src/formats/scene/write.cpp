@@ -1,4 +1,4 @@
-// From a description back to a scene file.
+// Writing descriptions as scene files.
 
 #include "formats/scene/write.h"
 #include "glint/document.h"
@@ -87,7 +87,7 @@ std::string object_text(const Object& object) {
 
 std::string scene_value(double value) {
     std::string text = show(value);
-    // Without a point TOML reads an integer: it has no −0, and ends at 2^63.
+    // Without a decimal point TOML reads an integer, which has no −0 and is limited to 2^63.
     const bool integer = text.find_first_not_of("-0123456789") == std::string::npos;
     if (integer && ((value == 0 && std::signbit(value)) || std::abs(value) >= 1e18)) text += ".0";
     return text;

@@ -1,5 +1,5 @@
-// Planes and quadrics for every SIMD target: one shape at a time, as many rays at once as doubles fit into a
-// vector.
+// Batch kernels for planes and quadrics for every SIMD target: one shape at a time, vectors of rays in
+// double.
 
 #include "trace/simd/surface_batch.h"
 #include "trace/simd/flags.h"
@@ -24,8 +24,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Rays against boxes that lie within `bounds`, with the slack that bvh/traverse.h derives, and `more` times
-/// the origin's largest |coordinate|.
+/// Slab test of rays against boxes within `bounds`, with the slack derived in bvh/traverse.h, plus `more`
+/// times the origin's largest |coordinate|.
 class BoxRays {
   public:
     HWY_INLINE BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
@@ -42,7 +42,7 @@ class BoxRays {
         pad_ = pad_ + reach * double(more);
     }
 
-    /// Which rays may meet the box between their tmin and `limit`; `enter` says where.
+    /// Rays that may hit the box between tmin and `limit`; `enter` returns the distance.
     HWY_INLINE truth meet(const vec3& lo, const vec3& hi, real64 limit, real64& enter) const {
         real64 leave = limit;
         enter = tmin_;
@@ -72,7 +72,8 @@ truth in_special(const WorldData& world, const Quadric& quadric, const Lines& li
                            transformed(affine.inverse, line.direction), span);
 }
 
-/// Which lines pass through a quadric, and where. Most are plain spheres: they need no call.
+/// Lines that pass through a quadric, and where. Inlined for spheres without local space, the most common
+/// case.
 HWY_INLINE truth in_quadric(const WorldData& world, const Quadric& quadric, const Lines& line,
                             SolidSpan& span) {
     if (quadric.shape.kind == quadric_sphere && quadric.affine < 0)
@@ -81,7 +82,7 @@ HWY_INLINE truth in_quadric(const WorldData& world, const Quadric& quadric, cons
     return in_special(world, quadric, line, span);
 }
 
-/// Does a hit at `exact` count, its t rounded to float?
+/// Whether a hit at `exact` counts, given its rounded t.
 HWY_INLINE truth takes(const Rays& rays, truth met, real64 exact, real64 near) {
     return met && exact > rays.tmin && near < rays.tmax;
 }
@@ -100,10 +101,10 @@ struct Least {
         root = pick(better, number, root);
     }
     bool done() const { return false; }
-    real64 limit() const { return lesser(t, rays.tmax); } ///< beyond it nothing counts
+    real64 limit() const { return lesser(t, rays.tmax); } ///< upper bound of t
 };
 
-/// Finds which rays meet anything.
+/// Determines which rays hit anything.
 struct AnyHit {
     const Rays& rays;
     truth found = hn::FirstN(dd, 0);
@@ -132,7 +133,8 @@ HWY_INLINE void meet_quadric(const WorldData& world, const Quadric& quadric, con
     sink.add(met, span.leave, 2.0 * quadric.surface + 1.0);
 }
 
-/// The quadrics whose boxes any of the rays meets, roughly nearest first: neighbours go nearly the same way.
+/// Visits quadrics whose boxes are met by any of the rays, roughly nearest first, as neighbouring rays are
+/// similar.
 template <class Sink>
 void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
     const Tree& tree = world.quadric_tree;
@@ -154,14 +156,14 @@ void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
             met[k] = any_lane(boxes.meet(vec3(node.lo[0][k], node.lo[1][k], node.lo[2][k]),
                                          vec3(node.hi[0][k], node.hi[1][k], node.hi[2][k]), sink.limit(),
                                          enter[k]));
-        // What the first ray meets first is looked at first.
+        // Visit the child first that is nearer for the first ray.
         const int near = hn::GetLane(enter[1].v) < hn::GetLane(enter[0].v) ? 1 : 0;
         for (const int k : {1 - near, near})
             if (met[k]) stack[size++] = node.child[k];
     }
 }
 
-/// The planes ahead, and what quadrics lie in the way of one vector of rays.
+/// Tests a vector of rays against the planes and quadrics in the mask.
 template <class Sink>
 HWY_INLINE void meet_all(const WorldData& world, const CullMask& cull_mask, const Rays& rays, Sink& sink) {
     if (cull_mask.planes != 0)
@@ -194,7 +196,7 @@ RayBoxes boxes_of(const Ray* rays, std::size_t count) {
     return boxes;
 }
 #else
-/// The least and the greatest of each lane.
+/// Minimum and maximum of each lane.
 struct Extremes {
     Halves lo, hi;
 

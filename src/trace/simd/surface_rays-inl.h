@@ -1,4 +1,4 @@
-// Rays in double side by side, as many as fit into a vector, for every SIMD target.
+// Vectors of rays in double for every SIMD target.
 
 #include "trace/world/data.h"
 
@@ -37,7 +37,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 HWY_INLINE real64 rounded(real64 x) {
     const real64 finite = hn::PromoteTo(dd, hn::DemoteTo(df, x.v));
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
-    // What rounds to infinity: without the machine's vectors Highway would take it to the greatest float.
+    // Values that round to infinity: without SIMD Highway converts them to the largest float.
     return pick(abs(x) >= 0x1.ffffffp127, x * infinity, finite);
 #else
     return finite;
@@ -54,7 +54,7 @@ const hn::Twice<decltype(df)> halves;
 using Halves = hn::Vec<decltype(halves)>;
 #endif
 
-/// Rays side by side, as they are.
+/// A vector of rays.
 struct LoadedRays {
     Lines line;
     real64 tmin, tmax;
@@ -66,7 +66,7 @@ struct LoadedRays {
         tmax = double(ray->tmax);
     }
 #else
-    // Of each ray there are two groups of four numbers: origin and tmin, direction and tmax.
+    // Each ray consists of two groups of four numbers: origin and tmin, direction and tmax.
     HWY_INLINE explicit LoadedRays(const Ray* rays) {
         Halves x, y, z, t;
         hn::LoadInterleaved4(halves, &rays->origin.x, x, y, z, t);
@@ -85,9 +85,9 @@ struct LoadedRays {
 #endif
 };
 
-/// Rays side by side, to be traced. One that can hit nothing has an empty interval.
+/// A vector of rays to trace. Rays that cannot hit anything get an empty interval.
 struct Rays : LoadedRays {
-    // A hit has tmin < t, and t < tmax when it is rounded.
+    // Hits satisfy tmin < t, and t < tmax after rounding.
     HWY_INLINE explicit Rays(const Ray* rays) : LoadedRays(rays) {
         // Each product is 0, or NaN where a value is not finite.
         const real64 zero = 0.0;
@@ -97,7 +97,7 @@ struct Rays : LoadedRays {
     }
 };
 
-/// Calls use(first, count, rays) for each vector of rays; the last ray fills what is left of the last vector.
+/// Calls use(first, count, rays) for each vector of rays; the last vector is padded with the last ray.
 template <class Use>
 HWY_INLINE void for_vectors(const Ray* rays, std::size_t count, Use&& use) {
     std::size_t i = 0;

@@ -1,5 +1,5 @@
-// The questions a World answers for many rays at once: planes and quadrics first, then the meshes and their
-// instances, for the rays that can still meet one.
+// Batch queries of World: first planes and quadrics, then meshes and instances for the rays that may still
+// hit one.
 
 #include "trace/simd/surface_batch.h"
 #include "trace/world/world.h"
@@ -15,14 +15,14 @@ bool has_no_triangles(const WorldData& world) {
     return world.mesh_tree.nodes.empty() && world.instances.empty();
 }
 
-/// Grows, and never clears what is there.
+/// Grows a vector without shrinking or clearing it.
 template <class T>
 T* room_for(std::vector<T>& v, std::size_t count) {
     if (v.size() < count) v.resize(count);
     return v.data();
 }
 
-/// Calls use(i) for every flag that is set, passing over eight at once where none is: neighbours are alike.
+/// Calls use(i) for every flag that is set, skipping eight clear flags at once.
 template <class Use>
 void for_each_set(std::span<const std::uint8_t> flags, Use&& use) {
     for (std::size_t i = 0; i < flags.size(); i += 8) {
@@ -83,7 +83,7 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
         open[left] = rays[i];
         numbers[left++] = i;
     });
-    // The flags are read: their place is free for the answers.
+    // The flags have been read, so their memory can hold results.
     std::uint8_t* answers = meets_mesh;
     if (!data_->mesh_tree.nodes.empty()) {
         trace::occluded(data_->mesh_tree, {open, left}, {answers, left}, hint, choice);

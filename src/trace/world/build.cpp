@@ -1,4 +1,4 @@
-// From plain input to trees.
+// Building the trees of a World.
 
 #include "math/finite.h"
 #include "math/inverse.h"
@@ -22,7 +22,7 @@ std::uint64_t bytes_of(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-/// All meshes as one, for the time of the build.
+/// Concatenates all meshes for the build.
 WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
     WorldInput::Triangles all;
     for (const auto& mesh : meshes) {
@@ -49,7 +49,7 @@ void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
     world.mesh_tree = build_mesh_tree(source.positions, source.triangles, pool, quality);
 }
 
-/// The float box around a quadric: each side the exact one, one float further out.
+/// Float bounds of a quadric, rounded outward by one float.
 BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) {
     BoxRef box{vec3(0.0f), id, vec3(0.0f)};
     for (int axis = 0; axis < 3; ++axis) {
@@ -72,7 +72,7 @@ BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) 
 void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
     std::vector<Quadric> quadrics;
     for (const auto& q : input.quadrics) quadrics.push_back({q.affine, q.object, q.prim, 0, q.shape});
-    // Grouped by kind, so that leaves mostly hold one.
+    // Group by kind, so that leaves mostly contain one kind.
     std::stable_sort(quadrics.begin(), quadrics.end(),
                      [](const Quadric& a, const Quadric& b) { return a.shape.kind < b.shape.kind; });
     std::vector<BoxRef> boxes;
@@ -88,7 +88,7 @@ void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
         world.quadrics.push_back(quadrics[id]);
 }
 
-/// One running number for planes and quadrics, in the order in which hits at one t count.
+/// Numbers planes and quadrics in the order that decides ties.
 void number_surfaces(WorldData& world) {
     std::vector<QuadricRef>& names = world.surfaces;
     std::uint32_t index = 0;
@@ -109,7 +109,7 @@ void number_surfaces(WorldData& world) {
     }
 }
 
-/// Shared meshes and their instances.
+/// Statistics of shared meshes and their instances.
 void count_shared(WorldData& world) {
     WorldStats& stats = world.stats;
     int depth = 0;

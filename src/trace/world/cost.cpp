@@ -1,12 +1,11 @@
-// What a search for the closest hit costs, counted on a plain walk: the kernels take several rays or boxes at
-// a time, and how many depends on the machine.
+// Cost of closest-hit queries, counted in scalar traversal: the work of SIMD kernels depends on the machine.
 
 #include "trace/world/data.h"
 
 namespace glint::trace {
 namespace {
 
-/// One ray's search, with its steps.
+/// A query that counts its steps.
 class CountedSearch {
   public:
     CountedSearch(const WorldData& world, const Ray& ray)

@@ -1,6 +1,5 @@
 #pragma once
-// What a World holds, and how a ray goes through it. Private to this room and to those who turn it into
-// trees of their own.
+// Data of a World, and scalar traversal. Private to this room and to backends that build their own trees.
 
 #include "bvh/traverse.h"
 #include "bvh/tree.h"
@@ -24,14 +23,14 @@ using bvh::Tree;
 using bvh::TreeNode;
 using bvh::TreeRef;
 
-/// A quadric, in its local space where it has one.
+/// A quadric, in local space if it has one.
 struct Quadric {
     std::int32_t affine = -1; ///< index into WorldData::affines, or -1
     std::uint32_t object = 0;
     std::uint32_t prim = 0;
     std::uint32_t surface = 0; ///< index into WorldData::surfaces
     QuadricShape shape{};
-    Bounds box{}; ///< around it, in the world
+    Bounds box{}; ///< world-space bounds
 };
 
 struct PlanePrim {
@@ -42,7 +41,7 @@ struct PlanePrim {
     dvec3 unit{0.0, 0.0, 1}; ///< the normal of unit length
 };
 
-/// Object and primitive of a plane or quadric.
+/// Object and primitive index of a plane or quadric.
 struct QuadricRef {
     PrimKind kind = PrimKind::none;
     std::uint32_t object = 0;
@@ -61,33 +60,34 @@ struct Affine {
     }
 };
 
-/// A mesh that stands at several places.
+/// A mesh with several instances.
 struct SharedMesh {
     WorldInput::SharedMesh source;
     MeshTree tree;
 };
 
-/// One of these places; WorldData::instance_tree knows the way back from the world.
+/// An instance of a shared mesh; WorldData::instance_tree has the inverse transform.
 struct InstanceData {
     std::uint32_t object = 0;
     std::uint32_t mesh = 0; ///< index into WorldData::shared_meshes
-    bool turned = false;    ///< the normal is that of the winding in the mesh's space, reversed
+    bool turned = false;    ///< the normal is opposite to the winding in the mesh's space
     dmat3 linear{1.0};      ///< p_world = linear · p_mesh + translation
-    double slack = 0;       ///< what the way to the world and back loses in double, in world units
+    double slack = 0;       ///< rounding error of transforming to the world and back, in world units
 };
 
 struct WorldData {
-    MeshTree mesh_tree; ///< of all meshes that are not shared: triangles under one running number
+    MeshTree mesh_tree; ///< of all meshes that are not shared, with consecutive triangle indices
     Tree quadric_tree;
-    std::vector<Quadric> quadrics; ///< in the order of the leaves
+    std::vector<Quadric> quadrics; ///< in leaf order
     std::vector<PlanePrim> planes;
     std::vector<Affine> affines;
-    std::vector<QuadricRef> surfaces;         ///< of planes and quadrics by (object, prim)
-    std::vector<std::uint32_t> first_surface; ///< by object: the first of `surfaces` not before it
+    std::vector<QuadricRef> surfaces; ///< of planes and quadrics by (object, prim)
+    /// by object: index of its first entry in `surfaces`, or of the next one
+    std::vector<std::uint32_t> first_surface;
 
     std::vector<WorldInput::Triangles> meshes; ///< by object
-    std::vector<std::uint32_t> first_numbers;  ///< the number of each mesh's first triangle
-    std::vector<SharedMesh> shared_meshes;     ///< never moved: the trees point to theirs
+    std::vector<std::uint32_t> first_numbers;  ///< index of each mesh's first triangle
+    std::vector<SharedMesh> shared_meshes;     ///< never reallocated: trees point into it
     std::vector<InstanceData> instances;       ///< by object
     InstanceTree instance_tree;                ///< of `instances`, in their order
     WorldStats stats;
@@ -95,22 +95,22 @@ struct WorldData {
 
 struct World::Data : WorldData {};
 
-/// Takes shared meshes and instances over from the input, and builds their trees. An instance too squeezed
-/// for its tree is baked, and added to input.meshes.
+/// Moves shared meshes and instances from the input and builds their trees. An instance that its tree does
+/// not accept is baked and added to input.meshes.
 void add_instances(WorldData& world, WorldInput& input, TaskPool& pool);
 
-/// Of a shared mesh or a mesh: throws std::invalid_argument for an index out of range.
+/// Throws std::invalid_argument for a vertex index out of range.
 void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
-/// The part of a line, taken to the quadric's local space, inside it; false if there is none.
+/// The part of a line inside a quadric, transformed to local space if needed; false if there is none.
 inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric, SolidSpan& span) {
     const Line local =
         quadric.affine < 0 ? line : world.affines[static_cast<std::size_t>(quadric.affine)].to_local(line);
     return intersect(local, quadric.shape, span);
 }
 
-/// Where all triangles are: what a box test must grow it by besides, in the origin's largest |coordinate|, is
-/// in `slack`.
+/// Bounds of all triangles. `slack` is the additional growth of the box test per unit of the origin's largest
+/// |coordinate|.
 struct TriangleBounds {
     Bounds box;
     float slack = 0;
@@ -122,7 +122,7 @@ inline TriangleBounds triangle_bounds(const WorldData& world) {
     return bounds;
 }
 
-/// The triangle with a running number, as a hit.
+/// The hit of a triangle given by its index in mesh_tree.
 inline Hit numbered_hit(const WorldData& world, std::uint32_t number, float t, float u, float v,
                         bool on_edge) {
     const auto above = std::upper_bound(world.first_numbers.begin(), world.first_numbers.end(), number);
@@ -136,7 +136,7 @@ inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uin
     return {t, u, v, world.instances[instance].object, triangle, PrimKind::triangle, on_edge};
 }
 
-/// The number of an object's instance; invalid_index if its triangles are in `meshes`.
+/// Index of an object's instance; invalid_index if its triangles are in `meshes`.
 inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
     const auto at =
         std::lower_bound(world.instances.begin(), world.instances.end(), object,
@@ -145,7 +145,7 @@ inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
     return static_cast<std::uint32_t>(at - world.instances.begin());
 }
 
-/// The object's triangles, which are not those of an instance.
+/// The triangles of an object that is not an instance.
 inline const WorldInput::Triangles& mesh_of(const WorldData& world, std::uint32_t object) {
     return *std::lower_bound(world.meshes.begin(), world.meshes.end(), object,
                              [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
@@ -164,15 +164,15 @@ inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint
     return vertices_of(mesh.positions, mesh.triangles[prim]);
 }
 
-/// In the space of its mesh.
+/// Triangle of an instance in the mesh's space.
 inline TriangleVertices vertices_of(const WorldData& world, const InstanceData& placed, std::uint32_t prim) {
     const WorldInput::SharedMesh& mesh = world.shared_meshes[placed.mesh].source;
     return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
 }
 
-/// The number of the plane or quadric that was hit.
+/// Index in `surfaces` of the plane or quadric that was hit.
 inline std::uint32_t surface_number(const WorldData& world, const Hit& hit) {
-    // The primitives of an object are mostly numbered without gaps.
+    // Primitives of an object are mostly numbered consecutively.
     const std::uint32_t first = world.first_surface[hit.object];
     const std::size_t guess = std::size_t{first} + hit.prim;
     const auto is_it = [&](const QuadricRef& s) { return s.object == hit.object && s.prim == hit.prim; };
@@ -184,7 +184,7 @@ inline std::uint32_t surface_number(const WorldData& world, const Hit& hit) {
     return static_cast<std::uint32_t>(at - world.surfaces.begin());
 }
 
-/// The same for planes and for quadrics of the world's own space; invalid_index for all else.
+/// Like surface_number(), for planes and for quadrics without local space; otherwise invalid_index.
 inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
     if (hit.kind != PrimKind::plane && hit.kind != PrimKind::quadric) return invalid_index;
     const std::uint32_t number = surface_number(world, hit);
@@ -194,7 +194,7 @@ inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
 
 inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
 
-/// Keeps the least hit.
+/// Sink that keeps the least hit.
 struct Closest {
     float limit;
     Hit best{};
@@ -210,10 +210,9 @@ struct Closest {
     }
 };
 
-/// Tests triangles for one ray and hands each hit to the sink: those of an instance for a ray in the space of
-/// its mesh, or those of mesh_tree. A sink has `limit`, the greatest t it still
-/// wants, and add(hit, positive), which returns true to end the search; `positive` tells the facings of
-/// triangles apart.
+/// Tests triangles of an instance (with the ray in the mesh's space) or of mesh_tree, and passes hits to a
+/// sink. A sink has `limit`, the upper bound of t, and add(hit, positive), which returns true to end the
+/// search; `positive` is the facing of the triangle.
 template <class Sink>
 class TriangleTester {
   public:
@@ -246,7 +245,7 @@ class TriangleTester {
     std::uint32_t instance_;
 };
 
-/// The same for planes and quadrics.
+/// Tests planes and quadrics, and passes hits to a sink.
 template <class Sink>
 class QuadricTester {
   public:
@@ -274,7 +273,7 @@ class QuadricTester {
     }
 
   private:
-    /// Root number `which` of a quadric: kept in u, so that two roots with one t stay apart.
+    /// Root `which` of a quadric, stored in u to distinguish roots with equal t.
     bool root(double t, float which, std::uint32_t object, std::uint32_t prim, PrimKind kind) {
         const float rounded = static_cast<float>(t);
         if (!(t > tmin_ && rounded <= sink_.limit)) return false;
@@ -287,14 +286,14 @@ class QuadricTester {
     Sink& sink_;
 };
 
-/// Planes and quadrics: hands every hit with max(tmin, from) <= t <= sink.limit to the sink; others
-/// may come too. Returns whether the sink ended the search.
+/// Passes all hits of planes and quadrics with max(tmin, from) <= t <= sink.limit to the sink, possibly
+/// others too. Returns whether the sink ended the search.
 template <class Sink>
 bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     if (world.planes.empty() && world.quadrics.empty()) return false;
     QuadricTester<Sink> test(world, ray, sink);
     if (test.planes()) return true;
-    // So few need no tree.
+    // Too few for a tree.
     if (world.quadric_tree.nodes.empty())
         return test.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()));
     bool done = false;
@@ -303,7 +302,7 @@ bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& si
     return done;
 }
 
-/// The same for the triangles of a tree: mesh_tree, or that of an instance.
+/// Like search_surfaces() for the triangles of a tree: mesh_tree, or that of an instance.
 template <class Sink>
 bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, TriangleTester<Sink> test) {
     bool done = false;
@@ -311,7 +310,7 @@ bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, Tr
     return done;
 }
 
-/// The same for instances.
+/// Likewise for instances.
 template <class Sink>
 bool trace_instances(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     bool done = false;
@@ -325,7 +324,7 @@ bool trace_instances(const WorldData& world, const Ray& ray, float from, Sink& s
     return done;
 }
 
-/// The same for everything, roughly nearest first.
+/// Likewise for everything, roughly nearest first.
 template <class Sink>
 void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     if (!is_traceable(ray) || trace_quadrics(world, ray, from, sink)) return;
@@ -333,16 +332,16 @@ void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     trace_instances(world, ray, from, sink);
 }
 
-/// The closest plane or quadric; whether there is any.
+/// Closest hit, or any hit, of planes and quadrics.
 Hit closest_surface(const WorldData& world, const Ray& ray);
 bool occluded_surface(const WorldData& world, const Ray& ray);
 
-/// Puts the triangle that a mesh's kernel found in the place of `hit`, if it precedes.
+/// Replaces `hit` by the result of a mesh kernel if that precedes it.
 void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit);
 
 void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit);
 
-/// Every triangle of every instance; whether the sink ended the search.
+/// Tests every triangle of every instance; returns whether the sink ended the search.
 template <class Sink>
 bool instances_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
@@ -357,7 +356,7 @@ bool instances_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     return false;
 }
 
-/// trace() without trees.
+/// trace() by brute force.
 template <class Sink>
 void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     if (!is_traceable(ray)) return;

@@ -1,4 +1,4 @@
-// Meshes that stand in the world at several places.
+// Instances of shared meshes.
 
 #include "trace/world/data.h"
 
@@ -10,7 +10,7 @@ namespace glint::trace {
 
 namespace {
 
-/// Eight roundings in double and more.
+/// More than eight roundings in double.
 constexpr double double_error = 0x1p-48;
 
 MeshInstance inner(const WorldData& world, const WorldInput::Instance& instance) {
@@ -18,7 +18,7 @@ MeshInstance inner(const WorldData& world, const WorldInput::Instance& instance)
             dvec3(instance.world_from_mesh[3])};
 }
 
-/// In double, rounded once.
+/// Transforms in double, rounded once.
 WorldInput::Triangles baked(const WorldInput::SharedMesh& mesh, const WorldInput::Instance& instance) {
     WorldInput::Triangles triangles;
     triangles.object = instance.object;
@@ -30,7 +30,7 @@ WorldInput::Triangles baked(const WorldInput::SharedMesh& mesh, const WorldInput
     return triangles;
 }
 
-/// The computed inverse is none exactly: how far points are from where the way there and back takes them.
+/// Bound on the error of transforming a point by the computed inverse and back.
 double slack_of(const MeshInstance& at, const dmat3& inverse) {
     const Bounds& box = at.mesh->bounds;
     if (box.empty()) return 0;
@@ -69,7 +69,7 @@ void add_instances(WorldData& world, WorldInput& input, TaskPool& pool) {
             input.meshes.push_back(baked(world.shared_meshes[instance.mesh].source, instance));
             continue;
         }
-        // The normal goes by the inverse transpose, the winding turns where the transform mirrors.
+        // Normals transform by the inverse transpose; the winding flips if the transform mirrors.
         const bool mirrored = glm::determinant(at.linear) < 0;
         world.instances.push_back({instance.object, instance.mesh, instance.flip != mirrored, at.linear, 0});
         placed.push_back(at);

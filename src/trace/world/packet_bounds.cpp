@@ -1,3 +1,5 @@
+// Packet culling by interval arithmetic.
+
 #include "trace/world/packet_bounds.h"
 
 #include <cmath>
@@ -6,16 +8,16 @@
 namespace glint::trace {
 namespace {
 
-/// Far more than double arithmetic loses, relative to the largest product of a sum.
+/// Error bound of double arithmetic with a large margin, relative to the largest product of a sum.
 constexpr double lost = 0x1p-45;
 
-/// Where p is NaN the box stays.
+/// Ignores NaN in p.
 void grow(SimdBounds& box, float4 p) {
     box.lo = bvh::min4(p, box.lo);
     box.hi = bvh::max4(p, box.hi);
 }
 
-/// The largest |coordinate|; infinite where one is not known.
+/// Largest |coordinate|; infinite if unknown.
 double size_of(const SimdBounds& box) {
     double most = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -25,7 +27,7 @@ double size_of(const SimdBounds& box) {
     return most;
 }
 
-/// The values of normal · p for p in a box.
+/// Range of normal · p for p in a box.
 struct Dots {
     double lo = 0;
     double hi = 0;
@@ -61,8 +63,8 @@ PacketBounds::PacketBounds(const RayBoxes& boxes)
     bounded_ = end_size < std::numeric_limits<double>::infinity();
 }
 
-// Where all origins are on one side of a plane by more than is lost, and the ends, which are padded, too, the
-// exact t is outside the interval by far more than its computation loses; the same where all rays lead away.
+// If all origins are on one side of the plane by more than the error bound, and the padded ends too, the
+// exact t is outside the interval by far more than its error; likewise if all rays lead away from the plane.
 bool PacketBounds::misses(const PlanePrim& numbered) const {
     if (!forward_) return false;
     const dvec3& normal = numbered.plane.normal;
@@ -96,12 +98,12 @@ bool PacketBounds::misses(const Bounds& box, float slack) const {
     return passes_by(box, pad);
 }
 
-/// Whether no t is good for all three axes.
+/// Slab test by intervals: whether no t is valid for all three axes.
 bool PacketBounds::passes_by(const Bounds& box, double pad) const {
     double enter = 0;
     double leave = double(directions_.hi[3]);
     for (int axis = 0; axis < 3; ++axis) {
-        // From the origin to the near and to the far side, at least and at most, along the way the rays go.
+        // Distances to the near and far side, bounded from below and above, in the direction of the rays.
         double slow = double(directions_.lo[axis]);
         double fast = double(directions_.hi[axis]);
         double near = double(box.lo[axis]) - pad - double(starts_.hi[axis]);
@@ -118,7 +120,7 @@ bool PacketBounds::passes_by(const Bounds& box, double pad) const {
         if (near > 0.0) enter = std::max(enter, near / fast);
     }
     if (enter > leave) return true;
-    // Some rays go up and some down: how far they spread by then.
+    // Rays with both signs: bound how far they spread by then.
     for (int axis = 0; axis < 3; ++axis) {
         const double up = double(directions_.hi[axis]) * leave;
         const double down = double(directions_.lo[axis]) * leave;

@@ -1,7 +1,7 @@
 #pragma once
-// Where a batch of rays can be at all, so that what lies elsewhere is left out for all of them at once:
-// interval arithmetic after Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray
-// Packets", 2006. Private to this room.
+// Packet culling: conservative bounds of the space reached by a batch of rays, by interval arithmetic after
+// Boulos, Wald, Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006. Private to
+// this room.
 
 #include "bvh/float4.h"
 #include "trace/world/data.h"
@@ -16,8 +16,8 @@ using bvh::float4;
 using bvh::SimdBounds;
 using bvh::splat;
 
-/// Boxes around what a batch of rays is made of. A ray with an empty interval may be left out, and one with
-/// NaN, as they hit nothing; elsewhere NaN stands for not knowing.
+/// Bounds of the components of a batch of rays. Rays with an empty interval or NaN may be omitted, as they
+/// hit nothing; otherwise NaN means unknown.
 struct RayBoxes {
     SimdBounds starts;     ///< origins; in lane 3, tmin
     SimdBounds directions; ///< in lane 3, tmax
@@ -26,33 +26,33 @@ struct RayBoxes {
     void add(const Ray& ray);
 };
 
-/// What rays of a batch can reach, from their origins to their tmax.
+/// Bounds of the space reached by a batch of rays, from their origins to tmax.
 class PacketBounds {
   public:
     explicit PacketBounds(const RayBoxes& boxes);
 
-    /// No ray can hit anything.
+    /// Whether no ray can hit anything.
     bool empty() const { return empty_; }
-    /// No ray hits the plane, by the arithmetic that tests it.
+    /// Whether no ray hits the plane, by the arithmetic of the plane test.
     bool misses(const PlanePrim& plane) const;
-    /// No ray hits what lies within the box, nor its displacement by rounding (bvh/traverse.h) and by `slack`
-    /// times the origin's largest |coordinate|.
+    /// Whether no ray hits anything in the box, grown by rounding (bvh/traverse.h) and by `slack` times the
+    /// origin's largest |coordinate|.
     bool misses(const Bounds& box, float slack = 0) const;
 
   private:
     bool passes_by(const Bounds& box, double pad) const;
 
     SimdBounds starts_, directions_, ends_;
-    double start_size_; ///< the largest |coordinate|
+    double start_size_; ///< largest |coordinate|
     double direction_size_;
-    double end_pad_; ///< what `ends_` may have lost by rounding
+    double end_pad_; ///< rounding error of `ends_`
     bool empty_;
     bool forward_; ///< no tmin is negative
-    bool bounded_; ///< `ends_` is known, and finite
+    bool bounded_; ///< `ends_` is known and finite
 };
 
-/// What of a world the rays of a batch may meet. Each of the first planes has a bit of its own, from the 64th
-/// on they share the last one; quadrics likewise.
+/// The primitives that a batch of rays may hit. The first 63 planes have a bit each, the rest share the last
+/// one; likewise quadrics.
 struct CullMask {
     std::uint64_t planes = 0;
     std::uint64_t quadrics = 0;
@@ -64,7 +64,7 @@ struct CullMask {
     }
 };
 
-/// Quadrics that are tested one after another rather than through their tree.
+/// Up to this number, quadrics are tested without a tree.
 inline constexpr std::size_t few_quadrics = 8;
 
 /// `bounds` are the world's triangle_bounds().

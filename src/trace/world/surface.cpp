@@ -1,4 +1,4 @@
-// From a hit back to the surface: exact in double, rounded once.
+// Surface points of hits: computed in double, rounded once.
 
 #include "trace/world/data.h"
 
@@ -45,7 +45,7 @@ SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hi
         return rounded_point(point.p, point.n, surface_error * size);
     }
 
-    // Solved in local space with the same t.
+    // Solved in local space with the same t; normals transform by the inverse transpose.
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
     const Line local = affine.to_local(line);
     const ExactPoint point = surface(quadric.shape, part, local.origin + local.direction * t);

@@ -1,4 +1,4 @@
-// The questions a World answers.
+// Single-ray queries of World.
 
 #include "trace/world/world.h"
 
@@ -11,7 +11,7 @@ namespace glint::trace {
 
 namespace {
 
-/// Keeps the least hit after another.
+/// Sink that keeps the least hit after another.
 struct ClosestAfter {
     const Hit& previous;
     float limit;
@@ -25,7 +25,7 @@ struct ClosestAfter {
     }
 };
 
-/// Ends at the first hit.
+/// Sink that stops at the first hit.
 struct Any {
     float limit;
     bool found = false;
@@ -33,13 +33,13 @@ struct Any {
     bool add(const Hit&, bool) { return found = true; }
 };
 
-/// A hit and the side from which it was met.
+/// A hit and its facing.
 struct FacedHit {
     Hit hit;
     bool positive;
 };
 
-/// Keeps everything.
+/// Sink that keeps all hits.
 struct All {
     float limit;
     std::vector<FacedHit> hits{};
@@ -50,24 +50,23 @@ struct All {
     }
 };
 
-/// Neighbours on an edge get the same t but for rounding.
+/// Lower bound of t for hits on the same edge, whose t differ by rounding only.
 float lowest_same(float t) { return t - std::abs(t) * 0x1p-18f; }
 
-/// Is `later` the crossing that `earlier` reported already, met again in the neighbour across an edge or a
-/// vertex?
+/// Whether `later` repeats `earlier` in the adjacent triangle across an edge or a vertex.
 bool same_crossing(const FacedHit& earlier, const FacedHit& later) {
     return earlier.hit.on_edge && later.hit.on_edge && earlier.hit.object == later.hit.object &&
            earlier.positive == later.positive && earlier.hit.t >= lowest_same(later.hit.t) &&
            precedes(earlier.hit, later.hit);
 }
 
-/// The same triangle, met in another leaf.
+/// Whether two hits are of the same triangle, found in different leaves.
 bool same_hit(const Hit& a, const Hit& b) {
     return a.kind == PrimKind::triangle && b.kind == PrimKind::triangle && a.t == b.t &&
            a.object == b.object && a.prim == b.prim;
 }
 
-/// Finds out whether a hit was reported by an earlier one.
+/// Sink that checks whether a hit was already reported by an earlier one.
 struct Repeated {
     const FacedHit& later;
     float limit = later.hit.t;
@@ -76,7 +75,7 @@ struct Repeated {
     bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
 };
 
-/// The kernels do not tell hits on an edge apart; only those with a weight of (nearly) 0 can be.
+/// Kernels do not report hits on edges; only hits with a weight of (nearly) 0 can be on one.
 bool may_be_on_edge(const Hit& hit) { return hit.u == 0.0f || hit.v == 0.0f || !(hit.u + hit.v < 0.99999f); }
 
 bool is_on_edge(const TriangleVertices& vertices, const Ray& ray, float t) {
@@ -90,7 +89,7 @@ bool precedes(const Hit& a, const Hit& b) {
     if (a.t != b.t) return a.t < b.t;
     if (a.object != b.object) return a.object < b.object;
     if (a.prim != b.prim) return a.prim < b.prim;
-    // Both roots of a quadric may round to one t; the ray still enters before it leaves.
+    // Both roots of a quadric may round to the same t; the ray still enters before it leaves.
     return a.kind == b.kind && a.kind != PrimKind::triangle && a.u < b.u;
 }
 

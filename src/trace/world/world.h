@@ -1,6 +1,6 @@
 #pragma once
-// Everything that rays can hit, in trees: combines bvh/ and geometry/. It knows shapes and numbers of
-// objects, nothing of materials.
+// World: all primitives of a scene in trees; combines bvh/ and geometry/. Knows shapes and object numbers,
+// but no materials.
 
 #include "geometry/quadric.h"
 #include "geometry/surface.shared.h"
@@ -21,38 +21,37 @@ namespace glint::trace {
 
 enum class PrimKind : std::uint8_t { none, triangle, quadric, plane };
 
-/// Where a ray meets the world. Of all hits the closest is the least (t, object, prim).
+/// A hit. Of all hits of a ray the closest is the least (t, object, prim).
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
-    /// Triangle: weight of vertex 1 (the report's β). Quadric: 0 on the ray's way in, 1 on its way out.
+    /// Triangle: weight of vertex 1 (the report's β). Quadric: 0 where the ray enters, 1 where it leaves.
     float u = 0;
     float v = 0; ///< triangle: weight of vertex 2 (the report's γ)
     std::uint32_t object = 0xffffffffu;
-    std::uint32_t prim = 0; ///< within its object, in the order of the file
+    std::uint32_t prim = 0; ///< primitive index within its object, in file order
     PrimKind kind = PrimKind::none;
-    bool on_edge = false; ///< triangle: exactly through an edge or a vertex
+    bool on_edge = false; ///< triangle: hit exactly on an edge or a vertex
 
     explicit operator bool() const { return kind != PrimKind::none; }
 };
 
-/// (t, object, prim) of a before those of b; of one quadric's two hits at one t, the way in before the way
-/// out.
+/// Order of hits by (t, object, prim); at equal t a quadric is entered before it is left.
 bool precedes(const Hit& a, const Hit& b);
 
-/// Surface points of many hits: each row has one number of each, at the hit's place. Up to seven more numbers
-/// are written behind the last.
+/// Surface points of many hits as structure of arrays, indexed like the hits. Up to seven elements behind the
+/// last are overwritten.
 struct SurfaceRows {
     std::array<float*, 3> p, p_error, n;
 };
 
-/// What a search for the closest hit does, counted on a plain walk through the trees.
+/// Cost of a closest-hit query in scalar traversal.
 struct TraceCost {
-    std::uint32_t nodes = 0;  ///< whose boxes were tested
-    std::uint32_t shapes = 0; ///< triangles, quadrics and planes that were tested
+    std::uint32_t nodes = 0;  ///< nodes whose boxes were tested
+    std::uint32_t shapes = 0; ///< triangles, quadrics and planes tested
 };
 
-/// Plain input of World. Quadrics in double: their equations are solved in double and rounded once. An object
-/// has one shape: one entry here, or several quadrics with different `prim`.
+/// Input of World. Quadrics are in double precision: their equations are solved in double and rounded once.
+/// An object has one shape: one entry here, or several quadrics with different `prim`.
 struct WorldInput {
     struct Triangles {
         std::uint32_t object = 0;
@@ -60,7 +59,7 @@ struct WorldInput {
         std::vector<uvec3> triangles;
         bool flip = false; ///< turn the normals against the winding
     };
-    /// A mesh in a space of its own, to stand in the world any number of times. Stored once.
+    /// A mesh in local space, stored once for any number of instances.
     struct SharedMesh {
         std::shared_ptr<const std::vector<vec3>> positions;
         std::shared_ptr<const std::vector<uvec3>> triangles;
@@ -69,7 +68,7 @@ struct WorldInput {
         std::uint32_t object = 0;
         std::uint32_t mesh = 0;     ///< index into `shared_meshes`
         dmat4 world_from_mesh{1.0}; ///< affine and regular
-        bool flip = false;          ///< turn the normals against the winding as it is in the world
+        bool flip = false;          ///< normals are opposite to the winding in world space
     };
     struct Quadric {
         std::uint32_t object = 0;
@@ -93,12 +92,12 @@ struct WorldInput {
 };
 
 struct WorldStats {
-    std::uint64_t triangles = 0; ///< those of a shared mesh as often as it stands there
+    std::uint64_t triangles = 0; ///< triangles, counting those of shared meshes once per instance
     std::array<std::uint64_t, quadric_kinds> quadrics{}; ///< by kind
     std::uint64_t planes = 0;
     std::uint64_t nodes = 0;
-    int depth = 0;           ///< a shared mesh's below that of the tree of instances
-    std::uint64_t bytes = 0; ///< shared meshes once
+    int depth = 0; ///< depth of the deepest tree, adding that of the instance tree for shared meshes
+    std::uint64_t bytes = 0; ///< memory, counting shared meshes once
     BuildQuality quality = BuildQuality::high;
 };
 
@@ -107,9 +106,9 @@ struct WorldData;
 class World {
   public:
     World();
-    /// Builds the trees with the pool's threads; the result does not depend on their number. Throws
-    /// std::invalid_argument for an index out of range and for a quadric without finite bounds. Triangles
-    /// with a corner that is not finite are never hit.
+    /// Builds the trees; the result does not depend on the number of threads. Throws std::invalid_argument
+    /// for an index out of range and for a quadric without finite bounds. Triangles with a vertex that is not
+    /// finite are never hit.
     World(WorldInput input, TaskPool& pool);
     ~World();
     World(const World&); ///< copies share everything
@@ -119,12 +118,12 @@ class World {
 
     /// The least (t, object, prim) with tmin < t < tmax; kind `none` if there is none.
     Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;
-    /// The least one after `previous` on the same ray: surfaces passed over one by one, without new origins.
-    /// Two hits of one mesh on a shared edge are one crossing, and it is not given twice.
+    /// The next hit after `previous` on the same ray, for skipping surfaces without moving the origin. Two
+    /// hits of a mesh on a shared edge count once.
     Hit next(const Ray& ray, const Hit& previous) const;
-    /// Is there any hit with tmin < t < tmax?
+    /// Whether there is any hit with tmin < t < tmax.
     bool occluded(const Ray& ray, const KernelChoice& choice = {}) const;
-    /// Memory that questions for many rays work in; one for each thread.
+    /// Scratch memory of batch queries; one per thread.
     struct Scratch {
         std::vector<Ray> rays;
         std::vector<std::uint32_t> numbers;
@@ -132,30 +131,30 @@ class World {
         std::vector<InstanceRecord> instance_records;
         std::vector<std::uint8_t> flags;
     };
-    /// The same for many rays at once; both spans have one length.
+    /// Batch version; both spans must have equal length.
     void closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch,
                  const KernelChoice& choice = {}) const;
-    /// 1 for every ray that meets something, else 0; both spans have one length.
+    /// 1 for each ray that hits something, otherwise 0; both spans must have equal length.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint, Scratch& scratch,
                   const KernelChoice& choice = {}) const;
-    /// All crossings with tmin < t < tmax in order; those on a shared edge of one mesh once.
+    /// All hits with tmin < t < tmax in order; those on a shared edge of a mesh once.
     void all_hits(const Ray& ray, std::vector<Hit>& out) const;
-    /// The same as closest(), by testing every primitive: the oracle of the trees.
+    /// closest() by testing every primitive: the reference for the trees.
     Hit closest_brute_force(const Ray& ray) const;
     bool occluded_brute_force(const Ray& ray) const;
 
-    /// The steps of closest(), as a plain walk takes them: the same on every machine.
+    /// Steps of closest() in scalar traversal, the same on every machine.
     TraceCost cost(const Ray& ray) const;
 
     SurfacePoint surface(const Ray& ray, const Hit& hit) const;
-    /// The same for many, but only where done[i] becomes 1: on planes and quadrics of the world's own space.
-    /// Else it becomes 0, and what is written for the hit has no meaning.
+    /// Batch version, only for planes and quadrics without local space: sets done[i] to 1 for these.
+    /// Otherwise sets done[i] to 0, and the output for the hit is undefined.
     void surfaces(std::span<const Ray> rays, std::span<const Hit> hits, const SurfaceRows& rows,
                   std::span<std::uint8_t> done, const KernelChoice& choice = {}) const;
 
     Bounds bounds() const; ///< of everything finite
     WorldStats stats() const;
-    const WorldData& data() const; ///< trace/world/data.h, for backends that have trees of their own
+    const WorldData& data() const; ///< for backends with their own trees
 
   private:
     struct Data;
