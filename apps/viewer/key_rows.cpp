@@ -104,8 +104,8 @@ void KeyRows::number(const KeySpec& key, double value) {
     Range slider;
     slider.min = std::isfinite(key.typical.low) ? key.typical.low : key.range.low;
     slider.max = std::isfinite(key.range.high)
-                      ? key.range.high
-                      : end_for(value * headroom, std::isfinite(key.typical.high) ? key.typical.high : 1);
+                     ? key.range.high
+                     : end_for(value * headroom, std::isfinite(key.typical.high) ? key.typical.high : 1);
     slider.format = key.unit == "degrees" ? "%.3g°" : "%.3g";
     slider.logarithmic = key.logarithmic;
     rows_.number(name.c_str(), label.c_str(), value, slider, help.c_str());

@@ -248,7 +248,7 @@ class Scene {
     explicit Scene(std::shared_ptr<const SceneData> scene_data) : data_(std::move(scene_data)) {}
     const SceneData& data() const { return *data_; } ///< for the library itself
     SceneStats stats() const;
-    const SceneDescription& description() const; ///< as frozen, with its camera filled in
+    const SceneDescription& description() const; ///< as built, with its camera filled in
     const CameraDescription& camera() const;
     const RenderSettings& render_settings() const;
 

@@ -4,7 +4,8 @@
 
 // Everything that tells one quadric from another, in double: its kind, its bounds, where lines are inside it,
 // and its points and normals. C++ (geometry/quadric.h), vectors of rays (trace/simd/quadric_lanes-inl.h) and
-// the shader read this text; nothing else asks for a quadric's kind. Plane equations are here too.
+// the shader read this text; where else a kind is asked for, it is for speed alone. Plane equations are here
+// too.
 //
 // Roots by Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019),
 // chapter 7. Every sum is written so that mirrored scenes, scenes with x and y exchanged and scenes scaled by
@@ -56,8 +57,8 @@ GLINT_SHARED_END
 
 GLINT_SHARED_BEGIN
 
-/// The part of a line inside a solid, enter <= t <= leave, and the parts of the surface that it passes. A
-/// tangent has enter == leave. Parts: 0 the side, 1 the base cap, 2 the top cap.
+/// The part of a line inside a convex solid, enter <= t <= leave: there is one at most, and the parts of the
+/// surface that it passes. A tangent has enter == leave. Parts: 0 the side, 1 the base cap, 2 the top cap.
 struct SolidSpan {
     real64 enter;
     real64 leave;

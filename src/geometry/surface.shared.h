@@ -14,7 +14,7 @@ struct SurfacePoint {
     vec3 p;
     vec3 p_error; ///< absolute bound, per axis
     vec3 n;       ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
-            ///< triangles, as given for planes
+                  ///< triangles, as given for planes
 };
 
 GLINT_FN double max_abs(dvec3 v) {

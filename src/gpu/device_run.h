@@ -31,7 +31,7 @@ class DeviceRun {
 
     explicit DeviceRun(GpuDeviceState& device_state) : device_state_(device_state) {}
 
-    /// Begins to measure the scene that the studio holds.
+    /// Begins to measure the scene that the device state holds.
     void start(const FilmLayout& layout, Aov show, std::vector<Pass> passes);
     /// Leaves nothing to go on with.
     void give_up();

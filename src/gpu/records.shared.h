@@ -46,13 +46,13 @@ struct NodeRecord {
 
 /// A plane, or a quadric in its object's local space.
 struct ShapeRecord {
-    int kind; ///< of a quadric: quadric_sphere or quadric_cylinder
+    int kind; ///< of a quadric: quadric_sphere, …
     uint object;
     uint prim;         ///< within its object
     uint is_local;     ///< 1: ObjectRecord has the way to its local space
-    PackedVector base; ///< of a cylinder; a sphere's centre
-    PackedVector axis; ///< of a cylinder, unit; a plane's normal
-    double height;     ///< of a cylinder; a plane's offset
+    PackedVector base; ///< as in QuadricShape
+    PackedVector axis; ///< as in QuadricShape; of a plane its normal
+    double height;     ///< as in QuadricShape; of a plane its offset
     double radius;
 };
 

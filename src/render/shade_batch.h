@@ -17,7 +17,7 @@ struct ShadeKernels {
     /// Sets what arrives from a light, and the shadow rays. Returns how many are sent; the others can meet
     /// nothing.
     std::size_t (*spawn_shadow_rays)(const LightRecord& light, Wave wave, PathStates& states);
-    /// Adds the light that passes.
+    /// Adds the light; the share that passes blockers is in PathStates already.
     void (*add_light)(const WhittedModes& modes, Wave wave, PathStates& states);
     /// Limits the local terms where the model clamps.
     void (*limit_terms)(const WhittedModes& modes, Wave wave, PathStates& states);

@@ -201,7 +201,7 @@ Scene build_scene(const SceneDescription& description, const BuildSceneOptions& 
     try {
         return Scene(make_scene_data(description, options));
     } catch (const TasksCancelled&) {
-        throw Error(ErrorKind::cancelled, "freezing the scene was cancelled");
+        throw Error(ErrorKind::cancelled, "building the scene was cancelled");
     }
 }
 

@@ -1,4 +1,4 @@
-// Sphere, cylinder, plane against closed forms.
+// Quadrics and planes against closed forms.
 
 #include "geometry/quadric.h"
 

@@ -58,7 +58,7 @@ TEST(GpuContexts, WhatEndsWhereTheyCannotBeEnteredIsLeftToThem) {
     device_state->context().enter();
     elsewhere([&] { device_state.reset(); });
     const GpuScope scope(context);
-    context.check("ending a studio elsewhere");
+    context.check("ending a device state elsewhere");
 }
 
 } // namespace

@@ -88,10 +88,8 @@ TEST(Camera, AMirroredSceneHasExactlyMirroredRays) {
     const PinholeCamera camera = pinhole_camera(eye, view, up, 40, FovAxis::y, 64, 48);
     const auto flip = [](const auto& v) { return std::decay_t<decltype(v)>(-v.x, v.y, v.z); };
     const auto swap = [](const auto& v) { return std::decay_t<decltype(v)>(v.y, v.x, v.z); };
-    const PinholeCamera flipped =
-        pinhole_camera(flip(eye), flip(view), flip(up), 40, FovAxis::y, 64, 48);
-    const PinholeCamera swapped =
-        pinhole_camera(swap(eye), swap(view), swap(up), 40, FovAxis::y, 64, 48);
+    const PinholeCamera flipped = pinhole_camera(flip(eye), flip(view), flip(up), 40, FovAxis::y, 64, 48);
+    const PinholeCamera swapped = pinhole_camera(swap(eye), swap(view), swap(up), 40, FovAxis::y, 64, 48);
 
     for (int py = 0; py < 48; ++py)
         for (int px = 0; px < 64; ++px) {
@@ -103,8 +101,7 @@ TEST(Camera, AMirroredSceneHasExactlyMirroredRays) {
 
 TEST(Camera, LengthsOfViewAndUpDoNotMatter) {
     const PinholeCamera a = pinhole_camera({1, 2, 3}, {1, 2, -3}, {0, 0, 1}, 40, FovAxis::y, 64, 48);
-    const PinholeCamera b =
-        pinhole_camera({1, 2, 3}, {256, 512, -768}, {0, 0, 0.25}, 40, FovAxis::y, 64, 48);
+    const PinholeCamera b = pinhole_camera({1, 2, 3}, {256, 512, -768}, {0, 0, 0.25}, 40, FovAxis::y, 64, 48);
     EXPECT_EQ(a.forward, b.forward);
     EXPECT_EQ(a.right, b.right);
     EXPECT_EQ(a.up, b.up);
@@ -112,8 +109,7 @@ TEST(Camera, LengthsOfViewAndUpDoNotMatter) {
 }
 
 TEST(Camera, DirectionsHaveUnitLength) {
-    const PinholeCamera camera =
-        pinhole_camera({0, 0, 0}, {1, 2, 3}, {0, 1, 0}, 150, FovAxis::x, 99, 77);
+    const PinholeCamera camera = pinhole_camera({0, 0, 0}, {1, 2, 3}, {0, 1, 0}, 150, FovAxis::x, 99, 77);
     for (int py = 0; py < 77; py += 4)
         for (int px = 0; px < 99; px += 7) {
             const dvec3 d(pinhole_direction(camera, px, py, 0, 0));

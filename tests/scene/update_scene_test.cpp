@@ -1,4 +1,4 @@
-// Scenes frozen again with other values, over the same trees.
+// Scenes updated with other values, over the same trees.
 
 #include "gallery.h"
 #include "scene_kit.h"
@@ -33,17 +33,17 @@ bool share_trees(const Scene& a, const Scene& b) {
     return std::memcmp(&a.data().world, &b.data().world, sizeof(World)) == 0;
 }
 
-class Refreezing : public testing::TestWithParam<Exhibit> {};
+class UpdatingScenes : public testing::TestWithParam<Exhibit> {};
 
-INSTANTIATE_TEST_SUITE_P(Gallery, Refreezing, testing::ValuesIn(gallery()),
+INSTANTIATE_TEST_SUITE_P(Gallery, UpdatingScenes, testing::ValuesIn(gallery()),
                          [](const auto& exhibit) { return exhibit.param.name; });
 
-TEST_P(Refreezing, FindingSolidsChangesNoPicture) {
+TEST_P(UpdatingScenes, FindingSolidsChangesNoPicture) {
     const SceneDescription& description = GetParam().scene;
     EXPECT_EQ(picture_of(build_scene(description, with_solids())), picture_of(build_scene(description)));
 }
 
-TEST_P(Refreezing, OtherValuesGiveThePictureOfAFreshSceneOverTheSameTrees) {
+TEST_P(UpdatingScenes, OtherValuesGiveThePictureOfAFreshSceneOverTheSameTrees) {
     const Scene before = build_scene(GetParam().scene, with_solids());
     SceneDescription edited = before.description();
     for (Material& m : edited.materials) {
@@ -65,7 +65,7 @@ TEST_P(Refreezing, OtherValuesGiveThePictureOfAFreshSceneOverTheSameTrees) {
     EXPECT_EQ(picture_of(update_scene(after, before.description())), picture_of(before));
 }
 
-TEST_P(Refreezing, AnotherViewGivesThePictureOfAFreshScene) {
+TEST_P(UpdatingScenes, AnotherViewGivesThePictureOfAFreshScene) {
     const Scene before = build_scene(GetParam().scene);
     SceneDescription moved = before.description();
     moved.camera->eye += Vec3(0.3, 0.2, 0.1);

@@ -25,7 +25,7 @@ void refuse_overrides_of_lists(const SceneSource& source, Problems& problems) {
     problems.throw_if_any();
 }
 
-// Overrides of a staged mesh reach what a stage has: settings, its camera, its materials by name.
+// Overrides of a bare mesh reach what its preview scene has: settings, its camera, its materials by name.
 void override_preview(SceneDescription& preview, const std::string& name, const LoadOptions& options) {
     const SceneSource source({}, name, options.overrides);
     Problems problems(source);

@@ -1,5 +1,5 @@
-// The interior list of a ray (scene/media.h), for nested dielectrics: up to eight numbers of transparent solids, of 16
-// bits each, highest rank first, then zeros. Numbers grow with rank, so the list is sorted by them.
+// The interior list of a ray (render/interior_list.h), for nested dielectrics: up to eight numbers of transparent
+// solids, of 16 bits each, highest rank first, then zeros. Numbers grow with rank, so the list is sorted by them.
 
 bool interiors_overflowed = false; // a ray was in more than eight
 

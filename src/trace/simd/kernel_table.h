@@ -1,5 +1,5 @@
 #pragma once
-// Function tables of the kernels for each SIMD target. Private to this room.
+// Function tables of the kernels for each SIMD target. Used by trace and by render/shade_batch.h.
 
 #include "glint/kernels.h"
 #include "trace/mesh/tree.h"
