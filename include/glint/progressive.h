@@ -36,9 +36,8 @@ struct Refinement {
 /// equals that of render() bit for bit, regardless of cancelling in between. Keeps its threads and memory
 /// (some 200 bytes a pixel with more than one sample) between scenes. For use by one thread at a time.
 class Progressive {
-    /// 0: one for each core
   public:
-    explicit Progressive(int threads = 0);
+    explicit Progressive(int threads = 0); ///< 0: one for each core
     ~Progressive();
     Progressive(const Progressive&) = delete;
     Progressive& operator=(const Progressive&) = delete;

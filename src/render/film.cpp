@@ -43,6 +43,7 @@ const char* difference(const FilmLayout& a, const FilmLayout& b) {
     if (r.x != s.x || r.y != s.y || r.width != s.width || r.height != s.height) return "area";
     if (a.tile_size != b.tile_size) return "tile size";
     if (a.samples != b.samples) return "samples per pixel";
+    if (a.show != b.show) return "quantity";
     if (a.term != b.term || a.terms != b.terms) return "terms";
     if (a.coverage != b.coverage) return "coverage";
     return nullptr;
@@ -54,6 +55,7 @@ FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& opti
     FilmLayout layout;
     layout.area = picture_area(settings, options.crop);
     layout.tile_size = std::clamp(options.tile_size, 1, picture_side_limit);
+    layout.show = options.show;
     if (!is_light(options.show)) return layout;
     layout.samples = settings.spp;
     layout.term = term_of(options.show);
@@ -131,6 +133,11 @@ bool Film::keeps_states(std::size_t tile, const Pass& visit) const {
 
 bool Film::is_complete(const TileSamples& tile) const {
     return !tile.blocks.empty() && tile.blocks.front().count == layout_.samples;
+}
+
+bool Film::has_samples() const {
+    return std::any_of(samples_.begin(), samples_.end(),
+                       [](const TileSamples& tile) { return !tile.blocks.empty(); });
 }
 
 bool Film::is_complete() const {

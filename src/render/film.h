@@ -22,6 +22,7 @@ struct FilmLayout {
     Rect area;                ///< pixels of the whole picture
     int tile_size = 16;       ///< pixels
     int samples = 1;          ///< of a finished pixel
+    Aov show = Aov::final;    ///< what is measured
     std::optional<Term> term; ///< what the image shows in place of the radiance
     bool terms = false;       ///< keep an image of each term
     bool coverage = false;    ///< keep the share of samples that hit something
@@ -99,6 +100,8 @@ class Film {
     const Image& image() const { return image_; }
     /// Moves the images and the coverage into a picture.
     void move_to(Picture& picture);
+    /// Does any tile have samples? Previews would overwrite them.
+    bool has_samples() const;
     /// Has every pixel all its samples?
     bool is_complete() const;
 

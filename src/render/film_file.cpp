@@ -45,7 +45,7 @@ struct Header {
     std::int32_t tile_size = 0, samples = 0;
     std::int32_t term = -1;
     std::uint32_t keeps = 0; ///< 1: terms, 2: coverage
-    std::uint32_t unused = 0;
+    std::uint32_t show = 0;  ///< Aov
 };
 static_assert(sizeof(Header) == 48);
 
@@ -58,12 +58,13 @@ FilmLayout layout_of(const Header& h) {
     const bool is_sound = is_side(h.width) && is_side(h.height) && h.x >= 0 && h.y >= 0 &&
                           std::int64_t{h.width} * h.height <= picture_pixel_limit && is_side(h.tile_size) &&
                           h.samples >= 1 && h.samples <= sample_limit && h.term >= -1 &&
-                          h.term < term_count && h.keeps <= 3;
+                          h.term < term_count && h.keeps <= 3 && h.show < aov_count;
     if (!is_sound) refuse("its header is damaged");
     FilmLayout layout;
     layout.area = {h.x, h.y, h.width, h.height};
     layout.tile_size = h.tile_size;
     layout.samples = h.samples;
+    layout.show = static_cast<Aov>(h.show);
     if (h.term >= 0) layout.term = static_cast<Term>(h.term);
     layout.terms = (h.keeps & 1U) != 0;
     layout.coverage = (h.keeps & 2U) != 0;
@@ -102,6 +103,7 @@ std::vector<std::byte> Film::save() const {
     header.tile_size = layout_.tile_size;
     header.samples = layout_.samples;
     header.term = layout_.term ? static_cast<std::int32_t>(*layout_.term) : -1;
+    header.show = static_cast<std::uint32_t>(layout_.show);
     header.keeps = (layout_.terms ? 1U : 0U) | (layout_.coverage ? 2U : 0U);
     std::vector<std::byte> out;
     append(out, header);
@@ -118,8 +120,11 @@ Film Film::load(std::span<const std::byte> bytes) {
     const auto sum_at = bytes.size() - sizeof(std::uint64_t);
     if (FilmReader(bytes.subspan(sum_at)).value<std::uint64_t>() != check_sum(bytes.first(sum_at)))
         refuse("it is damaged");
-    Film film(layout_of(header));
-    film.fit();
+    // Memory is taken for what the bytes hold, not for what the header claims.
+    const FilmLayout layout = layout_of(header);
+    const TileGrid grid(layout.area.width, layout.area.height, layout.tile_size);
+    if (grid.count() > in.left() / sizeof(std::uint32_t)) refuse("it ends too early");
+    Film film(layout);
     for (std::size_t tile = 0; tile < film.samples_.size(); ++tile) film.load_tile(tile, in);
     if (in.left() != sizeof(std::uint64_t)) refuse("it is too long");
     return film;
@@ -152,7 +157,7 @@ void Film::save_tile(std::size_t tile, std::vector<std::byte>& out) const {
 void Film::load_tile(std::size_t tile, FilmReader& in) {
     TileSamples& samples = samples_[tile];
     const auto blocks = in.value<std::uint32_t>();
-    if (blocks > 32) refuse("its tiles are damaged");
+    if (blocks > static_cast<std::uint32_t>(layout_.samples)) refuse("its tiles are damaged");
     for (std::uint32_t i = 0; i < blocks; ++i) {
         SampleBlock& block = samples.blocks.emplace_back();
         block.first = in.value<int>();
@@ -163,8 +168,10 @@ void Film::load_tile(std::size_t tile, FilmReader& in) {
         in.read(block.states.data(), block.states.size());
     }
     if (!is_sound(samples)) refuse("its samples are damaged");
-    if (blocks > 0)
-        for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
+    if (blocks == 0) return;
+    if (3 * sizeof(float) * pixels_of(tile) > in.left()) refuse("it ends too early");
+    fit();
+    for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
 }
 
 /// Are its blocks such as merge_blocks() leaves?

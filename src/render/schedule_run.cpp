@@ -39,6 +39,10 @@ ScheduleRun::ScheduleRun(const SceneData& scene, Schedule schedule, Film& film, 
     for (std::uint32_t i = 0; i < batch_samples; ++i) block_.push_back({morton_x(i), morton_y(i)});
     for (int i = 0; i < pool.threads(); ++i)
         workers_.emplace_back(make_estimator(scene, options_.show, options_.cancel, options_.kernel));
+    if (film_.has_samples()) {
+        std::erase_if(schedule_.passes, [](const Pass& pass) { return pass.is_preview(); });
+        cursor_ = ScheduleCursor(schedule_.passes);
+    }
     for (const Pass& pass : schedule_.passes) progress_.tiles += task_count(pass);
     begin_pass();
 }

@@ -139,6 +139,28 @@ TEST(Film, WhatIsDoneIsNotMeasuredAgain) {
     EXPECT_TRUE(film.is_complete());
 }
 
+TEST(Film, RefinesWhatWasRenderedInPart) {
+    const Scene scene = exhibit(6);
+    const RenderOptions options = in_tiles(4);
+    Film film = film_of(scene, options, one_pass(6), {1, 3});
+    run(scene, options, film, refining_passes(8, 6));
+    EXPECT_TRUE(film.is_complete());
+    expect_same(film, render(scene, options), "refined");
+}
+
+TEST(Film, ManyBlocksWithGapsCanBeSaved) {
+    const Scene scene = exhibit(256);
+    RenderOptions options;
+    options.tile_size = 16;
+    options.crop = Rect{3, 2, 2, 2};
+    Film film(film_layout(scene.render_settings(), options));
+    for (const int odd : {0, 1}) {
+        for (int first = 2 * odd; first < 256; first += 4) run(scene, options, film, {{1, false, first, 2}});
+        film = Film::load(film.save());
+    }
+    expect_same(film, render(scene, options), "every second block first");
+}
+
 TEST(Film, APlainPictureKeepsNoSums) {
     const Scene scene = exhibit(16);
     const Film film = film_of(scene, {}, one_pass(16));
@@ -166,7 +188,40 @@ TEST(Film, RefusesToJoinWhatDoesNotFit) {
               "the films differ in their samples per pixel");
     EXPECT_EQ(refusal([&] { film.join(Film(film_layout(scene.render_settings(), in_tiles(8)))); }),
               "the films differ in their tile size");
+    const Scene one_sample = exhibit(1);
+    RenderOptions shown;
+    Film light(film_layout(one_sample.render_settings(), shown));
+    shown.show = Aov::depth;
+    EXPECT_EQ(refusal([&] { light.join(Film(film_layout(one_sample.render_settings(), shown))); }),
+              "the films differ in their quantity");
     EXPECT_EQ(film.save(), before);
+}
+
+/// The check sum of all bytes but its own 8 at the end: FNV-1a over words of 8 bytes.
+void set_check_sum(std::vector<std::byte>& film) {
+    std::uint64_t hash = 0xcbf29ce484222325;
+    const std::size_t end = film.size() - 8;
+    for (std::size_t at = 0; at < end; at += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, &film[at], std::min<std::size_t>(8, end - at));
+        hash = (hash ^ word) * 0x100000001b3;
+        hash ^= hash >> 32;
+    }
+    std::memcpy(&film[end], &hash, 8);
+}
+
+TEST(Film, TakesNoMemoryForWhatOnlyItsHeaderClaims) {
+    std::vector<std::byte> film = film_of(exhibit(4), in_tiles(8), one_pass(4), {0, 2}).save();
+    set_check_sum(film);
+    EXPECT_NO_THROW(Film::load(film));
+    const std::int32_t width_height_and_tile[] = {30000, 30000, 1};
+    std::memcpy(&film[20], width_height_and_tile, sizeof width_height_and_tile);
+    set_check_sum(film);
+    EXPECT_EQ(refusal([&] { Film::load(film); }), "the film cannot be read: it ends too early");
+    const std::int32_t whole = 30000;
+    std::memcpy(&film[28], &whole, sizeof whole);
+    set_check_sum(film);
+    EXPECT_EQ(refusal([&] { Film::load(film); }), "the film cannot be read: it ends too early");
 }
 
 TEST(Film, DamageIsFoundWhereverItIs) {

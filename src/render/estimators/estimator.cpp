@@ -1,9 +1,12 @@
 #include "render/estimators/estimator.h"
 
+#include "trace/simd/kernel_table.h"
+
 namespace glint {
 
 Estimator make_estimator(const SceneData& scene, Aov show, const CancelFlag* cancel,
                          const KernelChoice& kernel) {
+    trace::row_of(kernel.target); // throws where the machine lacks it
     if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
     const WhittedSettings& settings = scene.description.whitted;
     if (kernel.kernel == Kernel::scalar) return Whitted(scene, settings, cancel, kernel);
