@@ -168,8 +168,12 @@ GLINT_FN truth line_in_cone(dvec3 o, dvec3 d, dvec3 axis, double height, double 
     truth met = steep || delta >= 0.0;
     if (!any_lane(met)) return met;
 
-    real64 root = sqrt(pick(delta > 0.0, delta, 0.0));
+    // Rounding may leave no delta to a steep line outside the double cone, where b^2 - a c does not cancel.
+    real64 uncancelled = pick(steep && c > 0.0, b * b - a * c, 0.0);
+    real64 root = sqrt(pick(delta > 0.0, delta, uncancelled));
     real64 q = pick(b >= 0.0, b + root, b - root);
+    // All is 0 but c: the line is parallel to the side and meets it nowhere.
+    truth misses = q == 0.0 && c > 0.0;
     real64 one = pick(q == 0.0, 0.0, q / a); // infinite where the line is parallel to the side
     real64 other = pick(q == 0.0, 0.0, c / q);
     truth ordered = one < other;
@@ -180,7 +184,7 @@ GLINT_FN truth line_in_cone(dvec3 o, dvec3 d, dvec3 axis, double height, double 
     truth descends = fall > 0.0;
     real64 side_enter = pick(steep, pick(descends, second, -infinite_double()), first) + shift;
     real64 side_leave = pick(steep, pick(descends, infinite_double(), first), second) + shift;
-    return clip_to_caps(dot(axis, o), dot(axis, d), height, side_enter, side_leave, span) && met;
+    return clip_to_caps(dot(axis, o), dot(axis, d), height, side_enter, side_leave, span) && met && !misses;
 }
 
 /// The part of the line o + t d inside a quadric.

@@ -253,6 +253,16 @@ TEST(Cone, IsCrossedParallelToItsSide) {
     EXPECT_NEAR(t.enter, 2.25, 1e-15);
 }
 
+TEST(Cone, IsNotMetByLinesParallelToItsSideThatPassTheApex) {
+    // Level with the apex at their nearest point: the quadratic has no root at all.
+    const QuadricShape cone = make_cone({0, 0, 0}, {0, 0, 1}, 1.0, 1.0);
+    SolidSpan t{};
+    for (const double aside : {-2.0, -0.5, 0.25, 4.0}) {
+        EXPECT_FALSE(intersect({{-3, aside, 4}, {1, 0, -1}}, cone, t)) << aside;
+        EXPECT_FALSE(intersect({{aside, -3, 4}, {0, 1, -1}}, cone, t)) << aside;
+    }
+}
+
 TEST(Cone, IsMetAtItsApex) {
     SolidSpan t{};
     ASSERT_TRUE(intersect({{0, 0, 5}, {0, 0, -1}}, spike, t)) << "down the axis";

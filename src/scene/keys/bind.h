@@ -25,8 +25,8 @@ inline constexpr NumberRange above_0{.low = 0, .low_open = true};
 inline constexpr NumberRange share{.low = 0, .high = 1};
 inline constexpr NumberRange coordinate{.low = -coordinate_limit, .high = coordinate_limit};
 inline constexpr NumberRange length{.low = 0, .high = coordinate_limit, .low_open = true};
-/// What is computed with in single precision.
-inline constexpr NumberRange single_precision{.low = -float_limit, .high = float_limit};
+/// What is at least 0 and computed with in single precision.
+inline constexpr NumberRange single_precision{.low = 0, .high = float_limit};
 /// Indices of refraction are divided by.
 inline constexpr NumberRange divisor{.low = std::numeric_limits<float>::min(), .high = coordinate_limit};
 

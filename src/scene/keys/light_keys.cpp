@@ -72,7 +72,7 @@ TableSpec light_table() {
             radiant_intensity<&P::intensity, &S::intensity>()
                 .unit("W/sr")
                 .range(at_least_0)
-                .limits(single_precision)
+                .limits(between(0, float_limit * std::numbers::pi))
                 .instead_of("intensity")
                 .help("`intensity` · π, instead of it"),
             factor<&D::irradiance>("irradiance").help("a white matte surface facing it shows 1.0"),
