@@ -22,7 +22,7 @@ namespace glint {
 /// The form of a key's value.
 enum class KeyType {
     boolean,
-    integer,
+    whole_number,
     number,
     number_or_auto, ///< a number, or the text "auto"
     choice,         ///< one of KeySpec::choices

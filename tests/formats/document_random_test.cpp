@@ -68,7 +68,7 @@ class Drawer {
         switch (key.type) {
         case KeyType::boolean:
             return below(2) == 0 ? "true" : "false";
-        case KeyType::integer:
+        case KeyType::whole_number:
             return std::to_string(below(9));
         case KeyType::size:
             return "[" + std::to_string(1 + below(99)) + ", 7]";

@@ -55,7 +55,7 @@ std::string other_value(const KeySpec& key) {
     switch (key.type) {
     case KeyType::boolean:
         return default_text(key) == "true" ? "false" : "true";
-    case KeyType::integer:
+    case KeyType::whole_number:
         return key.key == "version" ? "1" : "7";
     case KeyType::choice:
         for (const std::string& word : choice_names(key))

@@ -135,7 +135,7 @@ class RandomValues {
         switch (key.type) {
         case KeyType::boolean:
             return below(2) == 0;
-        case KeyType::integer:
+        case KeyType::whole_number:
             return static_cast<std::int64_t>(number(key));
         case KeyType::number:
             return number(key);

@@ -18,7 +18,7 @@ using Kind = TreeValue::Kind;
 /// Whether values of such a key can be interpolated.
 bool has_values_between(KeyType type) {
     switch (type) {
-    case KeyType::integer:
+    case KeyType::whole_number:
     case KeyType::number:
     case KeyType::point:
     case KeyType::direction:
@@ -197,7 +197,7 @@ TreeValue blend(const Track& track, double frame, const std::vector<const TreeVa
     };
     if (is_number(value)) {
         value.number = track.timeline.at(frame, [&](std::size_t i) { return all[i]->number; });
-        if (track.type == KeyType::integer) {
+        if (track.type == KeyType::whole_number) {
             value.number = std::floor(value.number + 0.5);
             value.integer = static_cast<std::int64_t>(value.number);
         } else

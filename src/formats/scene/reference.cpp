@@ -79,7 +79,7 @@ std::string type_text(const KeySpec& key) {
     switch (key.type) {
     case KeyType::boolean:
         return "`true` or `false`";
-    case KeyType::integer:
+    case KeyType::whole_number:
         return "integer";
     case KeyType::number:
         return "number";

@@ -97,7 +97,7 @@ std::optional<KeyValue> TableReader::parse(const KeySpec& key, const TreeValue& 
     switch (key.type) {
     case KeyType::boolean:
         return boolean(key, value);
-    case KeyType::integer:
+    case KeyType::whole_number:
         return check_integer(key, value) ? std::optional<KeyValue>(value.integer) : std::nullopt;
     case KeyType::number:
         return check_number(key, value) ? std::optional<KeyValue>(value.number) : std::nullopt;

@@ -194,7 +194,7 @@ KeyRow boolean(std::string_view key) {
 template <auto member>
 KeyRow integer(std::string_view key) {
     static_assert(std::is_integral_v<ValueOf<member>>);
-    return bound<ValueOf<member>, member>(key, KeyType::integer);
+    return bound<ValueOf<member>, member>(key, KeyType::whole_number);
 }
 template <auto... members>
 KeyRow number(std::string_view key) {
