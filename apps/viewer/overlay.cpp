@@ -18,7 +18,7 @@ constexpr ImGuiWindowFlags passive_box = fixed_box | ImGuiWindowFlags_NoInputs |
                                          ImGuiWindowFlags_AlwaysAutoResize |
                                          ImGuiWindowFlags_NoFocusOnAppearing;
 
-ImVec4 color_of(const Tint& tint, float alpha = 1) { return {tint.red, tint.green, tint.blue, alpha}; }
+ImVec4 opaque_color_of(const Tint& tint) { return {tint.red, tint.green, tint.blue, 1}; }
 
 /// Centres the next box in a space.
 void center_next_box(const Area& space) {
@@ -75,7 +75,7 @@ void draw_error(Ui& ui, const Diagnostic& error) {
     const Location& location = error.location;
     std::string position = location.file.substr(location.file.find_last_of('/') + 1);
     if (location.line > 0) position += fmt::format(":{}:{}", location.line, location.column);
-    ImGui::PushStyleColor(ImGuiCol_Text, color_of(ui.theme.error));
+    ImGui::PushStyleColor(ImGuiCol_Text, opaque_color_of(ui.theme.error));
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted((position.empty() ? error.message : position + "  " + error.message).c_str());
     ImGui::PopTextWrapPos();
@@ -109,7 +109,7 @@ int draw_rays(const Area& picture, const Projection& projection, int width, int 
         const float thickness = line.id == selected ? 3.5f : 1.75f;
         // A dark edge keeps lines visible on a bright picture.
         add_segment(draw, from, to, IM_COL32(0, 0, 0, 110), thickness + 2, line.open);
-        const ImU32 color = ImGui::GetColorU32(color_of(line_tint(line.kind)));
+        const ImU32 color = ImGui::GetColorU32(opaque_color_of(line_tint(line.kind)));
         add_segment(draw, from, to, color, thickness, line.open);
         add_arrow(draw, from, to, color, 4 + thickness);
         ++visible;
@@ -125,7 +125,7 @@ void draw_mark(const Ui& ui, const Area& picture, double u, double v) {
     draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height}, true);
     const float radius = 7 * ui.theme.scale;
     draw.AddCircle(at, radius + 1, IM_COL32(0, 0, 0, 160), 24, 4);
-    draw.AddCircle(at, radius + 1, ImGui::GetColorU32(color_of(ui.theme.accent)), 24, 2);
+    draw.AddCircle(at, radius + 1, ImGui::GetColorU32(opaque_color_of(ui.theme.accent)), 24, 2);
     draw.PopClipRect();
 }
 
@@ -144,7 +144,7 @@ void draw_errors(Ui& ui, const Area& space, const std::vector<Diagnostic>& error
     const ImVec2 corner = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + 4 * ui.theme.scale, corner.y + size.y},
-                                              ImGui::GetColorU32(color_of(ui.theme.error)));
+                                              ImGui::GetColorU32(opaque_color_of(ui.theme.error)));
     ui.map.area("errors", {corner.x, corner.y, size.x, size.y});
     ImGui::End();
 }
