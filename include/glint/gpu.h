@@ -119,8 +119,8 @@ class GpuProgressive {
     const GpuDevice& device() const;
 
     /// Starts a picture; the kernel of the options is ignored. Data shared with the previous scene stays on
-    /// the device: shared trees, and everything if only camera and size differ. Throws std::invalid_argument
-    /// for an invalid step, and Error(device) as GpuRenderer does; then the previous picture is lost and none
+    /// the device: shared trees, and everything if only camera and size differ. Throws Error(usage) for an
+    /// invalid step, and Error(device) as GpuRenderer does; then the previous picture is lost and none
     /// is started.
     void start(const Scene& scene, const ProgressiveOptions& options = {});
 
