@@ -191,10 +191,10 @@ std::vector<std::string> complaints(const Source& source) {
 
 namespace {
 
-/// Depth-first search for a ring among the files that include each other.
-class RingSearch {
+/// Depth-first search for a cycle among the files that include each other.
+class CycleSearch {
   public:
-    explicit RingSearch(const std::vector<Source>& sources) {
+    explicit CycleSearch(const std::vector<Source>& sources) {
         for (const Source& source : sources)
             for (const Include& include : includes_of(source.text)) {
                 if (include.angled) continue;
@@ -233,8 +233,8 @@ class RingSearch {
 
 } // namespace
 
-std::vector<std::string> include_ring(const std::vector<Source>& sources) {
-    return RingSearch(sources).run();
+std::vector<std::string> include_cycle(const std::vector<Source>& sources) {
+    return CycleSearch(sources).run();
 }
 
 } // namespace glint::house

@@ -1,5 +1,5 @@
 #pragma once
-// The table of the house: which room may include which, and where headers of other projects may stand.
+// Which room may include which others, and headers of which other projects.
 
 #include "sources.h"
 
@@ -24,7 +24,7 @@ std::string room_of_public_header(const std::string& name);
 /// What is wrong with the includes of one file of src/, include/ or apps/: "path:line: why", one each.
 std::vector<std::string> complaints(const Source& source);
 
-/// The files that include each other in a ring, first and last the same; empty where there is no ring.
-std::vector<std::string> include_ring(const std::vector<Source>& sources);
+/// The files of a cycle of includes, the first repeated at the end; empty if there is no cycle.
+std::vector<std::string> include_cycle(const std::vector<Source>& sources);
 
 } // namespace glint::house
