@@ -1,4 +1,4 @@
-// Where functions and types begin and end, found by counting braces: enough for code formatted as ours is.
+// Finds functions and types by counting braces, which suffices for code formatted by clang-format.
 
 #include "sources.h"
 

@@ -1,4 +1,4 @@
-// Words that stay out of the sources, each with the reason.
+// Words that must not appear: banned ones with the reason, retired names with the replacement.
 
 #include "sources.h"
 
