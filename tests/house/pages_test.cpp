@@ -50,7 +50,7 @@ std::vector<std::string> named_paths(const std::string& text) {
         const std::size_t end = text.find('`', at + 1);
         if (end == std::string::npos) break;
         const std::string code = text.substr(at + 1, end - at - 1);
-        if (code.find('/') != std::string::npos && code.compare(0, 2, "./") != 0 &&
+        if (code.find('/') != std::string::npos && !code.starts_with("./") &&
             std::all_of(code.begin(), code.end(),
                         [](char c) { return is_word(c) || c == '/' || c == '.' || c == '-'; }))
             paths.push_back(code);

@@ -1,3 +1,5 @@
+// Reads files, blanks comments and literals, finds includes.
+
 #include "sources.h"
 
 #include <algorithm>

@@ -67,9 +67,8 @@ bool counts(const std::string& code, std::size_t end, const std::string& word) {
 }
 
 bool excepted(const Ban& ban, const std::string& path) {
-    for (const std::string& prefix : ban.except)
-        if (path.compare(0, prefix.size(), prefix) == 0) return true;
-    return false;
+    return std::any_of(ban.except.begin(), ban.except.end(),
+                       [&](const std::string& prefix) { return path.starts_with(prefix); });
 }
 
 /// "path:line: word: reason" for every breach of a ban.
@@ -234,7 +233,7 @@ TEST(Words, NoPathOfOneMachineIsNamed) {
 
 TEST(Words, EveryHeaderIsGuarded) {
     for (const Source& source : sources_under(code_folders)) {
-        if (source.path.substr(source.path.size() - 2) != ".h") continue;
+        if (!source.path.ends_with(".h")) continue;
         // Headers that GLSL reads too have no #pragma, and those compiled once a SIMD target toggle their
         // guard.
         const std::string code = code_only(source.text);
