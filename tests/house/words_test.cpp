@@ -142,8 +142,6 @@ const std::vector<Retired>& retired_names() {
         {"least_*", "min_*"},
         {"lone_kernels", "single_kernels"},
         {"most_*", "max_*"},
-        {"most_bins", "max_bins"},
-        {"most_leaf_blocks", "max_leaf_blocks"},
         {"no_child", "invalid_index"},
         {"no_instance", "invalid_index"},
         {"no_root", "invalid_index"},
