@@ -50,7 +50,7 @@ class Square {
         }
     }
     void move_to(std::vector<Batch>& all) {
-        for (auto& [place, batch] : batches_) all.push_back(std::move(batch));
+        for (auto& [key, batch] : batches_) all.push_back(std::move(batch));
         batches_.clear();
     }
 
@@ -157,8 +157,8 @@ void run(const std::string& file, int rounds) {
 } // namespace
 } // namespace glint::bench
 
-int main(int count, char** words) {
-    const std::vector<std::string> arguments(words + 1, words + count);
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
     if (arguments.empty() || arguments.size() > 2 || arguments[0].starts_with('-')) {
         std::cerr
             << "usage: glint-bench-picture-rays SCENE [ROUNDS]   (one sample a pixel; the median of 5)\n";

@@ -254,7 +254,7 @@ std::size_t spawn_reflected(const WhittedModes& modes, Wave wave, std::size_t ne
     for_vectors(wave, [&](std::size_t i) {
         const MaterialRecord m = noted_materials(states, i);
         const truth mirror = m.reflectivity > 0.0f && !(m.transparency > 0.0f);
-        if (!any(mirror)) return;
+        if (!any_lane(mirror)) return;
         store(weighted_terms(local_terms(states, i), pick(mirror, local_weight(modes, m), 1.0f)), states, i);
         const RayGroups rays(reflected_ray(surfaces_of(states, i)));
         // Each is written behind the last; what does not go on is written over.

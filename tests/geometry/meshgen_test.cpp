@@ -1,7 +1,7 @@
 // The meshes that tools/meshgen makes for the scenes.
 
 #include "geometry/mesh.h"
-#include "make.h"
+#include "request.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>

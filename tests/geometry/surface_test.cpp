@@ -1,4 +1,4 @@
-// Points of surfaces rounded once: with bounds that hold, and the interpolation over triangles.
+// Error bounds of surface points, and interpolation over triangles.
 
 #include "geometry/quadric.h"
 #include "geometry/surface.shared.h"

@@ -1,4 +1,4 @@
-// Surfaces one after another: next() and crossings().
+// Enumerating hits: next() and all_hits().
 
 #include "worlds.h"
 
@@ -14,7 +14,7 @@ using trace::World;
 using trace::WorldInput;
 namespace {
 
-/// closest(), then next() until nothing is left.
+/// closest(), then next() until there is none.
 std::vector<Hit> walk(const World& world, const Ray& ray) {
     std::vector<Hit> hits;
     for (Hit hit = world.closest(ray); hit; hit = world.next(ray, hit)) hits.push_back(hit);
@@ -34,7 +34,7 @@ void expect_walk_is_crossings(const World& world, const Ray& ray) {
     }
 }
 
-/// A pile of squares z = 1, 2, …
+/// A stack of squares z = 1, 2, …
 WorldInput pile(int count) {
     WorldInput input;
     for (int i = 1; i <= count; ++i) input.meshes.push_back(square(static_cast<std::uint32_t>(i), float(i)));
@@ -99,7 +99,7 @@ TEST(Crossings, OfTwoMeshesAtOnePlaceCountForEach) {
 }
 
 TEST(Crossings, OfAThinWallCountBothFaces) {
-    // A box thinner than the tolerance of t: the faces differ in facing, on edges too.
+    // A box thinner than the tolerance of t: its faces differ in facing, also at edges.
     WorldInput input;
     const Polyhedron box = make_box({0, 0, 1000}, {2, 2, 1e-3});
     input.meshes.resize(1);

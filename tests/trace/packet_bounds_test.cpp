@@ -1,5 +1,5 @@
-// Batches of rays that go nearly the same way, past and through planes, spheres, cylinders and meshes: what
-// is left out for all of them at once is what none of them meets.
+// Batches of similar rays past and through planes, spheres, cylinders and meshes: a primitive that is culled
+// for a batch is hit by none of its rays.
 
 #include "trace/world/packet_bounds.h"
 #include "worlds.h"
@@ -54,7 +54,7 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
     return input;
 }
 
-/// Rays from places near each other to places near each other; what their t ends at is drawn once for all.
+/// Rays between two small regions, with one random tmax for all.
 std::vector<Ray> beam(Numbers& numbers, double size, std::size_t count) {
     const dvec3 from = snapped(numbers, size);
     const dvec3 to = snapped(numbers, size) + dvec3(0.01 * size, 0.0, 0.0);
@@ -174,7 +174,7 @@ TEST(PacketBounds, LeavesOutBoxesBesideBehindAndBeyond) {
         EXPECT_FALSE(misses({4, -1, 0}, {5, 1, 2})) << "in the way";
         EXPECT_FALSE(misses({4, 0.02f, 1}, {5, 1, 2})) << "touched";
         EXPECT_FALSE(misses({-1, -1, 0}, {1, 1, 2})) << "around the start";
-        // Without an end, directions alone tell.
+        // Without tmax, culling relies on the directions.
         for (Ray& ray : rays) ray.tmax = endless;
     }
 }

@@ -1,4 +1,4 @@
-// From hits back to surfaces: points, normals, and rays that leave again.
+// Surface points and normals of hits, and rays that start there.
 
 #include "worlds.h"
 
@@ -99,7 +99,7 @@ TEST(Surface, OfAStretchedSphereIsAnEllipsoid) {
     }
 }
 
-/// Rays that leave the first surface they meet, along it and away from it on the given side.
+/// Rays from the first hit of a ray, to the given side of the surface at all angles.
 class Spawning {
   public:
     Spawning(WorldInput input, std::uint64_t seed) : world_(world_of(std::move(input))), random_(seed) {}
@@ -138,8 +138,8 @@ class Spawning {
 constexpr int worlds = 200;
 constexpr int rays = 1000;
 
-/// Is p at the rim or the apex of a cone? Within its error a point there may be inside of one side and
-/// outside of the next.
+/// Whether p is at the rim or the apex of a cone, where within its error it may be inside of one part of the
+/// surface and outside of the next.
 bool at_sharp_edge(const World& world, const vec3& p) {
     const Quadric& quadric = world.data().quadrics.front();
     const QuadricShape& cone = quadric.shape;
@@ -151,14 +151,14 @@ bool at_sharp_edge(const World& world, const vec3& p) {
     const double radial = glm::length(v - cone.axis * h);
     const double to_rim = glm::length(dvec2(h, radial - cone.radius));
     const double to_apex = glm::length(dvec2(cone.height - h, radial));
-    // What the float coordinates of the world are in the cone's own space.
+    // The world's float coordinates in the cone's local space.
     double rounding = 1e-4 * cone.radius;
     for (int column = 0; local && column < 3; ++column)
         rounding += 1e-5 * glm::length(affine.inverse[column]);
     return std::min(to_rim, to_apex) < rounding;
 }
 
-/// Counts rays that meet their own surface again: outward never, inward not more than once (on the way out).
+/// Counts rays that hit their own surface again: outward never, inward at most once (on the way out).
 void expect_spawned_rays_leave(const std::function<WorldInput(Numbers&, dvec3&, double&)>& make, double side,
                                std::size_t expected) {
     Numbers random(17);
@@ -235,7 +235,7 @@ WorldInput some_cone(Numbers& random, dvec3& about, double& reach) {
     return input;
 }
 
-/// A disk and a cone in a space of their own.
+/// A disk and a cone in local space.
 WorldInput some_squeezed(const QuadricShape& shape, Numbers& random, dvec3& about, double& reach) {
     WorldInput input = some_ellipsoid(random, about, reach);
     input.quadrics.front().shape = shape;

@@ -1,4 +1,4 @@
-// What a World answers, against closed forms.
+// Queries of a World against closed forms.
 
 #include "worlds.h"
 
@@ -318,7 +318,7 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
                 const SurfacePoint q = b.surface(turned_ray, others[i]);
                 ASSERT_EQ(q.p, turn(p.p));
                 ASSERT_EQ(q.p_error, glm::abs(turn(p.p_error)));
-                // A mirror turns the winding, and with it the normals of triangles.
+                // Mirroring reverses the winding, and with it the normals of triangles.
                 ASSERT_EQ(q.n, turn(p.n) * (hits[i].kind == PrimKind::triangle ? -1.0f : 1.0f));
             }
         }

@@ -1,6 +1,5 @@
 // glint-meshgen: procedural meshes and scenes for examples, tests and benchmarks.
 
-#include "make.h"
 #include "request.h"
 #include "scenes.h"
 

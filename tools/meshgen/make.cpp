@@ -1,6 +1,6 @@
 // Choosing resolutions for the requested number of triangles.
 
-#include "make.h"
+#include "request.h"
 
 #include "geometry/mesh.h"
 #include "shapes.h"

@@ -7,14 +7,9 @@
 #include "math/offset.shared.h"
 #include "trace/mesh/tree.h"
 
-#include <algorithm>
 #include <bit>
-#include <limits>
 
 namespace glint::trace {
-
-using bvh::BoxRay;
-using bvh::IgnoredNode;
 
 /// The largest float below tmax: the condition t < tmax is tested as t <= limit.
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
@@ -31,19 +26,6 @@ inline TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::
             vertices[k][axis] = std::bit_cast<float>(words[4 + axis * n + (corners >> (3 * k) & 7u)]);
     number = words[4 + 3 * n + i];
     return vertices;
-}
-
-/// Where the ray enters a child's box within [tmin, limit]; infinite if it misses.
-inline float entry_of(const WideNode& node, int child, const BoxRay& ray, float tmin, float limit) {
-    float entry = tmin;
-    float exit = limit;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float one = (node.lo[axis][child] - ray.origin[axis] - ray.pad) * ray.inverse[axis];
-        const float other = (node.hi[axis][child] - ray.origin[axis] + ray.pad) * ray.inverse[axis];
-        entry = std::max(entry, std::min(one, other));
-        exit = std::min(exit, std::max(one, other));
-    }
-    return entry <= exit ? entry : std::numeric_limits<float>::infinity();
 }
 
 /// Calls leaf(LeafCode) for every leaf whose box meets the ray in [tmin, limit], both inclusive, nearest
@@ -70,8 +52,8 @@ void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, 
         const WideNode& boxes = tree.nodes[at.code];
         node();
         const std::size_t base = size;
-        for (int child = 0; child < wide_children; ++child) {
-            const float t = entry_of(boxes, child, box_ray, tmin, limit);
+        for (std::size_t child = 0; child < wide_children; ++child) {
+            const float t = entry_distance(boxes, child, box_ray, box_ray.pad, tmin, limit);
             if (boxes.child[child] == invalid_index || !(t <= limit)) continue;
             std::size_t slot = size++;
             for (; slot > base && stack[slot - 1].t < t; --slot) stack[slot] = stack[slot - 1];

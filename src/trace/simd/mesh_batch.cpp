@@ -365,6 +365,8 @@ void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked
 
 #endif
 
+extern const BatchKernels batch{closest_batch, occluded_batch};
+
 } // namespace HWY_NAMESPACE
 } // namespace glint::trace
 HWY_AFTER_NAMESPACE();
@@ -372,12 +374,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint::trace {
 
-const std::array<BatchKernels, kernel_targets> batch_kernels{{
-    {HWY_CHOOSE_FALLBACK(closest_batch), HWY_CHOOSE_FALLBACK(occluded_batch)},
-    {HWY_CHOOSE_SSE4(closest_batch), HWY_CHOOSE_SSE4(occluded_batch)},
-    {HWY_CHOOSE_AVX2(closest_batch), HWY_CHOOSE_AVX2(occluded_batch)},
-    {HWY_CHOOSE_AVX3(closest_batch), HWY_CHOOSE_AVX3(occluded_batch)},
-}};
+const KernelTable<BatchKernels> batch_kernels GLINT_KERNEL_TABLE(batch);
 
 } // namespace glint::trace
 #endif

@@ -33,13 +33,13 @@ class SingleRay {
         const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
         const vec3 reach = glm::abs(ray.origin);
         const vec3 d = glm::abs(ray.direction);
-        const float most = std::max(d.x, std::max(d.y, d.z));
+        const float longest = std::max(d.x, std::max(d.y, d.z));
         const float scale =
             std::max(reach.x, std::max(reach.y, reach.z)) + std::max(far.x, std::max(far.y, far.z));
         const float pad = 0x1p-20f * scale;
-        const float least = std::max({most * min_direction_ratio, scale * min_scale_ratio, 2.95e-39f});
+        const float min_size = std::max({longest * min_direction_ratio, scale * min_scale_ratio, 2.95e-39f});
         for (int axis = 0; axis < 3; ++axis) {
-            const float clamped = std::max(d[axis], least);
+            const float clamped = std::max(d[axis], min_size);
             const float size = 1.0f / clamped;
             const float inverse = std::copysign(size, ray.direction[axis]);
             const float shift = ray.origin[axis] * inverse;
@@ -147,7 +147,7 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
 
 } // namespace
 
-// Exported to the kernel table.
+// Called by the batch kernels too.
 TriangleRecord closest_single(const MeshTree& tree, const Ray& ray) {
     TriangleRecord record;
     const bool hit = !tree.nodes.empty() && is_traceable(ray) && follow<false>(tree, ray, record);
@@ -160,6 +160,8 @@ bool occluded_single(const MeshTree& tree, const Ray& ray) {
 
 #endif
 
+extern const SingleKernels single{closest_single, occluded_single};
+
 } // namespace HWY_NAMESPACE
 } // namespace glint::trace
 HWY_AFTER_NAMESPACE();
@@ -167,12 +169,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint::trace {
 
-const std::array<SingleKernels, kernel_targets> single_kernels{{
-    {HWY_CHOOSE_FALLBACK(closest_single), HWY_CHOOSE_FALLBACK(occluded_single)},
-    {HWY_CHOOSE_SSE4(closest_single), HWY_CHOOSE_SSE4(occluded_single)},
-    {HWY_CHOOSE_AVX2(closest_single), HWY_CHOOSE_AVX2(occluded_single)},
-    {HWY_CHOOSE_AVX3(closest_single), HWY_CHOOSE_AVX3(occluded_single)},
-}};
+const KernelTable<SingleKernels> single_kernels GLINT_KERNEL_TABLE(single);
 
 } // namespace glint::trace
 #endif

@@ -12,16 +12,10 @@
 #include "trace/world/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
 namespace glint::trace {
-
-using bvh::BoxRay;
-using bvh::Tree;
-using bvh::TreeNode;
-using bvh::TreeRef;
 
 /// A quadric, in local space if it has one.
 struct Quadric {
@@ -93,14 +87,9 @@ struct WorldData {
     WorldStats stats;
 };
 
-struct World::Data : WorldData {};
-
 /// Moves shared meshes and instances from the input and builds their trees. An instance that its tree does
 /// not accept is baked and added to input.meshes.
 void add_instances(WorldData& world, WorldInput& input, TaskPool& pool);
-
-/// Throws std::invalid_argument for a vertex index out of range.
-void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
 /// The part of a line inside a quadric, transformed to local space if needed; false if there is none.
 inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric, SolidSpan& span) {
@@ -140,7 +129,7 @@ inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uin
 inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
     const auto at =
         std::lower_bound(world.instances.begin(), world.instances.end(), object,
-                         [](const InstanceData& placed, std::uint32_t o) { return placed.object < o; });
+                         [](const InstanceData& instance, std::uint32_t o) { return instance.object < o; });
     if (at == world.instances.end() || at->object != object) return invalid_index;
     return static_cast<std::uint32_t>(at - world.instances.begin());
 }
@@ -165,8 +154,9 @@ inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint
 }
 
 /// Triangle of an instance in the mesh's space.
-inline TriangleVertices vertices_of(const WorldData& world, const InstanceData& placed, std::uint32_t prim) {
-    const WorldInput::SharedMesh& mesh = world.shared_meshes[placed.mesh].source;
+inline TriangleVertices vertices_of(const WorldData& world, const InstanceData& instance,
+                                    std::uint32_t prim) {
+    const WorldInput::SharedMesh& mesh = world.shared_meshes[instance.mesh].source;
     return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
 }
 
@@ -264,10 +254,10 @@ class QuadricTester {
     }
 
     bool planes() {
-        for (const PlanePrim& numbered : world_.planes) {
+        for (const PlanePrim& plane_prim : world_.planes) {
             double t;
-            if (!intersect(line_, numbered.plane, t)) continue;
-            if (root(t, 0.0f, numbered.object, 0, PrimKind::plane)) return true;
+            if (!intersect(line_, plane_prim.plane, t)) continue;
+            if (root(t, 0.0f, plane_prim.object, 0, PrimKind::plane)) return true;
         }
         return false;
     }
@@ -302,7 +292,7 @@ bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& si
     return done;
 }
 
-/// Like search_surfaces() for the triangles of a tree: mesh_tree, or that of an instance.
+/// Like trace_quadrics() for the triangles of a tree: mesh_tree, or that of an instance.
 template <class Sink>
 bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, TriangleTester<Sink> test) {
     bool done = false;
@@ -341,21 +331,6 @@ void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& r
 
 void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit);
 
-/// Tests every triangle of every instance; returns whether the sink ended the search.
-template <class Sink>
-bool instances_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
-    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
-        const Ray local = world.instance_tree.to_local(i, ray);
-        if (!is_traceable(local)) continue;
-        TriangleTester<Sink> test(world, local, sink, i);
-        const InstanceData& placed = world.instances[i];
-        const std::size_t count = world.shared_meshes[placed.mesh].source.triangles->size();
-        for (std::uint32_t prim = 0; prim < count; ++prim)
-            if (test.triangle(vertices_of(world, placed, prim), prim)) return true;
-    }
-    return false;
-}
-
 /// trace() by brute force.
 template <class Sink>
 void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
@@ -367,7 +342,15 @@ void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     for (std::size_t m = 0; m < world.meshes.size(); ++m)
         for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
             if (triangles.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
-    instances_brute_force(world, ray, sink);
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+        const Ray local = world.instance_tree.to_local(i, ray);
+        if (!is_traceable(local)) continue;
+        TriangleTester<Sink> test(world, local, sink, i);
+        const InstanceData& instance = world.instances[i];
+        const std::size_t count = world.shared_meshes[instance.mesh].source.triangles->size();
+        for (std::uint32_t prim = 0; prim < count; ++prim)
+            if (test.triangle(vertices_of(world, instance, prim), prim)) return;
+    }
 }
 
 } // namespace glint::trace

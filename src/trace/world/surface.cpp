@@ -2,9 +2,6 @@
 
 #include "trace/world/data.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace glint::trace {
 
 namespace {
@@ -23,12 +20,12 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
         return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(ray.direction),
                                 mesh.flip);
     }
-    const InstanceData& placed = world.instances[instance];
-    const TriangleVertices at = vertices_of(world, placed, hit.prim);
+    const InstanceData& data = world.instances[instance];
+    const TriangleVertices at = vertices_of(world, data, hit.prim);
     const Ray local = world.instance_tree.to_local(instance, ray);
     return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(local.direction),
-                            placed.linear, world.instance_tree.inverse(instance),
-                            world.instance_tree.translation(instance), placed.slack, placed.turned);
+                            data.linear, world.instance_tree.inverse(instance),
+                            world.instance_tree.translation(instance), data.slack, data.turned);
 }
 
 SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {

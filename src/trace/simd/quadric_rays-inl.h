@@ -10,11 +10,11 @@
 
 #include "trace/simd/quadric_lanes-inl.h"
 
-#if defined(GLINT_TRACE_SIMD_SURFACE_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_TRACE_SIMD_SURFACE_RAYS_INL_H
-#undef GLINT_TRACE_SIMD_SURFACE_RAYS_INL_H
+#if defined(GLINT_TRACE_SIMD_QUADRIC_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SIMD_QUADRIC_RAYS_INL_H
+#undef GLINT_TRACE_SIMD_QUADRIC_RAYS_INL_H
 #else
-#define GLINT_TRACE_SIMD_SURFACE_RAYS_INL_H
+#define GLINT_TRACE_SIMD_QUADRIC_RAYS_INL_H
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -24,14 +24,15 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+using namespace glint::HWY_NAMESPACE::double_lanes;
 using glint::HWY_NAMESPACE::double_lanes::real64;
 using glint::HWY_NAMESPACE::double_lanes::SolidSpan;
 using glint::HWY_NAMESPACE::double_lanes::truth;
 using Vec = glint::HWY_NAMESPACE::double_lanes::dvec3;
 
-const glint::HWY_NAMESPACE::double_lanes::Real64Tag dd;
+const Real64Tag dd;
 const hn::Rebind<float, decltype(dd)> df;
-constexpr std::size_t lanes = glint::HWY_NAMESPACE::double_lanes::lane_count;
+constexpr std::size_t lanes = lane_count;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 HWY_INLINE real64 rounded(real64 x) {

@@ -1,25 +1,25 @@
-// From hits on planes and quadrics back to the surface, for every SIMD target: several hits at once, with the
-// bits of World::surface().
+// Surface points of hits on planes and quadrics, several at once, for every SIMD target, with the bits of
+// World::surface().
 
-#include "trace/simd/surface_batch.h"
+#include "trace/simd/quadric_batch.h"
 
 #include <algorithm>
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "trace/simd/surface_points.cpp"
+#define HWY_TARGET_INCLUDE "trace/simd/quadric_points.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
 
 #include <hwy/highway.h>
 
-#include "trace/simd/surface_rays-inl.h"
+#include "trace/simd/quadric_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Exact points with their normals, and what the arithmetic may have lost.
+/// Points and normals in double, with a bound on their error.
 struct Points {
     Vec p, n;
     real64 slack;
@@ -27,12 +27,12 @@ struct Points {
 
 HWY_INLINE Vec at(const Lines& line, real64 t) { return line.origin + line.direction * t; }
 
-HWY_INLINE Points on_plane(const PlanePrim& numbered, const Lines& line) {
-    const Plane& plane = numbered.plane;
+HWY_INLINE Points on_plane(const PlanePrim& plane_prim, const Lines& line) {
+    const Plane& plane = plane_prim.plane;
     real64 t;
     line_meets_plane(line.origin, line.direction, plane.normal, plane.offset, t);
     const Vec p = at(line, t);
-    return {foot_on_plane(plane.normal, numbered.squared, plane.offset, p), numbered.unit,
+    return {project_onto_plane(plane.normal, plane_prim.squared, plane.offset, p), plane_prim.unit,
             (largest(line.origin) + largest(p)) * surface_error};
 }
 
@@ -47,16 +47,16 @@ HWY_INLINE Points on_quadric(const QuadricShape& shape, const Lines& line, truth
 }
 
 HWY_INLINE Points on_surface(const WorldData& world, std::uint32_t number, const Lines& line, truth leaving) {
-    const QuadricRef& name = world.surfaces[number];
-    if (name.kind == PrimKind::plane) return on_plane(world.planes[name.index], line);
-    return on_quadric(world.quadrics[name.index].shape, line, leaving);
+    const QuadricRef& ref = world.surfaces[number];
+    if (ref.kind == PrimKind::plane) return on_plane(world.planes[ref.index], line);
+    return on_quadric(world.quadrics[ref.index].shape, line, leaving);
 }
 
 HWY_INLINE bool same_primitive(const Hit& a, const Hit& b) {
     return ((a.object ^ b.object) | (a.prim ^ b.prim)) == 0 && a.kind == b.kind;
 }
 
-/// Do as many hits as lanes lie on one primitive?
+/// Whether as many hits as lanes are on one primitive.
 HWY_INLINE bool same_primitive(const Hit* hits) {
     std::uint32_t different = 0;
     for (std::size_t k = 1; k < lanes; ++k)
@@ -65,14 +65,14 @@ HWY_INLINE bool same_primitive(const Hit* hits) {
     return different == 0;
 }
 
-/// Which hits are on their ray's way out.
-HWY_INLINE truth on_way_out(const Hit* hits) {
+/// Which hits are the second root, where the ray leaves.
+HWY_INLINE truth are_leaving(const Hit* hits) {
     alignas(64) double root[lanes];
     for (std::size_t k = 0; k < lanes; ++k) root[k] = double(hits[k].u);
     return real64(hn::Load(dd, root)) != 0.0;
 }
 
-/// Surface by surface: `numbers` are those of the hits, invalid_index where there is none.
+/// Surface by surface: `numbers` are the surfaces of the hits, invalid_index for none.
 Points on_surfaces(const WorldData& world, const std::uint32_t* numbers, const Lines& line, truth leaving) {
     alignas(64) double number[lanes];
     for (std::size_t k = 0; k < lanes; ++k) number[k] = double(numbers[k]);
@@ -109,7 +109,7 @@ void surfaces_in_vectors(const WorldData& world, const Ray* rays, const Hit* hit
                          const SurfaceRows& rows, std::uint8_t* done) {
     Hit last;
     std::uint32_t surface = plain_surface(world, last);
-    // Neighbours mostly hit the same.
+    // Neighbours mostly hit the same primitive.
     const auto surface_of = [&](const Hit& hit) {
         if (!same_primitive(hit, last)) surface = plain_surface(world, hit);
         last = hit;
@@ -125,12 +125,12 @@ void surfaces_in_vectors(const WorldData& world, const Ray* rays, const Hit* hit
         }
         if (same_primitive(hit) && surface_of(*hit) != invalid_index) {
             for (std::size_t k = 0; k < n; ++k) done[first + k] = 1;
-            return store(on_surface(world, surface, line, on_way_out(hit)), rows, first);
+            return store(on_surface(world, surface, line, are_leaving(hit)), rows, first);
         }
         std::uint32_t numbers[lanes];
         for (std::size_t k = 0; k < lanes; ++k) numbers[k] = surface_of(hit[k]);
         for (std::size_t k = 0; k < n; ++k) done[first + k] = numbers[k] != invalid_index ? 1 : 0;
-        store(on_surfaces(world, numbers, line, on_way_out(hit)), rows, first);
+        store(on_surfaces(world, numbers, line, are_leaving(hit)), rows, first);
     });
 }
 
@@ -141,9 +141,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint::trace {
 
-const std::array<PointKernel, kernel_targets> point_kernels{
-    {HWY_CHOOSE_FALLBACK(surfaces_in_vectors), HWY_CHOOSE_SSE4(surfaces_in_vectors),
-     HWY_CHOOSE_AVX2(surfaces_in_vectors), HWY_CHOOSE_AVX3(surfaces_in_vectors)}};
+const KernelTable<PointKernel> point_kernels GLINT_KERNEL_TABLE(surfaces_in_vectors);
 
 } // namespace glint::trace
 #endif

@@ -1,7 +1,7 @@
 // Batch kernels for planes and quadrics for every SIMD target: one shape at a time, vectors of rays in
 // double.
 
-#include "trace/simd/surface_batch.h"
+#include "trace/simd/quadric_batch.h"
 #include "trace/simd/flags.h"
 #include "trace/world/packet_bounds.h"
 
@@ -10,12 +10,12 @@
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "trace/simd/surface_batch.cpp"
+#define HWY_TARGET_INCLUDE "trace/simd/quadric_batch.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
 
 #include <hwy/highway.h>
 
-#include "trace/simd/surface_rays-inl.h"
+#include "trace/simd/quadric_rays-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint::trace {
@@ -31,24 +31,23 @@ class BoxRays {
     HWY_INLINE BoxRays(const Rays& rays, const Bounds& bounds, float more = 0)
         : origin_(rays.line.origin), tmin_(rays.tmin) {
         const Vec& d = rays.line.direction;
-        const real64 least = largest(d) * 1e-18;
+        const real64 min_size = largest(d) * 1e-18;
         const auto inverse = [&](real64 along) {
-            return real64(1.0) / hn::CopySign(greater(abs(along), least).v, along.v);
+            return real64(1.0) / hn::CopySign(fast_max(abs(along), min_size).v, along.v);
         };
         inverse_ = {inverse(d.x), inverse(d.y), inverse(d.z)};
         const real64 reach = largest(origin_);
-        const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
-        pad_ = (reach + double(std::max({far.x, far.y, far.z}))) * 0x1p-20;
+        pad_ = (reach + double(bounds.max_coordinate())) * 0x1p-20;
         pad_ = pad_ + reach * double(more);
     }
 
     /// Rays that may hit the box between tmin and `limit`; `enter` returns the distance.
-    HWY_INLINE truth meet(const vec3& lo, const vec3& hi, real64 limit, real64& enter) const {
+    HWY_INLINE truth meet(const Bounds& box, real64 limit, real64& enter) const {
         real64 leave = limit;
         enter = tmin_;
-        slab(origin_.x, inverse_.x, lo.x, hi.x, enter, leave);
-        slab(origin_.y, inverse_.y, lo.y, hi.y, enter, leave);
-        slab(origin_.z, inverse_.z, lo.z, hi.z, enter, leave);
+        slab(origin_.x, inverse_.x, box.lo.x, box.hi.x, enter, leave);
+        slab(origin_.y, inverse_.y, box.lo.y, box.hi.y, enter, leave);
+        slab(origin_.z, inverse_.z, box.lo.z, box.hi.z, enter, leave);
         return enter <= leave;
     }
 
@@ -57,29 +56,28 @@ class BoxRays {
                          real64& leave) const {
         const real64 one = (real64(double(lo)) - pad_ - from) * inverse;
         const real64 other = (real64(double(hi)) + pad_ - from) * inverse;
-        enter = greater(enter, lesser(one, other));
-        leave = lesser(leave, greater(one, other));
+        enter = fast_max(enter, fast_min(one, other));
+        leave = fast_min(leave, fast_max(one, other));
     }
 
     Vec origin_, inverse_;
     real64 tmin_, pad_;
 };
 
-truth in_special(const WorldData& world, const Quadric& quadric, const Lines& line, SolidSpan& span) {
+truth in_general_quadric(const WorldData& world, const Quadric& quadric, const Lines& line, SolidSpan& span) {
     if (quadric.affine < 0) return line_in_quadric(quadric.shape, line.origin, line.direction, span);
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
     return line_in_quadric(quadric.shape, transformed(affine.inverse, line.origin - affine.translation),
                            transformed(affine.inverse, line.direction), span);
 }
 
-/// Lines that pass through a quadric, and where. Inlined for spheres without local space, the most common
-/// case.
+/// Which lines meet a quadric, and where. Spheres without local space, the most common case, are inlined.
 HWY_INLINE truth in_quadric(const WorldData& world, const Quadric& quadric, const Lines& line,
                             SolidSpan& span) {
     if (quadric.shape.kind == quadric_sphere && quadric.affine < 0)
         return line_in_ball(line.origin - quadric.shape.base, line.direction, quadric.shape.radius,
                             span.enter, span.leave);
-    return in_special(world, quadric, line, span);
+    return in_general_quadric(world, quadric, line, span);
 }
 
 /// Whether a hit at `exact` counts, given its rounded t.
@@ -87,8 +85,21 @@ HWY_INLINE truth takes(const Rays& rays, truth met, real64 exact, real64 near) {
     return met && exact > rays.tmin && near < rays.tmax;
 }
 
+std::uint32_t bits_of(truth mask) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(dd, mask.m, bits);
+    return bits[0];
+}
+
+Hit hit_of(const WorldData& world, std::size_t root) {
+    const QuadricRef& name = world.surfaces[root / 2];
+    return {0.0f, static_cast<float>(root % 2), 0.0f, name.object, name.prim, name.kind, false};
+}
+
 /// Keeps the least (t, root) of each ray.
-struct Least {
+struct ClosestHit {
+    static constexpr bool bounds_ends = false; ///< whether bounding the rays' ends pays
+
     const Rays& rays;
     real64 t = infinity;
     real64 root = 0.0;
@@ -101,11 +112,39 @@ struct Least {
         root = pick(better, number, root);
     }
     bool done() const { return false; }
-    real64 limit() const { return lesser(t, rays.tmax); } ///< upper bound of t
+    real64 limit() const { return fast_min(t, rays.tmax); } ///< upper bound of t
+
+    HWY_INLINE void write(const WorldData& world, Hit* hits, std::size_t count) const {
+        const truth any = t < infinity;
+        if (!any_lane(any)) {
+            std::fill_n(hits, count, Hit{});
+            return;
+        }
+        alignas(64) double ts[lanes], roots[lanes];
+        hn::Store(t.v, dd, ts);
+        hn::Store(root.v, dd, roots);
+        // Neighbours mostly hit the same.
+        if (all_lanes(any && root == roots[0])) {
+            const Hit hit = hit_of(world, static_cast<std::size_t>(roots[0]));
+            for (std::size_t k = 0; k < count; ++k) {
+                hits[k] = hit;
+                hits[k].t = static_cast<float>(ts[k]);
+            }
+            return;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            hits[k] = Hit{};
+            if (!(ts[k] < infinity)) continue;
+            hits[k] = hit_of(world, static_cast<std::size_t>(roots[k]));
+            hits[k].t = static_cast<float>(ts[k]);
+        }
+    }
 };
 
 /// Determines which rays hit anything.
 struct AnyHit {
+    static constexpr bool bounds_ends = true;
+
     const Rays& rays;
     truth found = hn::FirstN(dd, 0);
 
@@ -114,14 +153,18 @@ struct AnyHit {
     }
     bool done() const { return all_lanes(found); }
     real64 limit() const { return pick(found, -infinity, rays.tmax); }
+
+    HWY_INLINE void write(const WorldData&, std::uint8_t* blocked, std::size_t count) const {
+        write_flags(bits_of(found), blocked, count);
+    }
 };
 
 template <class Sink>
-HWY_INLINE void meet_plane(const PlanePrim& numbered, const Lines& line, Sink& sink) {
+HWY_INLINE void meet_plane(const PlanePrim& plane, const Lines& line, Sink& sink) {
     real64 t;
     const truth met =
-        line_meets_plane(line.origin, line.direction, numbered.plane.normal, numbered.plane.offset, t);
-    sink.add(met, t, 2.0 * numbered.surface);
+        line_meets_plane(line.origin, line.direction, plane.plane.normal, plane.plane.offset, t);
+    sink.add(met, t, 2.0 * plane.surface);
 }
 
 template <class Sink>
@@ -152,10 +195,8 @@ void meet_tree(const WorldData& world, const Rays& rays, Sink& sink) {
         const TreeNode& node = tree.nodes[at.first];
         real64 enter[2];
         bool met[2];
-        for (int k = 0; k < 2; ++k)
-            met[k] = any_lane(boxes.meet(vec3(node.lo[0][k], node.lo[1][k], node.lo[2][k]),
-                                         vec3(node.hi[0][k], node.hi[1][k], node.hi[2][k]), sink.limit(),
-                                         enter[k]));
+        for (std::size_t k = 0; k < 2; ++k)
+            met[k] = any_lane(boxes.meet(child_box(node, k), sink.limit(), enter[k]));
         // Visit the child first that is nearer for the first ray.
         const int near = hn::GetLane(enter[1].v) < hn::GetLane(enter[0].v) ? 1 : 0;
         for (const int k : {1 - near, near})
@@ -175,17 +216,11 @@ HWY_INLINE void meet_all(const WorldData& world, const CullMask& cull_mask, cons
         if (CullMask::has(cull_mask.quadrics, i)) meet_quadric(world, world.quadrics[i], rays.line, sink);
 }
 
-std::uint32_t bits_of(truth mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(dd, mask.m, bits);
-    return bits[0];
-}
-
 HWY_INLINE std::uint32_t packet_meets_mesh(const CullMask& cull_mask, const TriangleBounds& bounds,
                                            const Rays& rays, real64 limit) {
     if (!cull_mask.triangles) return 0u;
     real64 enter;
-    return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box.lo, bounds.box.hi, limit, enter));
+    return bits_of(BoxRays(rays, bounds.box, bounds.slack).meet(bounds.box, limit, enter));
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -212,23 +247,23 @@ struct Extremes {
         lo = hn::Min(hn::IfThenElse(where, x, lo), lo);
         hi = hn::Max(hn::IfThenElse(where, x, hi), hi);
     }
-    /// What the even lanes, or the odd ones, have found.
-    void give(std::size_t odd, int axis, SimdBounds& box) const {
-        alignas(64) float least[hn::MaxLanes(halves)], max_of[hn::MaxLanes(halves)];
-        hn::Store(lo, halves, least);
-        hn::Store(hi, halves, max_of);
-        float a = least[odd];
-        float b = max_of[odd];
+    /// Stores the extremes of the even or the odd lanes.
+    void store(std::size_t odd, int axis, SimdBounds& box) const {
+        alignas(64) float lowest[hn::MaxLanes(halves)], highest[hn::MaxLanes(halves)];
+        hn::Store(lo, halves, lowest);
+        hn::Store(hi, halves, highest);
+        float a = lowest[odd];
+        float b = highest[odd];
         for (std::size_t k = odd; k < hn::MaxLanes(halves); k += 2) {
-            a = std::min(least[k], a);
-            b = std::max(max_of[k], b);
+            a = std::min(lowest[k], a);
+            b = std::max(highest[k], b);
         }
         box.lo[axis] = a;
         box.hi[axis] = b;
     }
 };
 
-/// Origins in the even lanes, directions in the odd ones, as LoadedRays finds them.
+/// Origins are in the even lanes, directions in the odd ones, as in LoadedRays.
 template <bool ends>
 RayBoxes boxes_of(const Ray* rays, std::size_t count) {
     Extremes all[4], last[3];
@@ -246,104 +281,53 @@ RayBoxes boxes_of(const Ray* rays, std::size_t count) {
     });
     RayBoxes boxes;
     for (std::size_t i = 0; i < 4; ++i) {
-        all[i].give(0, static_cast<int>(i), boxes.starts);
-        all[i].give(1, static_cast<int>(i), boxes.directions);
+        all[i].store(0, static_cast<int>(i), boxes.starts);
+        all[i].store(1, static_cast<int>(i), boxes.directions);
     }
-    for (std::size_t i = 0; ends && i < 3; ++i) last[i].give(0, static_cast<int>(i), boxes.ends);
+    for (std::size_t i = 0; ends && i < 3; ++i) last[i].store(0, static_cast<int>(i), boxes.ends);
     return boxes;
 }
 #endif
 
-Hit hit_of(const WorldData& world, std::size_t root) {
-    const QuadricRef& name = world.surfaces[root / 2];
-    return {0.0f, static_cast<float>(root % 2), 0.0f, name.object, name.prim, name.kind, false};
-}
-
-/// The hits that a vector of rays has found.
-HWY_INLINE void write_hits(const WorldData& world, const Least& least, Hit* hits, std::size_t count) {
-    const truth any = least.t < infinity;
-    if (!any_lane(any)) {
-        std::fill_n(hits, count, Hit{});
-        return;
-    }
-    alignas(64) double t[lanes], root[lanes];
-    hn::Store(least.t.v, dd, t);
-    hn::Store(least.root.v, dd, root);
-    // Neighbours mostly hit the same.
-    if (all_lanes(any && least.root == root[0])) {
-        const Hit hit = hit_of(world, static_cast<std::size_t>(root[0]));
-        for (std::size_t k = 0; k < count; ++k) {
-            hits[k] = hit;
-            hits[k].t = static_cast<float>(t[k]);
-        }
-        return;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        hits[k] = Hit{};
-        if (!(t[k] < infinity)) continue;
-        hits[k] = hit_of(world, static_cast<std::size_t>(root[k]));
-        hits[k].t = static_cast<float>(t[k]);
-    }
-}
-
-/// Hands each vector of rays to use(first, count, rays, ahead), and those of whose batch nothing is ahead to
-/// none(first, count). `ends` says whether the rays' ends are worth knowing.
-template <bool ends, class None, class Use>
-HWY_INLINE void for_vectors_in_mask(const WorldData& world, const TriangleBounds& bounds, const Ray* rays,
-                                    std::size_t count, None&& none, Use&& use) {
-    // A square of 8 x 8 pixels: longer batches reach further, shorter ones are weighed too often.
+/// Traces rays in vectors, with a Sink for each, and culls for batches of them.
+template <class Sink, class Result>
+void trace_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, Result* results,
+                      std::uint8_t* meets_mesh) {
+    // A square of 8 x 8 pixels: longer batches cover more space, shorter ones are culled too often.
     constexpr std::size_t batch = 64;
+    const TriangleBounds bounds = triangle_bounds(world);
     for (std::size_t begin = 0; begin < count; begin += batch) {
         const std::size_t size = std::min(batch, count - begin);
-        const CullMask cull_mask = cull(world, bounds, boxes_of<ends>(rays + begin, size));
-        if (cull_mask.nothing())
-            none(begin, size);
-        else
-            for_vectors(rays + begin, size, [&](std::size_t first, std::size_t n, const Ray* some) {
-                use(begin + first, n, Rays(some), cull_mask);
-            });
+        const CullMask cull_mask = cull(world, bounds, boxes_of<Sink::bounds_ends>(rays + begin, size));
+        if (cull_mask.nothing()) {
+            std::fill_n(results + begin, size, Result{});
+            std::memset(meets_mesh + begin, 0, size);
+            continue;
+        }
+        for_vectors(rays + begin, size, [&](std::size_t first, std::size_t n, const Ray* some) {
+            const Rays vector(some);
+            Sink sink{vector};
+            meet_all(world, cull_mask, vector, sink);
+            const std::uint32_t meshes = packet_meets_mesh(cull_mask, bounds, vector, sink.limit());
+            sink.write(world, results + begin + first, n);
+            write_flags(meshes, meets_mesh + begin + first, n);
+        });
     }
 }
 
-} // namespace
-
-// What the dispatcher calls: anonymous functions cannot be exported.
 void closest_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, Hit* hits,
                         std::uint8_t* meets_mesh) {
-    const TriangleBounds bounds = triangle_bounds(world);
-    const auto none = [&](std::size_t first, std::size_t n) {
-        std::fill_n(hits + first, n, Hit{});
-        std::memset(meets_mesh + first, 0, n);
-    };
-    for_vectors_in_mask<false>(
-        world, bounds, rays, count, none,
-        [&](std::size_t first, std::size_t n, const Rays& vector, const CullMask& cull_mask) {
-            Least sink{vector};
-            meet_all(world, cull_mask, vector, sink);
-            const std::uint32_t meshes = packet_meets_mesh(cull_mask, bounds, vector, sink.limit());
-            write_flags(meshes, meets_mesh + first, n);
-            write_hits(world, sink, hits + first, n);
-        });
+    trace_in_vectors<ClosestHit>(world, rays, count, hits, meets_mesh);
 }
 
 void occluded_in_vectors(const WorldData& world, const Ray* rays, std::size_t count, std::uint8_t* blocked,
                          std::uint8_t* meets_mesh) {
-    const TriangleBounds bounds = triangle_bounds(world);
-    const auto none = [&](std::size_t first, std::size_t n) {
-        std::memset(blocked + first, 0, n);
-        std::memset(meets_mesh + first, 0, n);
-    };
-    for_vectors_in_mask<true>(
-        world, bounds, rays, count, none,
-        [&](std::size_t first, std::size_t n, const Rays& vector, const CullMask& cull_mask) {
-            AnyHit sink{vector};
-            meet_all(world, cull_mask, vector, sink);
-            const std::uint32_t found = bits_of(sink.found);
-            const std::uint32_t meshes = packet_meets_mesh(cull_mask, bounds, vector, sink.limit());
-            write_flags(found, blocked + first, n);
-            write_flags(meshes, meets_mesh + first, n);
-        });
+    trace_in_vectors<AnyHit>(world, rays, count, blocked, meets_mesh);
 }
+
+} // namespace
+
+extern const QuadricKernels quadrics{closest_in_vectors, occluded_in_vectors};
 
 } // namespace HWY_NAMESPACE
 } // namespace glint::trace
@@ -352,12 +336,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint::trace {
 
-const std::array<SurfaceKernels, kernel_targets> surface_kernels{{
-    {HWY_CHOOSE_FALLBACK(closest_in_vectors), HWY_CHOOSE_FALLBACK(occluded_in_vectors)},
-    {HWY_CHOOSE_SSE4(closest_in_vectors), HWY_CHOOSE_SSE4(occluded_in_vectors)},
-    {HWY_CHOOSE_AVX2(closest_in_vectors), HWY_CHOOSE_AVX2(occluded_in_vectors)},
-    {HWY_CHOOSE_AVX3(closest_in_vectors), HWY_CHOOSE_AVX3(occluded_in_vectors)},
-}};
+const KernelTable<QuadricKernels> quadric_kernels GLINT_KERNEL_TABLE(quadrics);
 
 } // namespace glint::trace
 #endif
