@@ -2,7 +2,7 @@
 
 #include "scene/validate.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
 #include "scene/shapes/shapes.h"

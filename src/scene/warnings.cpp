@@ -1,5 +1,5 @@
 #include "geometry/mesh.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
 

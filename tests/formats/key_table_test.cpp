@@ -5,7 +5,7 @@
 #include "formats/scene/table.h"
 #include "formats/scene/write.h"
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/keys/check.h"
 #include "scene/validate.h"
 #include "scene_support.h"

@@ -163,7 +163,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/progressive.h", "render"},
         {"glint/pick.h", "render"},
         {"glint/gpu.h", "gpu"},
-        {"glint/names.h", "scene"},
+        {"glint/enum_names.h", "imaging"},
         {"glint/limits.h", "scene"},
         {"glint/filter.h", "imaging"},
         {"glint/fov_axis.h", "imaging"},

@@ -4,7 +4,7 @@
 
 #include "formats/read_text.h"
 #include "formats/scene/document_edit.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -3,7 +3,7 @@
 #include "formats/scene/read.h"
 
 #include "formats/scene/file_keys.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/keys/check.h"
 #include "scene/text.h"
 

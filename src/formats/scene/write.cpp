@@ -2,7 +2,7 @@
 
 #include "formats/scene/write.h"
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/text.h"
 
 #include <array>

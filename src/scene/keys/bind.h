@@ -11,7 +11,7 @@
 
 #include "glint/keys.h"
 #include "glint/limits.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <limits>
 #include <utility>
