@@ -2,7 +2,7 @@
 
 #include "formats/write_file.h"
 
-#include "glint/formats.h"
+#include "glint/error.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

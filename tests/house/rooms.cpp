@@ -172,6 +172,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/picture_files.h", "formats"},
         {"glint/explanation_files.h", "formats"},
         {"glint/keys.h", "scene"},
+        {"glint/write_file.h", "formats"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;

@@ -2,7 +2,7 @@
 
 #include "formats/explain/formula.h"
 
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <glm/common.hpp>
 

@@ -1,7 +1,7 @@
 // Explanations as JSON. Names are stable: docs/explain.md lists them.
 
 #include "formats/explain/formula.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <nlohmann/json.hpp>
 

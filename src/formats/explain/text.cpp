@@ -1,7 +1,7 @@
 // The ray tree of a pixel as text.
 
 #include "formats/explain/formula.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <algorithm>
 

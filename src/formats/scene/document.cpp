@@ -5,6 +5,7 @@
 #include "formats/read_text.h"
 #include "formats/scene/document_edit.h"
 #include "glint/scene.h"
+#include "glint/write_file.h"
 
 #include <algorithm>
 #include <filesystem>

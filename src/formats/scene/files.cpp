@@ -3,7 +3,7 @@
 #include "formats/read_text.h"
 #include "formats/scene/open_scene.h"
 #include "formats/scene/overrides.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "scene/text.h"
 
 #include <cmath>

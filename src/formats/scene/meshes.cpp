@@ -2,6 +2,7 @@
 
 #include "formats/scene/meshes.h"
 
+#include "glint/mesh_files.h"
 #include "scene/text.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // The mesh files of a scene.
 
 #include "formats/scene/read.h"
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <map>
 #include <memory>

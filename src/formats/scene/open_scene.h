@@ -4,7 +4,7 @@
 #include "formats/scene/animation_tracks.h"
 #include "formats/scene/meshes.h"
 #include "formats/scene/tree.h"
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <mutex>
 #include <string>
