@@ -3,7 +3,7 @@
 #include "formats/explain/markup.h"
 #include "formats/explain/page.h"
 #include "formats/picture/codecs.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -93,7 +93,7 @@ std::string before_data(const ExplanationPage& page) {
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
            "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-           title + ", explained</title>\n<style>\n" + page_style() +
+           title + ", explained</title>\n<style>\n" + std::string(page_style()) +
            "</style></head><body>\n<div id=\"left\"><h1>" + title +
            "</h1>\n<div id=\"picture\"><canvas id=\"canvas\"></canvas><div id=\"mark\"></div></div>\n"
            "<div id=\"layers\"></div>\n<div class=\"note\">"
@@ -147,7 +147,7 @@ std::string explanation_html(const ExplanationPage& request) {
         }
     std::string out = before_data(page);
     const std::string end =
-        std::string("</script>\n<script>\n") + page_script() + "</script>\n</body></html>\n";
+        "</script>\n<script>\n" + std::string(page_script()) + "</script>\n</body></html>\n";
     // Base64: four characters for three bytes.
     const std::size_t taken = out.size() + end.size() + 4;
     const std::size_t room = taken < page.max_bytes ? (page.max_bytes - taken) / 4 * 3 : 0;

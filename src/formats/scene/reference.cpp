@@ -1,70 +1,16 @@
 // The reference page of scene files, generated from the key table.
 
+#include "formats/embedded.h"
 #include "formats/scene/key_table.h"
 #include "formats/scene/write.h"
-#include "glint/formats.h"
 #include "glint/limits.h"
-
-#include <limits>
+#include "glint/scene_files.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace glint {
 namespace {
-
-constexpr std::string_view introduction =
-    R"(<!-- Generated from the table of keys (src/scene/keys, src/formats/scene/file_keys.cpp). Do not edit. -->
-# Scene files
-
-A scene is a [TOML](https://toml.io/en/v1.0.0) file, named `*.toml`. The smallest one that shows something:
-
-```toml
-[material.red]
-color = "crimson"
-
-[[sphere]]
-center = [0, 0, 0]
-radius = 1
-material = "red"
-
-[[light]]
-type = "point"
-position = [3, -4, 5]
-intensity = 40
-```
-
-`glint new` writes longer ones with comments.
-
-## What holds everywhere
-
-- Space is right-handed. Points and vectors are `[x, y, z]`, lengths are in scene units, angles in degrees.
-  Rotations turn counter-clockwise, looking against the axis.
-- Coordinates lie within ±10^12, also after transforms. Nothing is infinite or NaN.
-- An integer is good where a number is asked; `4.0` is not an integer.
-- Keys that a table does not have are errors, also keys of another type of that table (a `radius` on a box).
-  All errors of a file are reported at once, each with line and column; only an error of TOML itself stops the
-  search.
-- **Objects are numbered in the order in which they stand in the file, across all tables; so are lights.** The
-  order decides ties between surfaces at one place, and the order of sums.
-- The file is UTF-8. A byte order mark and CRLF line ends are accepted.
-
-**Colours** are `[r, g, b]` of linear numbers, `"#rrggbb"`, `"#rgb"`, or a name in any case: those of CSS
-(`"crimson"`), and besides them the numbered ones of X11 (`"DarkOrange2"`, `"gray50"`). Names and `#` are sRGB
-and decoded, unless `color_values = "linear"` at the top says that they are plain numbers / 255.
-
-**Files** named in a scene are relative to the scene file, and must lie in its folder (symbolic links and `..`
-resolved) unless `--allow-outside` is given.
-
-**Overrides**: `-D path=value` sets one value before the file is checked. The path names a key by its table
-(`-D whitted.max_depth=3`), by the name of its table (`-D material.glass.index=1.33`,
-`-D mesh.cat.file=other.ply`) or by the number of its table among those of its type, from 0
-(`-D light.0.intensity=500`). A key in an entry of a transform is named by the entry's number
-(`-D mesh.cat.transform.1.angle=30`). The value is TOML; what is not TOML is taken as text, so quotes may be
-left out. Files named here are relative to the working directory, and may lie anywhere. A bare mesh takes
-overrides of `render`, `whitted`, `camera`, `material.clay` and `material.floor`.
-
-Keys in **bold** are required.
-)";
 
 std::string code(std::string_view text) { return "`" + std::string(text) + "`"; }
 
@@ -207,7 +153,7 @@ std::string object_section() {
 } // namespace
 
 std::string scene_key_reference() {
-    std::string text(introduction);
+    std::string text(embedded_text("formats/scene/introduction.md"));
     bool objects_opened = false;
     for (const TableSpec& table : table_specs()) {
         // Common keys of objects precede the first object.
