@@ -1,5 +1,5 @@
 #pragma once
-// The names of enumerators as scene files write them: each enumeration has its table beside it.
+// The names of enumerators in files. Each enumeration has its table beside it.
 
 #include <array>
 #include <cstddef>

@@ -43,23 +43,9 @@ TreeEntry* TreeValue::find(std::string_view key) {
 }
 
 std::string_view TreeValue::kind_words() const {
-    switch (kind) {
-    case Kind::boolean:
-        return "a boolean";
-    case Kind::integer:
-        return "an integer";
-    case Kind::number:
-        return "a number";
-    case Kind::text:
-        return "a string";
-    case Kind::date:
-        return "a date or time";
-    case Kind::list:
-        return "a list";
-    case Kind::table:
-        break;
-    }
-    return "a table";
+    constexpr std::string_view words[] = {"a boolean",      "an integer", "a number", "a string",
+                                          "a date or time", "a list",     "a table"};
+    return words[static_cast<std::size_t>(kind)];
 }
 
 SceneSource::SceneSource(std::string_view text, std::string name, std::vector<std::string> overrides)
