@@ -212,18 +212,22 @@ struct Object {
     Location where;
 };
 
+/// strength(): the light that it sends, in the unit of its intensity or irradiance.
 struct AmbientLight {
     Vec3 color{0.1};
+    Vec3 strength() const { return color; }
 };
 struct PointLight {
     Vec3 position{0};
     Vec3 color{1};
     double intensity = 1; ///< a white matte surface facing it at distance 1 has radiance 1.0
+    Vec3 strength() const { return color * intensity; }
 };
 struct DirectionalLight {
     Vec3 direction{0, 0, -1}; ///< direction of travel; any length
     Vec3 color{1};
     double irradiance = 1;
+    Vec3 strength() const { return color * irradiance; }
 };
 struct SpotLight {
     Vec3 position{0};
@@ -232,6 +236,7 @@ struct SpotLight {
     double blend = 0.1;
     Vec3 color{1};
     double intensity = 1;
+    Vec3 strength() const { return color * intensity; }
 };
 struct Light {
     std::variant<AmbientLight, PointLight, DirectionalLight, SpotLight> kind;

@@ -34,11 +34,14 @@ MaterialRecord material_record(const Material& m) {
     return f;
 }
 
+/// Ambient lights have none: they add up to one number.
+LightRecord light_record(const AmbientLight&) { return {}; }
+
 LightRecord light_record(const PointLight& l) {
     LightRecord f{};
     f.kind = light_point;
     f.position = vec3(l.position);
-    f.strength = vec3(l.color * l.intensity);
+    f.strength = vec3(l.strength());
     return f;
 }
 
@@ -46,7 +49,7 @@ LightRecord light_record(const DirectionalLight& l) {
     LightRecord f{};
     f.kind = light_directional;
     f.direction = vec3(glm::normalize(l.direction));
-    f.strength = vec3(l.color * l.irradiance);
+    f.strength = vec3(l.strength());
     return f;
 }
 
@@ -55,7 +58,7 @@ LightRecord light_record(const SpotLight& l) {
     f.kind = light_spot;
     f.position = vec3(l.position);
     f.direction = vec3(glm::normalize(l.direction));
-    f.strength = vec3(l.color * l.intensity);
+    f.strength = vec3(l.strength());
     f.cos_outer = static_cast<float>(cos_degrees(l.angle));
     f.cos_inner = static_cast<float>(cos_degrees(l.angle * (1 - l.blend)));
     return f;
@@ -65,11 +68,10 @@ void build_lights(SceneData& scene) {
     dvec3 ambient(0);
     scene.lights.clear();
     for (const Light& light : scene.description.lights) {
-        if (const auto* a = std::get_if<AmbientLight>(&light.kind)) ambient += a->color;
-        if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(light_record(*p));
-        if (const auto* d = std::get_if<DirectionalLight>(&light.kind))
-            scene.lights.push_back(light_record(*d));
-        if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(light_record(*s));
+        if (const auto* a = std::get_if<AmbientLight>(&light.kind))
+            ambient += a->color;
+        else
+            scene.lights.push_back(std::visit([](const auto& l) { return light_record(l); }, light.kind));
     }
     scene.ambient = vec3(ambient);
 }

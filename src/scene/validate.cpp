@@ -129,17 +129,8 @@ class Checker {
         const std::size_t before = found_.size();
         check_keys("light", light, light.where);
         if (found_.size() == before)
-            std::visit([&](const auto& kind) { check_strength(kind, light.where); }, light.kind);
-    }
-    void check_strength(const AmbientLight&, const Location&) {}
-    void check_strength(const PointLight& l, const Location& where) {
-        check_strength(l.color * l.intensity, where);
-    }
-    void check_strength(const DirectionalLight& l, const Location& where) {
-        check_strength(l.color * l.irradiance, where);
-    }
-    void check_strength(const SpotLight& l, const Location& where) {
-        check_strength(l.color * l.intensity, where);
+            check_strength(std::visit([](const auto& kind) { return kind.strength(); }, light.kind),
+                           light.where);
     }
     /// Lights are summed in single precision.
     void check_strength(const Vec3& strength, const Location& where) {

@@ -1,5 +1,7 @@
+// Warnings about valid but suspicious scenes.
+
 #include "geometry/mesh.h"
-#include "glint/scene.h"
+#include "glint/keys.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
 
@@ -56,8 +58,8 @@ class Watcher {
             if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
         }
         for (const Light& light : description_.lights) {
-            if (const auto* p = std::get_if<PointLight>(&light.kind)) watch_inside(p->position, light.where);
-            if (const auto* s = std::get_if<SpotLight>(&light.kind)) watch_inside(s->position, light.where);
+            const KeySpec* position = find_key(description_table("light"), "position", name_of(light));
+            if (position) watch_inside(std::get<Vec3>(position->get(KeyOwner(light))), light.where);
         }
     }
 

@@ -33,8 +33,6 @@ inline ShapeBox box(const MeshShape& s) {
         if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box.grow(dvec3(p));
     return box;
 }
-/// Whoever has the scene asks for the mesh's.
-inline ShapeBox box(const InstanceShape&) { return {}; }
 
 inline void bake(const MeshShape&, ShapeBaker& out) { out.mesh(); }
 inline void bake(const InstanceShape& s, ShapeBaker& out) { out.instance(s.mesh); }
