@@ -1,5 +1,5 @@
 #pragma once
-// Mesh files. Readers throw Error(input) with place, cause and cure; writers write the whole file or nothing
+// Mesh files. Readers throw Error(input) with location, cause and cure; writers write the whole file or nothing
 // and throw Error(output).
 
 #include "glint/scene_files.h"

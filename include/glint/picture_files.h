@@ -1,5 +1,5 @@
 #pragma once
-// Picture files. Readers throw Error(input) with place, cause and cure; writers write the whole file or
+// Picture files. Readers throw Error(input) with location, cause and cure; writers write the whole file or
 // nothing and throw Error(output).
 
 #include "glint/enum_names.h"

@@ -8,7 +8,7 @@
 namespace glint {
 
 /// Writes a file atomically: under a temporary name in the same folder, then fsync and rename. Throws
-/// Error(output) with place, cause and cure.
+/// Error(output) with location, cause and cure.
 void write_file(const std::string& path, std::span<const std::byte> bytes);
 
 } // namespace glint

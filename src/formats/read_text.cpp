@@ -3,8 +3,8 @@
 #include "formats/read_text.h"
 
 #include "glint/error.h"
+#include "scene/text.h"
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -67,9 +67,7 @@ void require_scene_size(std::string_view text, const std::string& name) {
 }
 
 std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
+    return lower_case(fs::path(path).extension().string());
 }
 
 bool looks_like_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); }

@@ -164,22 +164,21 @@ void check_cancel(const BuildSceneOptions& options) {
     if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) throw TasksCancelled();
 }
 
-void tell(const BuildSceneOptions& options, const char* activity, double fraction) {
+void report(const BuildSceneOptions& options, const char* activity, double fraction) {
     check_cancel(options);
     if (options.progress) options.progress({activity, fraction});
 }
 
 std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
                                            const BuildSceneOptions& options) {
-    tell(options, "checking the scene", 0);
-    std::vector<Diagnostic> errors = find_errors(description);
-    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
+    report(options, "checking the scene", 0);
+    require_valid(description);
     auto scene = std::make_shared<SceneData>();
     scene->description = description;
     if (!description.camera) scene->description.camera = fit_camera(description);
     build_values(*scene);
 
-    tell(options, "placing the objects", 0);
+    report(options, "placing the objects", 0);
     scene->solids_known = scene->any_transparent || options.find_solids;
     Baked baked = bake(description, scene->solids_known, [&] { check_cancel(options); });
     scene->objects = std::move(baked.objects);
@@ -188,11 +187,11 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
     for (const WorldInput::Plane& plane : baked.input.planes)
         if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
 
-    tell(options, "building the trees", 0);
+    report(options, "building the trees", 0);
     TaskPool pool(options.threads, options.cancel);
     baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
-    tell(options, "building the trees", 1);
+    report(options, "building the trees", 1);
     find_camera_interiors(*scene);
     return scene;
 }

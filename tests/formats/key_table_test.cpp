@@ -2,7 +2,7 @@
 // reads back as the same, and files and descriptions made in memory are refused for the same cause.
 
 #include "formats/scene/key_table.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "formats/scene/write.h"
 #include "glint/document.h"
 #include "glint/scene.h"

@@ -84,7 +84,7 @@ std::string gpu_of(const ExplanationPage& page) {
             const float* pixel = page.gpu_image.at(x, y);
             for (int channel = 0; channel < 3; ++channel) colors.push_back(pixel[channel]);
         }
-    return "{\"device\":" + nlohmann::json(page.gpu).dump() + ",\"colors\":" + colors.dump() + "}";
+    return "{\"device\":" + json_text(page.gpu) + ",\"colors\":" + colors.dump() + "}";
 }
 
 std::string before_data(const ExplanationPage& page) {
@@ -97,12 +97,12 @@ std::string before_data(const ExplanationPage& page) {
            "</style></head><body>\n<div id=\"left\"><h1>" + title +
            "</h1>\n<div id=\"picture\"><canvas id=\"canvas\"></canvas><div id=\"mark\"></div></div>\n"
            "<div id=\"layers\"></div>\n<div class=\"note\">"
-           "Move over the picture: the rays of that place stand beside it. Click to keep a place; "
-           "<kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from place to place. "
+           "Move over the picture: the rays of the pixel are shown beside it. Click to keep a pixel; "
+           "<kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from pixel to pixel. "
            "Switch the terms off and on to see what each adds. " +
-           std::to_string(page.columns) + "×" + std::to_string(page.rows) + " places. " + backends(page) +
+           std::to_string(page.columns) + "×" + std::to_string(page.rows) + " pixels. " + backends(page) +
            "</div></div>\n"
-           "<div id=\"tree\"><div id=\"place\"></div><div id=\"rays\"></div></div>\n" +
+           "<div id=\"tree\"><div id=\"pixel\"></div><div id=\"rays\"></div></div>\n" +
            picture("final", page.image) + layers(page.terms) + "<script id=\"data\" type=\"text/plain\">";
 }
 
@@ -111,10 +111,9 @@ std::string head_of(const ExplanationPage& page, const Explanation& any) {
            ",\"height\":" + std::to_string(page.image.height) +
            ",\"columns\":" + std::to_string(page.columns) + ",\"rows\":" + std::to_string(page.rows) +
            ",\"samples\":" + std::to_string(any.samples.size()) + ",\"rule\":" +
-           nlohmann::json(any.samples.size() == 1
-                              ? any.rule
-                              : "the pixel is made of " + std::to_string(any.samples.size()) + " samples")
-               .dump() +
+           json_text(any.samples.size() == 1
+                         ? any.rule
+                         : "the pixel is made of " + std::to_string(any.samples.size()) + " samples") +
            ",\"gpu\":" + gpu_of(page) + ",";
 }
 

@@ -79,10 +79,7 @@ std::optional<PictureFormat> picture_format(const std::string& path) {
 
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
                     std::optional<std::uint64_t> byte) {
-    Location where;
-    where.file = name;
-    where.byte = byte;
-    throw Error(ErrorKind::input, message, hint, where);
+    throw Error(ErrorKind::input, message, hint, {.file = name, .byte = byte});
 }
 
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height) {
@@ -133,10 +130,8 @@ LoadedPicture read_picture(const std::string& path) {
     try {
         return decode_picture(read_bytes(path), path);
     } catch (const std::bad_alloc&) {
-        Location where;
-        where.file = path;
         throw Error(ErrorKind::resource, "not enough memory to read the picture", "close other programs",
-                    where);
+                    {.file = path});
     }
 }
 

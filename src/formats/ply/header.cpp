@@ -2,8 +2,9 @@
 
 #include "formats/ply/header.h"
 
+#include "scene/text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <set>
 
@@ -127,13 +128,12 @@ class HeaderParser {
     void read_element() {
         expect_words(3, "element NAME COUNT");
         const std::string_view digits = words_[2];
-        std::uint64_t count = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-        if (error != std::errc() || end != digits.data() + digits.size())
+        const auto count = parse_number<std::uint64_t>(digits);
+        if (!count)
             fail(digits, quoted(digits) + " is not a number of elements",
                  "expected a whole number, 0 or more");
         header_.elements.push_back(
-            {std::string(words_[1]), count, source_.offset(words_[1]), source_.offset(digits), {}});
+            {std::string(words_[1]), *count, source_.offset(words_[1]), source_.offset(digits), {}});
         names_in_element_.clear();
     }
 

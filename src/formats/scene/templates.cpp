@@ -27,9 +27,8 @@ std::vector<std::string> template_names() {
 std::string template_text(const std::string& name) {
     const std::string_view text = embedded_text(std::string(folder) + name + std::string(extension));
     if (!text.empty()) return std::string(text);
-    std::string hint = did_you_mean(name, template_names());
-    if (hint.empty()) hint = "expected one of " + listed(template_names());
-    throw Error(ErrorKind::usage, "unknown template " + in_quotes(name), std::move(hint));
+    throw Error(ErrorKind::usage, "unknown template " + in_quotes(name),
+                did_you_mean(name, template_names(), "expected one of " + listed(template_names())));
 }
 
 } // namespace glint

@@ -4,7 +4,7 @@
 #include "geometry/quadric.h"
 #include "glint/scene.h"
 #include "scene/bake_mesh.h"
-#include "scene/keys/fault.h"
+#include "scene/keys/check.h"
 
 #include <algorithm>
 #include <cmath>

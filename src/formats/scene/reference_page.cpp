@@ -5,6 +5,7 @@
 #include "formats/scene/write.h"
 #include "glint/limits.h"
 #include "glint/scene_files.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,58 +16,41 @@ namespace {
 std::string code(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string choices_text(const KeySpec& key) {
-    std::string text;
-    for (const std::string& word : choice_names(key))
-        text += (text.empty() ? "" : ", ") + code('"' + word + '"');
-    return text;
+    std::vector<std::string> words = choice_names(key);
+    for (std::string& word : words) word = code('"' + word + '"');
+    return listed(words);
 }
 
+struct TypeText {
+    KeyType type;
+    std::string_view text;
+};
+constexpr TypeText type_texts[] = {
+    {KeyType::boolean, "`true` or `false`"},
+    {KeyType::whole_number, "integer"},
+    {KeyType::number, "number"},
+    {KeyType::number_or_auto, "number or `\"auto\"`"},
+    {KeyType::text, "text"},
+    {KeyType::file, "file name"},
+    {KeyType::size, "`[width, height]`, integers"},
+    {KeyType::point, "`[x, y, z]`"},
+    {KeyType::direction, "`[x, y, z]`, not zero, of any length"},
+    {KeyType::rgb, "`[r, g, b]`"},
+    {KeyType::color, "colour"},
+    {KeyType::lengths, "`[x, y, z]`"},
+    {KeyType::scale, "number or `[x, y, z]`, not 0"},
+    {KeyType::vertices, "`[[x, y, z], [x, y, z], [x, y, z]]`"},
+    {KeyType::matrix, "16 numbers by rows"},
+    {KeyType::transform, "list of tables"},
+    {KeyType::key_path, "key path"},
+    {KeyType::frame_range, "`[first, last]`, integers"},
+    {KeyType::frames, "list of numbers, ascending"},
+    {KeyType::values, "list of values"},
+};
+
 std::string type_text(const KeySpec& key) {
-    switch (key.type) {
-    case KeyType::boolean:
-        return "`true` or `false`";
-    case KeyType::whole_number:
-        return "integer";
-    case KeyType::number:
-        return "number";
-    case KeyType::number_or_auto:
-        return "number or `\"auto\"`";
-    case KeyType::choice:
-        return choices_text(key);
-    case KeyType::text:
-        return "text";
-    case KeyType::file:
-        return "file name";
-    case KeyType::size:
-        return "`[width, height]`, integers";
-    case KeyType::point:
-        return "`[x, y, z]`";
-    case KeyType::direction:
-        return "`[x, y, z]`, not zero, of any length";
-    case KeyType::rgb:
-        return "`[r, g, b]`";
-    case KeyType::color:
-        return "colour";
-    case KeyType::lengths:
-        return "`[x, y, z]`";
-    case KeyType::scale:
-        return "number or `[x, y, z]`, not 0";
-    case KeyType::vertices:
-        return "`[[x, y, z], [x, y, z], [x, y, z]]`";
-    case KeyType::matrix:
-        return "16 numbers by rows";
-    case KeyType::key_path:
-        return "key path";
-    case KeyType::frame_range:
-        return "`[first, last]`, integers";
-    case KeyType::frames:
-        return "list of numbers, ascending";
-    case KeyType::values:
-        return "list of values";
-    case KeyType::transform:
-        break;
-    }
-    return "list of tables";
+    if (key.type == KeyType::choice) return choices_text(key);
+    return std::string(std::ranges::find(type_texts, key.type, &TypeText::type)->text);
 }
 
 std::string range_text(const KeySpec& key) {
@@ -90,10 +74,9 @@ std::string default_cell(const KeySpec& key) {
 
 std::string help_cell(const KeySpec& key, const TableSpec& table) {
     std::string text;
-    if (!key.types.empty()) text = "(" + std::string(table.selector) + " ";
-    for (std::size_t i = 0; i < key.types.size(); ++i)
-        text += (i > 0 ? ", " : "") + std::string(key.types[i]);
-    if (!key.types.empty()) text += key.help.empty() ? ")" : ") ";
+    if (!key.types.empty())
+        text = "(" + std::string(table.selector) + " " + listed({key.types.begin(), key.types.end()}) +
+               (key.help.empty() ? ")" : ") ");
     return text + std::string(key.help);
 }
 
@@ -153,7 +136,7 @@ std::string object_section() {
 } // namespace
 
 std::string scene_key_reference() {
-    std::string text(embedded_text("formats/scene/introduction.md"));
+    std::string text(embedded_text("formats/scene/reference_page.md"));
     bool objects_opened = false;
     for (const TableSpec& table : table_specs()) {
         // Common keys of objects precede the first object.
