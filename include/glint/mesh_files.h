@@ -1,6 +1,6 @@
 #pragma once
-// Mesh files. Readers throw Error(input) with location, cause and cure; writers write the whole file or nothing
-// and throw Error(output).
+// Mesh files. Readers throw Error(input) with location, cause and cure; writers write the whole file or
+// nothing and throw Error(output).
 
 #include "glint/scene_files.h"
 
