@@ -63,8 +63,7 @@ class WarningFinder {
         }
     }
 
-    // Without glass nobody needed to know which meshes are closed: here it is asked of the few that may
-    // matter.
+    // Without glass it is not known which meshes are closed: find out for those around the position.
     std::vector<std::uint32_t> everything_around(const Vec3& position) const {
         std::vector<std::uint32_t> around = objects_around(scene_, vec3(position));
         if (scene_.any_transparent) return around;
@@ -116,8 +115,8 @@ class WarningFinder {
         }
     }
 
-    // Rays through the box of each glass object meet its faces wherever they are; what else lies there shows
-    // too.
+    // Samples the faces of each solid by chords of its box: is a face inside another solid that owns the
+    // space, or does it coincide with a face of glass?
     void check_overlaps() {
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
             if (!object(id).visible || !scene_.objects[id].solid || scene_.objects[id].bounds.empty())

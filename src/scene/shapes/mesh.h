@@ -22,7 +22,7 @@ inline double farthest(const Mesh& mesh, const dvec3& d) {
 inline double support(const MeshShape& s, const dvec3& d) {
     return s.data ? farthest(*s.data, s.scale * d) : no_support;
 }
-/// Whoever has the scene asks for the mesh's.
+/// support() of a scene (scene/support.h) looks up the mesh.
 inline double support(const InstanceShape&, const dvec3&) { return no_support; }
 
 /// Around the finite vertices as stored, before the mesh's own scale.
