@@ -2,7 +2,7 @@
 
 #include "model.h"
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "math/bounds.h"
 #include "request.h"
 

@@ -4,7 +4,7 @@
 
 #include "rounds.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 #include "render/camera_sampler.h"
 #include "render/estimators/whitted.h"
 

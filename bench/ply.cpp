@@ -5,7 +5,7 @@
 #include "rounds.h"
 #include "temporary_folder.h"
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <fmt/format.h>
 

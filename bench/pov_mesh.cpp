@@ -1,7 +1,7 @@
 // glint-pov-mesh IN.ply OUT.ply OUT.inc: writes a mesh with z up, size 24, and centred in the report's room
 // as PLY for glint and as `room_mesh` for POV-Ray. Drops normals and colours.
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "math/bounds.h"
 
 #include <algorithm>

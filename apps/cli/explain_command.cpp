@@ -8,7 +8,8 @@
 #include "scene_input.h"
 
 #include "glint/explain.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
+#include "glint/scene_files.h"
 #include "glint/limits.h"
 
 #include <fmt/format.h>

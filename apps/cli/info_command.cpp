@@ -6,8 +6,8 @@
 #include "text.h"
 
 #include "glint/keys.h"
-#include "glint/names.h"
 #include "glint/render.h"
+#include "glint/scene.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "text.h"
 
 #include "glint/limits.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,8 @@
 #include "arguments.h"
 #include "frames.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
+#include "glint/scene_files.h"
 #include "glint/render.h"
 
 #include <optional>

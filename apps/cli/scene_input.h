@@ -4,7 +4,7 @@
 #include "arguments.h"
 #include "console.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 #include "glint/scene.h"
 
 #include <string>

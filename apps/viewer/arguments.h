@@ -1,7 +1,7 @@
 #pragma once
 // The command line of glint-view. `glint view` passes its arguments on unchanged.
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>

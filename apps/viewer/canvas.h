@@ -5,7 +5,7 @@
 #include "ui_map.h"
 #include "window.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 #include "glint/gpu.h"
 
 #include <glm/vec3.hpp>

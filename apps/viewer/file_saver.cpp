@@ -6,7 +6,7 @@
 #include "presenter.h"
 #include "workbench.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <fmt/format.h>
 

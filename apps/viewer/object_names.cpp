@@ -1,6 +1,6 @@
 #include "object_names.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #include "key_rows.h"
 
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <algorithm>
 #include <array>

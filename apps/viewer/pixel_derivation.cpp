@@ -1,7 +1,7 @@
 // Values and steps of the light model for one ray or light.
 #include "pixel_derivation.h"
 
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

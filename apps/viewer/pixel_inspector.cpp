@@ -7,6 +7,7 @@
 #include "workbench.h"
 
 #include "glint/explain.h"
+#include "glint/explanation_files.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -3,7 +3,7 @@
 
 #include "playback.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

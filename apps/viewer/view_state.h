@@ -3,7 +3,7 @@
 
 #include "arguments.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 #include "glint/kernels.h"
 #include "glint/render.h"
 

@@ -23,6 +23,8 @@ struct PixelCoord {
 };
 
 enum class RayKind { primary, reflected, refracted };
+template <>
+inline constexpr NamesUpTo<RayKind::refracted> enum_names<RayKind>{"primary", "reflected", "refracted"};
 
 /// How a path ends.
 enum class RayEnd {
@@ -32,11 +34,12 @@ enum class RayEnd {
     background,  ///< nothing was hit
     absorbed,    ///< nothing was hit from inside a solid: no light returns
 };
+template <>
+inline constexpr NamesUpTo<RayEnd::absorbed> enum_names<RayEnd>{"bounced", "matte", "depth_limit",
+                                                                "background", "absorbed"};
 
-/// "primary", "reflected", "refracted".
-const char* ray_kind_name(RayKind kind);
-/// "bounced", "matte", "depth_limit", "background", "absorbed".
-const char* ray_end_name(RayEnd end);
+inline const char* ray_kind_name(RayKind kind) { return name_of(kind).data(); }
+inline const char* ray_end_name(RayEnd end) { return name_of(end).data(); }
 
 /// A number or a vector of three: colour, point or direction.
 struct Quantity {

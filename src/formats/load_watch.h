@@ -1,7 +1,7 @@
 #pragma once
 // Progress reports and cancellation while reading files.
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <cstdint>
 #include <string>

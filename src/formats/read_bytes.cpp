@@ -24,10 +24,8 @@ namespace {
         hint = "check the name; relative names start at the working directory";
     if (code == EISDIR) hint = "name a file inside the folder";
     if (code == EACCES || code == EPERM) hint = "ask for permission to read it";
-    Location where;
-    where.file = path;
     throw Error(ErrorKind::input, "cannot read the file: " + std::generic_category().message(code), hint,
-                where);
+                {.file = path});
 }
 
 } // namespace

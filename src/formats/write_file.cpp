@@ -2,7 +2,7 @@
 
 #include "formats/write_file.h"
 
-#include "glint/formats.h"
+#include "glint/error.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -50,10 +50,8 @@ std::string cure(const fs::path& path, int code) {
 }
 
 [[noreturn]] void fail_at(const fs::path& path, int code) {
-    Location where;
-    where.file = path.string();
     throw Error(ErrorKind::output, "cannot write the file: " + std::generic_category().message(code),
-                cure(path, code), where);
+                cure(path, code), {.file = path.string()});
 }
 
 class Descriptor {

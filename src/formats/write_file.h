@@ -1,9 +1,7 @@
 #pragma once
-// Writing files; glint::write_file() is declared in the public headers.
+// Writing files in pieces, and to standard output.
 
-#include <cstddef>
-#include <span>
-#include <string>
+#include "glint/write_file.h"
 
 namespace glint {
 

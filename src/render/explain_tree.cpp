@@ -1,6 +1,6 @@
 #include "render/explain_parts.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "shading/light_gain.h"
 #include "shading/whitted_steps.shared.h"
 

@@ -1,6 +1,8 @@
 #pragma once
 // Interpolation of numbers between keyframes.
 
+#include "glint/enum_names.h"
+
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -8,6 +10,8 @@
 namespace glint {
 
 enum class Interpolation { linear, smooth, step };
+template <>
+inline constexpr NamesUpTo<Interpolation::step> enum_names<Interpolation>{"linear", "smooth", "step"};
 
 /// Keyframe times and the interpolation between them. linear: piecewise linear. smooth: the monotone cubic of
 /// Fritsch and Butland (A method for constructing local monotone piecewise cubic interpolants, 1984):

@@ -19,10 +19,6 @@ bool same_objects(const std::vector<Object>& a, const std::vector<Object>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_object);
 }
 
-void throw_if_any(std::vector<Diagnostic> errors) {
-    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
-}
-
 void build_materials_of_objects(SceneData& scene) {
     const SceneDescription& description = scene.description;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -37,7 +33,7 @@ Scene update_scene(const Scene& scene, const SceneDescription& description,
                    const BuildSceneOptions& options) {
     if (!same_objects(scene.description().objects, description.objects))
         return build_scene(description, options);
-    throw_if_any(find_errors(description, Shapes::checked));
+    require_valid(description, Shapes::checked);
     if (shows_glass(description) && !scene.data().solids_known) return build_scene(description, options);
 
     auto scene_data = std::make_shared<SceneData>(scene.data());
@@ -54,7 +50,7 @@ Scene with_view(const Scene& scene, const CameraDescription& camera, int width, 
     view.camera = camera;
     view.render.width = width;
     view.render.height = height;
-    throw_if_any(find_errors(view));
+    require_valid(view);
     auto scene_data = std::make_shared<SceneData>(scene.data());
     scene_data->description.camera = camera;
     scene_data->description.render.width = width;

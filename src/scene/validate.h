@@ -15,6 +15,9 @@ enum class Shapes { unchecked, checked };
 /// All errors that prevent building a scene, with their locations; empty if valid.
 std::vector<Diagnostic> find_errors(const SceneDescription& description, Shapes shapes = Shapes::unchecked);
 
+/// Throws Error(input) with them, if any.
+void require_valid(const SceneDescription& description, Shapes shapes = Shapes::unchecked);
+
 /// The mesh object that an instance refers to, or nullptr.
 const Object* find_mesh(const SceneDescription& description, const std::string& name);
 

@@ -1,7 +1,7 @@
 // SceneDocument under random edits: its promises over every scene and every way of writing.
 
 #include "document_support.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 
 #include <algorithm>
 #include <random>

@@ -2,10 +2,10 @@
 // reads back as the same, and files and descriptions made in memory are refused for the same cause.
 
 #include "formats/scene/key_table.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "formats/scene/write.h"
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/keys/check.h"
 #include "scene/validate.h"
 #include "scene_support.h"

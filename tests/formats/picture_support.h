@@ -2,7 +2,7 @@
 // What the tests of pictures share.
 
 #include "formats/picture/codecs.h"
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <gtest/gtest.h>
 

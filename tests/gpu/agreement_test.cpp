@@ -4,7 +4,7 @@
 #include "gallery.h"
 #include "gpu_kit.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 

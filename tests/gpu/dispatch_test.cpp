@@ -3,7 +3,8 @@
 #include "gpu_kit.h"
 #include "scene_kit.h"
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 

@@ -161,7 +161,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/progressive.h", "render"},
         {"glint/pick.h", "render"},
         {"glint/gpu.h", "gpu"},
-        {"glint/names.h", "scene"},
+        {"glint/enum_names.h", "imaging"},
         {"glint/limits.h", "scene"},
         {"glint/filter.h", "imaging"},
         {"glint/fov_axis.h", "imaging"},
@@ -170,6 +170,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/picture_files.h", "formats"},
         {"glint/explanation_files.h", "formats"},
         {"glint/keys.h", "scene"},
+        {"glint/write_file.h", "formats"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;

@@ -5,7 +5,8 @@
 #include "scene_kit.h"
 
 #include "glint/explain.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
+#include "glint/scene.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

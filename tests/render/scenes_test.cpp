@@ -1,6 +1,7 @@
 // The scenes that come with glint are sound.
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
+#include "glint/scene_files.h"
 #include "glint/render.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "geometry/polyhedron.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "glint/scene.h"
 #include "math/trig.h"
 #include "scene/validate.h"

@@ -3,7 +3,7 @@
 #include "worlds.h"
 
 #include "geometry/mesh.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <gtest/gtest.h>
 

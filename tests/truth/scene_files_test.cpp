@@ -6,7 +6,8 @@
 //   # expect pixel X Y = R G B absolute T      |value − expected| ≤ T
 //   # expect mean = R G B relative T           the same of the mean over all pixels
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/scene_files.h"
 #include "glint/render.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,8 @@
 
 #include "../cli/process.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
+#include "glint/write_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The command line of glint-meshgen, and the mesh that it requests.
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "camera.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "explainer.h"
 
 #include "glint/document.h"
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>

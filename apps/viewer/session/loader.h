@@ -3,7 +3,7 @@
 
 #include "view_slot.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 #include "glint/scene.h"
 
 #include <functional>

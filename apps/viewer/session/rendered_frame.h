@@ -1,7 +1,8 @@
 #pragma once
 // A rendered picture together with what is known about it.
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/scene.h"
 #include "glint/gpu.h"
 #include "glint/progressive.h"
 

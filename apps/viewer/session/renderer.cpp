@@ -6,7 +6,7 @@
 #include "render_states.h"
 #include "view_renderer.h"
 
-#include "glint/formats.h"
+#include "glint/scene.h"
 
 #include <algorithm>
 #include <chrono>

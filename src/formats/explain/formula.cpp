@@ -2,7 +2,8 @@
 
 #include "formats/explain/formula.h"
 
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
+#include "scene/text.h"
 
 #include <glm/common.hpp>
 
@@ -33,7 +34,7 @@ bool is_letter(std::string_view text, std::size_t at) {
 std::size_t word_end(std::string_view text, std::size_t at) {
     while (at < text.size() && (is_letter(text, at) || is_digit(text[at]))) {
         ++at;
-        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u) ++at;
+        while (at < text.size() && continues_utf8(text[at])) ++at;
     }
     return at;
 }

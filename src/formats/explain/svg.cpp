@@ -2,7 +2,7 @@
 
 #include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <glm/common.hpp>
 
@@ -30,10 +30,11 @@ std::string seen_text(const glm::vec3& v) {
     return largest(glm::abs(v)) < too_dark_to_see ? "0" : quantity_text(v, shown_digits);
 }
 
-std::string at(double x) { return number_text(static_cast<float>(std::round(x * 10) / 10), 7); }
-
 /// SVG requires an ASCII minus sign.
-std::string coordinate(double x) { return x < 0 ? "-" + at(-x) : at(x); }
+std::string coordinate(double x) {
+    const std::string text = number_text(static_cast<float>(std::abs(std::round(x * 10) / 10)), 7);
+    return x < 0 ? "-" + text : text;
+}
 
 std::string angle_label(float degrees) { return number_text(degrees, 3) + "°"; }
 

@@ -2,7 +2,7 @@
 // Encoders and decoders of picture formats; picture.cpp chooses among them.
 
 #include "formats/write_file.h"
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,13 +2,10 @@
 
 #include "formats/picture/codecs.h"
 #include "formats/read_bytes.h"
-#include "formats/write_file.h"
+#include "formats/read_text.h"
 #include "glint/limits.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
-#include <filesystem>
 #include <new>
 #include <string_view>
 
@@ -20,15 +17,9 @@ namespace {
     throw Error(ErrorKind::usage, message, hint);
 }
 
-std::string lower_extension_of(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
 PictureFormat require_format(const std::string& path) {
     if (const auto format = picture_format(path)) return *format;
-    const std::string extension = lower_extension_of(path);
+    const std::string extension = lower_extension(path);
     const std::string found = extension.empty() ? "has no extension" : "ends in '" + extension + "'";
     refuse_arguments("the picture's name '" + path + "' " + found, "pictures end in .png, .exr or .pfm");
 }
@@ -82,19 +73,13 @@ void check_options(const Image& image, const PictureOptions& options) {
 
 std::optional<PictureFormat> picture_format(const std::string& path) {
     if (path == "-") return PictureFormat::png;
-    const std::string extension = lower_extension_of(path);
-    if (extension == ".png") return PictureFormat::png;
-    if (extension == ".exr") return PictureFormat::exr;
-    if (extension == ".pfm") return PictureFormat::pfm;
-    return std::nullopt;
+    const std::string extension = lower_extension(path);
+    return extension.empty() ? std::nullopt : value_named<PictureFormat>(extension.substr(1));
 }
 
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
                     std::optional<std::uint64_t> byte) {
-    Location where;
-    where.file = name;
-    where.byte = byte;
-    throw Error(ErrorKind::input, message, hint, where);
+    throw Error(ErrorKind::input, message, hint, {.file = name, .byte = byte});
 }
 
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height) {
@@ -145,10 +130,8 @@ LoadedPicture read_picture(const std::string& path) {
     try {
         return decode_picture(read_bytes(path), path);
     } catch (const std::bad_alloc&) {
-        Location where;
-        where.file = path;
         throw Error(ErrorKind::resource, "not enough memory to read the picture", "close other programs",
-                    where);
+                    {.file = path});
     }
 }
 

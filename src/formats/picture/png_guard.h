@@ -1,5 +1,5 @@
 #pragma once
-// Calls to libpng, whose errors longjmp, from C++.
+// Calls to libpng from C++; its errors longjmp.
 
 #include <array>
 #include <functional>

@@ -1,6 +1,6 @@
 // Conversion of pictures to display codes.
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 #include "imaging/tone.h"
 
 #include <algorithm>

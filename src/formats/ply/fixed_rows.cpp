@@ -2,7 +2,7 @@
 
 #include "formats/ply/fixed_rows.h"
 
-#include "formats/ply/light.h"
+#include "formats/ply/srgb8_table.h"
 #include "parallel/large_pages.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // Source: Turk, "The PLY Polygon File Format", 1994.
 
 #include "formats/ply/source.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <cstdint>
 #include <optional>

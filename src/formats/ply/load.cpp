@@ -3,7 +3,7 @@
 #include "formats/ply/fixed_rows.h"
 #include "formats/ply/mesh.h"
 #include "formats/read_bytes.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <algorithm>
 #include <cstring>

@@ -3,7 +3,7 @@
 
 #include "formats/load_watch.h"
 #include "formats/ply/rows.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 namespace glint::ply {
 

@@ -3,8 +3,7 @@
 #include "formats/ply/rows.h"
 
 #include "formats/ply/cursor.h"
-#include "formats/ply/light.h"
-#include "imaging/tone.h"
+#include "formats/ply/srgb8_table.h"
 
 #include <algorithm>
 #include <array>

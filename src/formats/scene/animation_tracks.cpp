@@ -2,9 +2,8 @@
 
 #include "formats/scene/animation_tracks.h"
 
-#include "formats/scene/file_keys.h"
 #include "formats/scene/key_path.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "scene/text.h"
 
 #include <algorithm>
@@ -34,8 +33,6 @@ bool has_values_between(KeyType type) {
     }
 }
 
-bool is_number(const TreeValue& value) { return value.kind == Kind::integer || value.kind == Kind::number; }
-
 TreeValue list_of(const Vec3& v, const SourcePos& where) {
     TreeValue list;
     list.kind = Kind::list;
@@ -52,7 +49,7 @@ TreeValue list_of(const Vec3& v, const SourcePos& where) {
 
 /// Whether two values have the same structure, so that their numbers correspond.
 bool same_form(const TreeValue& a, const TreeValue& b) {
-    if (is_number(a) && is_number(b)) return true;
+    if (a.is_number() && b.is_number()) return true;
     if (a.kind != b.kind || a.items.size() != b.items.size() || a.entries.size() != b.entries.size())
         return false;
     for (std::size_t i = 0; i < a.items.size(); ++i)
@@ -150,7 +147,7 @@ class TrackReader {
     void write_out(TreeValue& value, KeyType type) const {
         if (type == KeyType::color && value.kind == Kind::text)
             value = list_of(linear_color(*color_codes(value.text), context_.colors), value.where);
-        else if (type == KeyType::scale && is_number(value))
+        else if (type == KeyType::scale && value.is_number())
             value = list_of(Vec3(value.number), value.where);
         for (TreeValue& entry : value.items)
             if (TreeEntry* scale = type == KeyType::transform ? entry.find("scale") : nullptr)
@@ -195,7 +192,7 @@ TreeValue blend(const Track& track, double frame, const std::vector<const TreeVa
         std::transform(all.begin(), all.end(), parts.begin(), part_of);
         part = blend(track, frame, parts);
     };
-    if (is_number(value)) {
+    if (value.is_number()) {
         value.number = track.timeline.at(frame, [&](std::size_t i) { return all[i]->number; });
         if (track.type == KeyType::whole_number) {
             value.number = std::floor(value.number + 0.5);

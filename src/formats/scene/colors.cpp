@@ -3,35 +3,21 @@
 #include "formats/scene/colors.h"
 
 #include "imaging/tone.h"
+#include "scene/text.h"
+
+#include <charconv>
 
 namespace glint {
 namespace {
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
-
-std::optional<std::uint32_t> hex_digit(char c) {
-    if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0');
-    if (c >= 'a' && c <= 'f') return static_cast<std::uint32_t>(c - 'a' + 10);
-    if (c >= 'A' && c <= 'F') return static_cast<std::uint32_t>(c - 'A' + 10);
-    return std::nullopt;
-}
-
+// "#rgb" doubles each digit.
 std::optional<std::uint32_t> hex_color(std::string_view digits) {
-    if (digits.size() != 3 && digits.size() != 6) return std::nullopt;
+    std::string six(digits);
+    if (six.size() == 3) six = {six[0], six[0], six[1], six[1], six[2], six[2]};
+    if (six.size() != 6) return std::nullopt;
     std::uint32_t rgb = 0;
-    for (const char c : digits) {
-        const auto digit = hex_digit(c);
-        if (!digit) return std::nullopt;
-        rgb = rgb << 4 | *digit;
-        // "#rgb" doubles each digit.
-        if (digits.size() == 3) rgb = rgb << 4 | *digit;
-    }
-    return rgb;
+    const auto [end, fault] = std::from_chars(six.data(), six.data() + six.size(), rgb, 16);
+    return fault == std::errc() && end == six.data() + six.size() ? std::optional(rgb) : std::nullopt;
 }
 
 // rgb.txt rounds 2.55 · n, a product of binary fractions: gray50 is 127, not 128.

@@ -17,6 +17,8 @@ enum class ColorValues {
     srgb,  ///< decoded by the sRGB curve
     linear ///< divided by 255
 };
+template <>
+inline constexpr NamesUpTo<ColorValues::linear> enum_names<ColorValues>{"srgb", "linear"};
 
 struct NamedColor {
     std::string_view name; ///< lower case

@@ -4,7 +4,8 @@
 
 #include "formats/read_text.h"
 #include "formats/scene/document_edit.h"
-#include "glint/names.h"
+#include "glint/scene.h"
+#include "glint/write_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,15 +42,16 @@ struct Parsed {
 
 constexpr SourcePos first_override{1, 0, 0};
 
+/// Whether files may be read is for those who read them.
+LoadOptions without_files(std::vector<Override> overrides = {}) {
+    return {.overrides = std::move(overrides), .allow_outside = true, .load_meshes = false};
+}
+
 /// The value at a path; null if there is none.
 const TreeValue* value_at(Parsed& parsed, std::string_view path) {
     const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
     const TreeEntry* entry = target.table ? target.table->find(target.key) : nullptr;
     return entry ? &entry->value : nullptr;
-}
-
-bool is_number(const TreeValue& value) {
-    return value.kind == TreeValue::Kind::number || value.kind == TreeValue::Kind::integer;
 }
 
 fs::path folder_of(const std::string& file) { return fs::weakly_canonical(fs::absolute(file).parent_path()); }
@@ -83,8 +85,8 @@ std::vector<double> SceneDocument::numbers(std::string_view path) const {
     Parsed parsed(text_, name_, {Override(path)});
     const TreeValue* value = value_at(parsed, path);
     if (!value) return {};
-    if (is_number(*value)) return {value->number};
-    if (!std::all_of(value->items.begin(), value->items.end(), is_number)) return {};
+    if (value->is_number()) return {value->number};
+    if (!std::ranges::all_of(value->items, &TreeValue::is_number)) return {};
     std::vector<double> all;
     for (const TreeValue& item : value->items) all.push_back(item.number);
     return all;
@@ -117,11 +119,7 @@ void SceneDocument::set(std::string_view path, int value) { set(path, std::to_st
 void SceneDocument::set(std::string_view path, bool value) { set(path, value ? "true" : "false"); }
 
 void SceneDocument::set_all(const std::vector<Override>& values) {
-    LoadOptions options;
-    options.overrides = values;
-    options.allow_outside = true; // whether files may be read is for those who read them
-    options.load_meshes = false;
-    parse_scene(text_, name_, options);
+    parse_scene(text_, name_, without_files(values));
 
     SceneDocument next = *this;
     for (const Override& each : values) {
@@ -165,10 +163,7 @@ void SceneDocument::put(std::string_view path, std::string_view given) {
 }
 
 void SceneDocument::set_camera(const CameraDescription& camera) {
-    LoadOptions options;
-    options.load_meshes = false;
-    options.allow_outside = true;
-    const auto now = parse_scene(text_, name_, options).description.camera;
+    const auto now = parse_scene(text_, name_, without_files()).description.camera;
     std::vector<Override> values;
     const auto set_key = [&](const char* key, const std::string& value) {
         values.push_back(path_and(std::string("camera.") + key, value));
@@ -187,9 +182,7 @@ void SceneDocument::set_camera(const CameraDescription& camera) {
 
 void SceneDocument::rebase(std::string text) {
     SceneDocument next(std::move(text), name_);
-    std::vector<Override> values;
-    for (const Edit& edit : edits_) values.push_back(path_and(edit.path, edit.value));
-    next.set_all(values);
+    next.set_all(changes());
     *this = std::move(next);
 }
 

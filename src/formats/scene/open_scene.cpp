@@ -3,9 +3,7 @@
 #include "formats/scene/open_scene.h"
 
 #include "formats/read_text.h"
-#include "formats/scene/check.h"
 #include "formats/scene/key_path.h"
-#include "formats/scene/overrides.h"
 #include "scene/text.h"
 
 #include <algorithm>

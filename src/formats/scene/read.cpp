@@ -2,8 +2,7 @@
 
 #include "formats/scene/read.h"
 
-#include "formats/scene/file_keys.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/keys/check.h"
 #include "scene/text.h"
 
@@ -98,15 +97,11 @@ class SceneReader {
     }
 
     void report_unknown(const TreeEntry& entry) {
-        std::vector<std::string> names;
-        for (const TableSpec& spec : table_specs())
-            if (spec.form != TableForm::root && spec.form != TableForm::entry) names.emplace_back(spec.name);
+        std::vector<std::string> names = table_names();
         for (const std::string& key : key_names(*find_table(""), {})) names.push_back(key);
         const bool table = entry.value.kind == Kind::table || entry.value.kind == Kind::list;
-        std::string hint = problems_.suggestion(entry.key, names);
-        if (hint.empty()) hint = "expected one of " + listed(names);
         problems_.error(entry.where, (table ? "unknown table " : "unknown key ") + in_quotes(entry.key),
-                        std::move(hint));
+                        problems_.suggestion(entry.key, names, "expected one of " + listed(names)));
     }
 
     void check_form(const TreeEntry& entry, const TableSpec& spec) {
@@ -183,8 +178,8 @@ class SceneReader {
     std::vector<Element> elements() const {
         std::vector<Element> all;
         for (const TableSpec& spec : table_specs()) {
-            const bool placed = spec.object || spec.name == "light";
-            const TreeEntry* entry = placed ? root_.find(spec.name) : nullptr;
+            const bool is_element = spec.object || spec.name == "light";
+            const TreeEntry* entry = is_element ? root_.find(spec.name) : nullptr;
             if (!entry || entry->value.kind != Kind::list) continue;
             for (const TreeValue& item : entry->value.items)
                 if (item.kind == Kind::table) all.push_back({&spec, &item});

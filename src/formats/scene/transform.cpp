@@ -1,7 +1,6 @@
 // Reading transforms.
 
-#include "formats/scene/file_keys.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "math/trig.h"
 
 #include <algorithm>

@@ -41,6 +41,7 @@ struct TreeValue {
     /// The entry with that name; null if there is none.
     const TreeEntry* find(std::string_view key) const;
     TreeEntry* find(std::string_view key);
+    bool is_number() const { return kind == Kind::integer || kind == Kind::number; }
     /// "a boolean", "an integer", … for messages.
     std::string_view kind_words() const;
 };
@@ -88,8 +89,10 @@ class Problems {
     /// Adds a problem of another file that is referred to at this position.
     void error_elsewhere(const SourcePos& named_at, Diagnostic diagnostic);
     void warning(const SourcePos& pos, std::string message, std::string hint = {});
-    /// did_you_mean(), or empty after so many errors that searching would take long.
-    std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) const;
+    /// did_you_mean(), or `otherwise` if nothing is near, or after so many errors that searching would take
+    /// long.
+    std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
+                           std::string otherwise = {}) const;
 
     Location locate(const SourcePos& pos) const { return source_.locate(pos); }
     bool any_error() const { return !errors_.empty(); }

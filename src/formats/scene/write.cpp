@@ -2,7 +2,7 @@
 
 #include "formats/scene/write.h"
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/text.h"
 
 #include <array>
@@ -26,29 +26,29 @@ struct Written {
     std::string operator()(Choice value) const { return scene_value(key.choices[value.index]); }
     std::string operator()(const std::string& value) const { return scene_value(value); }
     std::string operator()(const std::array<int, 2>& pair) const {
-        return "[" + std::to_string(pair[0]) + ", " + std::to_string(pair[1]) + "]";
+        return list({std::to_string(pair[0]), std::to_string(pair[1])});
     }
     std::string operator()(const Vec3& v) const {
         const bool even = v.x == v.y && v.y == v.z;
         return key.type == KeyType::scale && even ? scene_value(v.x) : scene_value(v);
     }
     std::string operator()(const std::array<Vec3, 3>& points) const {
-        return "[" + scene_value(points[0]) + ", " + scene_value(points[1]) + ", " + scene_value(points[2]) +
-               "]";
+        return list({scene_value(points[0]), scene_value(points[1]), scene_value(points[2])});
     }
     std::string operator()(const Mat4& matrix) const {
         if (matrix == Mat4(1)) return "[]";
-        std::string text;
+        std::vector<std::string> rows;
         for (int row = 0; row < 4; ++row)
-            for (int column = 0; column < 4; ++column)
-                text += (text.empty() ? "" : ", ") + scene_value(matrix[column][row]);
-        return "[{ matrix = [" + text + "] }]";
+            for (int column = 0; column < 4; ++column) rows.push_back(scene_value(matrix[column][row]));
+        return "[{ matrix = " + list(rows) + " }]";
     }
     std::string operator()(const std::vector<double>& numbers) const {
-        std::string text;
-        for (const double x : numbers) text += (text.empty() ? "" : ", ") + scene_value(x);
-        return "[" + text + "]";
+        std::vector<std::string> texts;
+        for (const double x : numbers) texts.push_back(scene_value(x));
+        return list(texts);
     }
+
+    static std::string list(const std::vector<std::string>& values) { return "[" + listed(values) + "]"; }
 };
 
 bool is_bare_key(std::string_view key) {

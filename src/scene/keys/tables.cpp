@@ -1,6 +1,6 @@
 #include "scene/keys/tables.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/text.h"
 
 #include <algorithm>

@@ -20,18 +20,6 @@ inline double support(const PolyhedronShape& s, const dvec3& d) {
     }
 }
 
-inline ShapeBox box(const PolyhedronShape& s) {
-    switch (s.kind) {
-    case PolyhedronKind::box:
-        return {s.center - s.size * 0.5, s.center + s.size * 0.5};
-    case PolyhedronKind::prism:
-    case PolyhedronKind::pyramid:
-        return box(CylinderShape{s.center, s.axis, s.height, s.radius});
-    default:
-        return box(SphereShape{s.center, s.radius});
-    }
-}
-
 inline Polyhedron make_polyhedron(const PolyhedronShape& s) {
     const Footing footing{s.center, s.axis, s.sides, s.radius, s.height};
     switch (s.kind) {

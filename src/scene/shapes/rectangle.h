@@ -15,12 +15,6 @@ inline double support(const RectangleShape& s, const dvec3& d) {
     return most;
 }
 
-inline ShapeBox box(const RectangleShape& s) {
-    ShapeBox box;
-    for (const dvec3& p : corners(s)) box.grow(p);
-    return box;
-}
-
 /// Degenerate: less wide than the rounding of its coordinates.
 inline std::optional<KeyFault> shape_fault(const RectangleShape& s) {
     const double longest = std::max(glm::length(s.u), glm::length(s.v));

@@ -29,7 +29,7 @@ void ShapeBaker::plane(const dvec3& normal, double offset) {
     baked_.input.planes.push_back(plane);
 }
 
-void ShapeBaker::quadric(const QuadricShape& shape, const ShapeBox& box) {
+void ShapeBaker::quadric(const QuadricShape& shape) {
     WorldInput::Quadric quadric{id_, 0, shape, -1};
     if (object_.transform != dmat4(1.0)) {
         const double scale = similarity_scale(object_.transform);
@@ -41,7 +41,9 @@ void ShapeBaker::quadric(const QuadricShape& shape, const ShapeBox& box) {
         }
     }
     baked_.input.quadrics.push_back(quadric);
-    baked_.objects[id_].bounds = transform_box(object_.transform, box.lo, box.hi);
+    const Interval x = extent(shape, {1, 0, 0}), y = extent(shape, {0, 1, 0}), z = extent(shape, {0, 0, 1});
+    baked_.objects[id_].bounds =
+        transform_box(object_.transform, {x.low, y.low, z.low}, {x.high, y.high, z.high});
 }
 
 void ShapeBaker::triangles(const std::vector<dvec3>& positions, std::vector<uvec3> triangles, bool closed) {

@@ -4,7 +4,7 @@
 #include "geometry/quadric.h"
 #include "glint/scene.h"
 #include "scene/bake_mesh.h"
-#include "scene/keys/fault.h"
+#include "scene/keys/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +20,9 @@ struct ShapeBox {
     dvec3 hi{-std::numeric_limits<double>::infinity()};
 
     bool empty() const { return lo.x > hi.x; }
-    void grow(const dvec3& p, double radius = 0) {
-        lo = glm::min(lo, p - radius);
-        hi = glm::max(hi, p + radius);
+    void grow(const dvec3& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
     }
 };
 
@@ -33,6 +33,19 @@ inline constexpr double no_support = -std::numeric_limits<double>::infinity();
 inline void raise_support(double& most, const dvec3& d, const dvec3& p) {
     const double along = glm::dot(d, p);
     if (std::isfinite(along)) most = std::max(most, along);
+}
+
+/// The box that support() gives.
+template <class S>
+ShapeBox box(const S& s) {
+    ShapeBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        dvec3 d(0);
+        d[axis] = 1;
+        box.lo[axis] = -support(s, -d);
+        box.hi[axis] = support(s, d);
+    }
+    return box;
 }
 
 /// What is wrong with a shape though each of its keys is good: nothing, for most.
@@ -52,8 +65,8 @@ class ShapeBaker {
 
     /// All p with normal · p = offset.
     void plane(const dvec3& normal, double offset);
-    /// A quadric within `box`. It is moved where the transform keeps angles, else solved in its own space.
-    void quadric(const QuadricShape& shape, const ShapeBox& box);
+    /// It is moved where the transform keeps angles, else solved in its own space.
+    void quadric(const QuadricShape& shape);
     /// `closed`: they bound a volume.
     void triangles(const std::vector<dvec3>& positions, std::vector<uvec3> triangles, bool closed);
     /// The object's own mesh.

@@ -11,12 +11,6 @@ inline double support(const TriangleShape& s, const dvec3& d) {
     return most;
 }
 
-inline ShapeBox box(const TriangleShape& s) {
-    ShapeBox box;
-    for (const dvec3& p : s.vertices) box.grow(p);
-    return box;
-}
-
 /// Degenerate: less high over its longest edge than the rounding of its coordinates.
 inline std::optional<KeyFault> shape_fault(const TriangleShape& s) {
     const auto& v = s.vertices;

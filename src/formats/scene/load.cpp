@@ -1,9 +1,9 @@
 // load_scene() and parse_scene(): from text or mesh to description.
 
 #include "formats/read_text.h"
+#include "formats/scene/key_path.h"
 #include "formats/scene/open_scene.h"
-#include "formats/scene/overrides.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "scene/text.h"
 
 #include <cmath>

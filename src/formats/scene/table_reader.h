@@ -53,26 +53,6 @@ class TableReader {
     void check_known();
     void check_required();
     void read_members(const KeyOwner& owner);
-    void wrong_type(const KeySpec& key, const TreeValue& value, std::string_view expected);
-    bool check_number(const KeySpec& key, const TreeValue& value);
-    bool check_integer(const KeySpec& key, const TreeValue& value);
-    bool check_numbers(const KeySpec& key, const TreeValue& value, std::size_t count);
-
-    std::optional<KeyValue> parse(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> boolean(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> number_or_auto(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> choice(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> text(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> size(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> frame_range(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> integer_pair(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> vector(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> color(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> scale(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> vertices(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> matrix(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> transform(const KeySpec& key, const TreeValue& value);
-    std::optional<KeyValue> ascending(const KeySpec& key, const TreeValue& value);
 
     const TreeValue& table_;
     const TableSpec& spec_;

@@ -1,7 +1,6 @@
 // Checks across tables of a scene.
 
-#include "formats/scene/check.h"
-
+#include "formats/scene/read.h"
 #include "glint/limits.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
@@ -83,17 +82,15 @@ class SceneCheck {
                                     : "names are unique within a type of table");
         }
         if (!object.material.empty() && materials_.count(object.material) == 0) {
-            std::string hint = problems_.suggestion(object.material, material_names_);
-            if (hint.empty()) hint = "define it as [material." + object.material + "]";
             problems_.error(positions.material, "unknown material " + in_quotes(object.material),
-                            std::move(hint));
+                            problems_.suggestion(object.material, material_names_,
+                                                 "define it as [material." + object.material + "]"));
         }
         const auto* instance = std::get_if<InstanceShape>(&object.shape);
-        if (instance && !instance->mesh.empty() && meshes_.count(instance->mesh) == 0) {
-            std::string hint = problems_.suggestion(instance->mesh, mesh_names_);
-            if (hint.empty()) hint = "expected the name of a [[mesh]]";
-            problems_.error(positions.shape, "unknown mesh " + in_quotes(instance->mesh), std::move(hint));
-        }
+        if (instance && !instance->mesh.empty() && meshes_.count(instance->mesh) == 0)
+            problems_.error(
+                positions.shape, "unknown mesh " + in_quotes(instance->mesh),
+                problems_.suggestion(instance->mesh, mesh_names_, "expected the name of a [[mesh]]"));
     }
 
     void check_geometry(const Object& object, const ObjectPositions& positions) {

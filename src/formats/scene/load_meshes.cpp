@@ -1,7 +1,8 @@
 // Resolving and loading mesh files.
 
-#include "formats/scene/meshes.h"
+#include "formats/scene/load_meshes.h"
 
+#include "glint/mesh_files.h"
 #include "scene/text.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ class MeshLoader {
     MeshLoader(const FilePolicy& policy, Problems& problems, MeshCache& loaded,
                std::vector<Diagnostic>& warnings)
         : policy_(policy), problems_(problems), loaded_(loaded), warnings_(warnings),
-          fence_(resolve_links(folder_of(policy.scene_file))) {}
+          folder_(resolve_links(folder_of(policy.scene_file))) {}
 
     /// Adds the names of all files to `files`, each once, before reading them.
     void run(ReadScene& scene, std::vector<std::string>& files) {
@@ -74,7 +75,7 @@ class MeshLoader {
 
     void check(const Wanted& wanted) {
         const bool trusted = policy_.allow_outside || wanted.where.origin > 0;
-        if (!trusted && !is_inside(resolve_links(wanted.path), fence_))
+        if (!trusted && !is_inside(resolve_links(wanted.path), folder_))
             return problems_.error(
                 wanted.where,
                 "mesh file " + in_quotes(wanted.path.string()) + " lies outside the scene's folder",
@@ -106,23 +107,18 @@ class MeshLoader {
             for (Diagnostic diagnostic : error.diagnostics()) {
                 diagnostic.hint +=
                     (diagnostic.hint.empty() ? "the mesh is named at " : "; the mesh is named at ") +
-                    location_text(named);
+                    to_string(named);
                 problems_.error_elsewhere(wanted.where, std::move(diagnostic));
             }
         }
         return loaded_[key] = mesh;
     }
 
-    static std::string location_text(const Location& location) {
-        if (location.line == 0) return location.file;
-        return location.file + ":" + std::to_string(location.line) + ":" + std::to_string(location.column);
-    }
-
     const FilePolicy& policy_;
     Problems& problems_;
     MeshCache& loaded_;
     std::vector<Diagnostic>& warnings_;
-    fs::path fence_;
+    fs::path folder_;
     std::set<std::string> named_;
 };
 

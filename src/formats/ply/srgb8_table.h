@@ -1,15 +1,17 @@
-// Table of the sRGB curve.
-
-#include "formats/ply/light.h"
+#pragma once
+// The sRGB curve for 8-bit vertex colours.
 
 #include "imaging/tone.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace glint::ply {
 
-const std::array<float, 256>& srgb8_table() {
+/// Linear light of the 256 sRGB codes. A table, as evaluating the curve takes longer than reading the rest of
+/// a vertex.
+inline const std::array<float, 256>& srgb8_table() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> light{};
         for (std::size_t code = 0; code < light.size(); ++code)

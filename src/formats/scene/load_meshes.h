@@ -2,7 +2,7 @@
 // The mesh files of a scene.
 
 #include "formats/scene/read.h"
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <map>
 #include <memory>
@@ -16,7 +16,7 @@ struct FilePolicy {
     std::string scene_file; ///< base of relative names
     bool allow_outside = false;
     bool load = true;      ///< false: check names without reading files
-    LoadOptions watched{}; ///< whose `cancel` and `progress` count
+    LoadOptions watched{}; ///< only `cancel` and `progress` are used
 };
 
 /// Loaded meshes by canonical path.
