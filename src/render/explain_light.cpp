@@ -1,7 +1,7 @@
 #include "render/explain_parts.h"
 
 #include "math/trig.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 namespace glint {
 namespace {

@@ -3,7 +3,7 @@
 // or comes from the functions of shading/ that the estimator called, with the recorded numbers.
 
 #include "glint/explain.h"
-#include "render/ray_tree.h"
+#include "render/ray_recorder.h"
 #include "scene/scene_data.h"
 
 #include <string>

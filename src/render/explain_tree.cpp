@@ -2,7 +2,7 @@
 
 #include "glint/names.h"
 #include "shading/light_gain.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <algorithm>
 

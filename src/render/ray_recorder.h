@@ -1,15 +1,80 @@
 #pragma once
-// Listens to an estimator and keeps what each ray met and computed: the ray tree that explains a pixel.
-// Recording changes no result; an estimator without a recorder pays one test of a pointer for each call here.
+// The rays of one sample as a value, which explains a pixel, and the recorder that fills it in while an
+// estimator traces the sample. Recording changes no result; an estimator without a recorder pays one test of
+// a pointer for each call here.
 
-#include "render/ray_tree.h"
-#include "render/surface_interaction.h"
+#include "render/estimators/whitted.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace glint {
+
+/// One light at one hit.
+struct LightNode {
+    std::uint32_t light = 0; ///< number among the lights that are not ambient
+    vec3 direction{0.0f};    ///< unit, to the light
+    float distance = 0;      ///< infinite for directional lights
+    float cosine = 0;        ///< n·l, 0 below the geometric horizon
+    vec3 arriving{0.0f};     ///< E, before shadows
+    float shadow = 1;        ///< the share that gets through what lies between
+    vec3 diffuse{0.0f};      ///< after the shadow, before and after the limit the same unless clamp is on
+    vec3 highlight{0.0f};
+};
+
+/// A surface that a shadow ray met.
+struct BlockerNode {
+    std::uint32_t object = 0;
+    float t = 0;              ///< of the way to a light with a place; else a distance
+    float transparency = 0;   ///< τ
+    bool passed_over = false; ///< hidden inside a solid of higher rank
+};
+
+/// The shadow ray to one light.
+struct ShadowNode {
+    bool asked = false; ///< was it sent?
+    vec3 origin{0.0f};
+    vec3 direction{0.0f};              ///< to the light itself where it has a place, else unit
+    std::vector<BlockerNode> blockers; ///< all up to the light, in order
+};
+
+/// One ray with what it met. Children are indices into RayTree::nodes, −1 for none.
+struct RayNode {
+    RayKind kind = RayKind::primary;
+    RayEnd end = RayEnd::matte;
+    int parent = -1;
+    int depth = 0;
+    vec3 origin{0.0f};
+    vec3 direction{0.0f}; ///< unit
+    trace::Hit hit;
+    vec3 position{0.0f};
+    vec3 geometric_normal{0.0f}; ///< toward the viewer
+    vec3 shading_normal{0.0f};
+    vec3 color{0.0f};
+    float lit_side = 1;                   ///< −1: lights find both normals turned away from the viewer
+    bool entering = true;                 ///< from the object's outer side
+    std::vector<std::uint32_t> interiors; ///< transparent solids around the ray, the owner of the space first
+    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those
+    std::vector<LightNode> lights;
+    std::vector<ShadowNode> shadows; ///< parallel to lights
+    float index_before = 1;          ///< indices of refraction on the two sides, where the ray goes through
+    float index_after = 1;
+    Refraction refraction{}; ///< at the surface of a transparent solid
+    bool total_reflection = false;
+    float local_weight = 1; ///< of ambient, diffuse, highlight and clamp
+    float reflected_weight = 0;
+    float refracted_weight = 0;
+    int reflected = -1;
+    int refracted = -1;
+    vec3 transmittance{1.0f}; ///< what absorption on the way leaves
+    Terms terms{};            ///< weighted, absorption included
+    vec3 radiance{0.0f};      ///< their sum
+};
+
+struct RayTree {
+    std::vector<RayNode> nodes; ///< the first is the primary ray; parents stand before their children
+};
 
 class RayRecorder {
   public:

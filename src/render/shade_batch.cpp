@@ -80,11 +80,13 @@ HWY_INLINE MaterialRecord gather(const glint::MaterialRecord* const* materials) 
     m.color = gather(materials, &M::color);
     m.emission = gather(materials, &M::emission);
     m.ambient = gather(materials, &M::ambient);
-    m.diffuse = gather(materials, &M::diffuse);
-    m.highlight = gather(materials, &M::highlight);
-    m.shininess = gather(materials, &M::shininess);
-    m.reflectivity = gather(materials, &M::reflectivity);
-    m.transparency = gather(materials, &M::transparency);
+    alignas(64) float rows[shading_numbers][lane_count];
+    for (std::size_t k = 0; k < lane_count; ++k) {
+        std::size_t n = 0;
+        lanes::for_shading_numbers(*materials[k], [&](float x) { rows[n++][k] = x; });
+    }
+    std::size_t n = 0;
+    lanes::for_shading_numbers(m, [&](real& x) { x = lanes::load(rows[n++]); });
     return m;
 }
 
@@ -93,11 +95,11 @@ HWY_INLINE MaterialRecord broadcast(const glint::MaterialRecord& of) {
     m.color = vec3(of.color);
     m.emission = vec3(of.emission);
     m.ambient = of.ambient;
-    m.diffuse = of.diffuse;
-    m.highlight = of.highlight;
-    m.shininess = of.shininess;
-    m.reflectivity = of.reflectivity;
-    m.transparency = of.transparency;
+    float numbers[shading_numbers];
+    std::size_t n = 0;
+    lanes::for_shading_numbers(of, [&](float x) { numbers[n++] = x; });
+    n = 0;
+    lanes::for_shading_numbers(m, [&](real& x) { x = numbers[n++]; });
     return m;
 }
 
@@ -112,11 +114,8 @@ HWY_INLINE MaterialRecord materials_of(const PathStates& states, std::size_t i) 
 /// What set_up() noted of the materials.
 HWY_INLINE MaterialRecord noted_materials(const PathStates& states, std::size_t i) {
     MaterialRecord m;
-    m.diffuse = load(states.diffuse, i);
-    m.highlight = load(states.highlight, i);
-    m.shininess = load(states.shininess, i);
-    m.reflectivity = load(states.reflectivity, i);
-    m.transparency = load(states.transparency, i);
+    std::size_t n = 0;
+    lanes::for_shading_numbers(m, [&](real& x) { x = load(states.material_numbers[n++], i); });
     return m;
 }
 
@@ -196,11 +195,8 @@ void set_up(Wave wave, PathStates& states) {
         store(real(1.0f), states.lit_side, i);
         const MaterialRecord m = materials_of(states, i);
         store(m.color, states.color, i);
-        store(m.diffuse, states.diffuse, i);
-        store(m.highlight, states.highlight, i);
-        store(m.shininess, states.shininess, i);
-        store(m.reflectivity, states.reflectivity, i);
-        store(m.transparency, states.transparency, i);
+        std::size_t number = 0;
+        lanes::for_shading_numbers(m, [&](const real& x) { store(x, states.material_numbers[number++], i); });
     });
 }
 
@@ -237,10 +233,12 @@ void add_light(const WhittedModes& modes, Wave wave, PathStates& states) {
         LightArrival arrival;
         arrival.direction = load(states.to_light, i);
         arrival.arriving = load(states.arriving, i);
-        const ShownLight shown = shown_light(modes, surfaces_of(states, i), noted_materials(states, i),
-                                             arrival, passing_light(states, i));
+        const real passing = passing_light(states, i);
+        if (!any(is_lit(arrival, passing))) return;
+        const MaterialRecord m = noted_materials(states, i);
+        const ShownLight shown = shown_light(modes, surfaces_of(states, i), m, arrival, passing);
         add(shown.diffuse, row(states, Term::diffuse), i);
-        add(shown.highlight, row(states, Term::highlight), i);
+        if (any(m.highlight > 0.0f)) add(shown.highlight, row(states, Term::highlight), i);
     });
 }
 
@@ -265,7 +263,7 @@ std::size_t spawn_reflected(const WhittedModes& modes, Wave wave, std::size_t ne
             states.interiors[next] = states.interiors[i + k];
             states.parents[next] = static_cast<std::uint32_t>(i + k);
             states.parent_terms[next] = Term::reflection;
-            states.parent_weights[next] = states.reflectivity[i + k];
+            states.parent_weights[next] = states.materials[i + k]->reflectivity;
             next += goes_on[k] != 0.0f ? 1 : 0;
         }
     });

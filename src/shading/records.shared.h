@@ -26,6 +26,19 @@ struct MaterialRecord {
     integer reserved[3]; ///< 0; std430 rounds the size up to a multiple of 16 bytes
 };
 
+#ifndef GLINT_GLSL
+/// Calls use() for the numbers of a material, for one ray or for a vector of them, that the steps for vectors
+/// of rays ask for after each light.
+template <class Material, class Use>
+constexpr GLINT_FN void for_shading_numbers(Material& m, const Use& use) {
+    use(m.diffuse);
+    use(m.highlight);
+    use(m.shininess);
+    use(m.reflectivity);
+    use(m.transparency);
+}
+#endif
+
 /// A hit, ready to be shaded.
 struct SurfaceRecord {
     vec3 p;

@@ -1,7 +1,7 @@
 // Vectors of rays through the shared equations: lane by lane the bits of one ray (shading/lanes-inl.h).
 
 #include "math/random.shared.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <algorithm>
 #include <cstring>
@@ -42,8 +42,8 @@ constexpr std::size_t width = 16; ///< rays at a time: as many as the widest vec
                             pow_of(x, y),                                                                    \
                             exp2_of(x),                                                                      \
                             spot_falloff(x, y, z),                                                           \
-                            blinn_lobe(a, b, c, y),                                                          \
-                            phong_lobe(a, b, c, y),                                                          \
+                            lobe_of(blinn_cosine(a, b, c), y),                                               \
+                            lobe_of(phong_cosine(a, b, c), y),                                               \
                             light_cosine(a, b, c),                                                           \
                             origin.x,                                                                        \
                             origin.y,                                                                        \

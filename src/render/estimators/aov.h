@@ -2,8 +2,8 @@
 // Arbitrary output variables: what pictures show of first hits in place of light.
 
 #include "glint/render.h"
-#include "render/camera_sample.h"
 #include "render/estimators/whitted.h"
+#include "render/ray_recorder.h"
 
 #include <span>
 

@@ -1,5 +1,6 @@
 #include "render/estimators/whitted.h"
 
+#include "geometry/surface.shared.h"
 #include "render/ray_recorder.h"
 
 #include <optional>
@@ -7,6 +8,7 @@
 namespace glint {
 
 using trace::Hit;
+using trace::PrimKind;
 namespace {
 
 Ray ray_of(const SpawnedRay& spawned) {
@@ -17,7 +19,63 @@ Ray ray_of(const SpawnedRay& spawned) {
     return ray;
 }
 
+void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
+    Hit middle = hit;
+    middle.u = 1.0f / 3.0f;
+    middle.v = 1.0f / 3.0f;
+    point = moved_off_edge(point, scene.world.surface(ray, middle).p);
+}
+
+vec3 vertex_normal(const SceneData& scene, const Hit& hit, const std::vector<vec3>& normals,
+                   std::uint32_t vertex) {
+    const vec3& n = normals[vertex];
+    const std::int32_t matrix = scene.objects[hit.object].normal_matrix;
+    if (matrix == no_normal_matrix) return n;
+    return transformed_normal(scene.normal_matrices[static_cast<std::size_t>(matrix)], n);
+}
+
+/// Colour and shading normal, where the mesh has them by vertex. A cloud of spheres has a colour for each.
+void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord& s) {
+    const MeshAttributes& attributes =
+        scene.attributes[static_cast<std::size_t>(scene.objects[hit.object].attributes)];
+    if (hit.kind == PrimKind::quadric) {
+        s.color = attributes.mesh->colors[hit.prim];
+        return;
+    }
+    const uvec3 corner = attributes.mesh->triangles[hit.prim];
+    if (attributes.colored) {
+        const std::vector<vec3>& c = attributes.mesh->colors;
+        s.color = interpolated(c[corner.x], c[corner.y], c[corner.z], hit.u, hit.v);
+    }
+    if (attributes.normals == nullptr) return;
+    const auto normal = [&](std::uint32_t vertex) {
+        return vertex_normal(scene, hit, *attributes.normals, vertex);
+    };
+    s.n = shading_normal(interpolated(normal(corner.x), normal(corner.y), normal(corner.z), hit.u, hit.v),
+                         s.n_g);
+}
+
 } // namespace
+
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
+    const ObjectData& object = scene.objects[hit.object];
+    SurfacePoint point = scene.world.surface(ray, hit);
+    if (hit.on_edge) step_off_edge(scene, ray, hit, point);
+    SurfaceInteraction at;
+    at.object = hit.object;
+    at.material = &scene.materials[object.material];
+    at.entering = dot(point.n, ray.direction) < 0.0f;
+    SurfaceRecord& s = at.surface;
+    s.p = point.p;
+    s.p_error = point.p_error;
+    s.v = -ray.direction;
+    s.n_g = at.entering ? point.n : -point.n;
+    s.n = s.n_g;
+    s.color = at.material->color;
+    s.lit_side = object.lit_as_stored && at.entering == object.turned ? -1.0f : 1.0f;
+    if (object.attributes != no_attributes) interpolate_vertices(scene, hit, s);
+    return at;
+}
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
@@ -104,8 +162,9 @@ void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interio
 
 /// The list behind a surface that a ray goes through unbent.
 void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interior) {
-    if (is_dielectric(hit.object, scene_))
-        interior = crossed(interior, hit.object, enters(scene_, ray, hit), scene_, arena_);
+    if (!is_dielectric(hit.object, scene_)) return;
+    const bool entering = dot(scene_.world.surface(ray, hit).n, ray.direction) < 0.0f;
+    interior = crossed(interior, hit.object, entering, scene_, arena_);
 }
 
 LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) {

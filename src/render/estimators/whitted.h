@@ -3,12 +3,13 @@
 // another; the page to read first. whitted_wavefront.h has the same for many rays at once. T. Whitted, "An
 // Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
+#include "glint/explanation.h"
 #include "glint/render.h"
 #include "render/camera_sample.h"
 #include "render/interior_list.h"
-#include "render/ray_tree.h"
-#include "render/surface_interaction.h"
 #include "scene/scene_data.h"
+#include "shading/whitted.shared.h"
+#include "trace/world/world.h"
 
 #include <span>
 #include <vector>
@@ -16,6 +17,28 @@
 namespace glint {
 
 class RayRecorder;
+struct RayTree;
+
+struct SurfaceInteraction {
+    SurfaceRecord surface;
+    const MaterialRecord* material = nullptr;
+    std::uint32_t object = 0;
+    bool entering = true; ///< the ray comes from the object's outer side
+};
+
+/// The surface at a hit of a ray (unit direction): off the edge that it may lie on, with colour and shading
+/// normal of the mesh's vertices.
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const trace::Hit& hit);
+
+/// How light goes on from a surface.
+struct Bounce {
+    Split split;
+    const InteriorList* interior = nullptr; ///< behind the surface
+    // At the surface of a transparent solid:
+    Refraction refraction{};
+    float index_before = 1;
+    float index_after = 1;
+};
 
 /// Holds scratch memory: one for each thread. The scene must outlive it.
 class Whitted {

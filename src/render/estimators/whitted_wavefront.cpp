@@ -168,7 +168,7 @@ Wave WhittedWavefront::spawn(Wave wave, int depth) {
     counts_.reflected += next.count;
     if (scene_.any_transparent)
         for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
-            if (states_->transparency[i] > 0.0f) spawn_at_glass(i, depth, next);
+            if (states_->materials[i]->transparency > 0.0f) spawn_at_glass(i, depth, next);
     return next;
 }
 
