@@ -128,18 +128,15 @@ class Checker {
     void check_light(const Light& light) {
         const std::size_t before = found_.size();
         check_keys("light", light, light.where);
-        if (found_.size() == before)
-            std::visit([&](const auto& kind) { check_strength(kind, light.where); }, light.kind);
-    }
-    void check_strength(const AmbientLight&, const Location&) {}
-    void check_strength(const PointLight& l, const Location& where) {
-        check_strength(l.color * l.intensity, where);
-    }
-    void check_strength(const DirectionalLight& l, const Location& where) {
-        check_strength(l.color * l.irradiance, where);
-    }
-    void check_strength(const SpotLight& l, const Location& where) {
-        check_strength(l.color * l.intensity, where);
+        if (found_.size() != before) return;
+        std::visit(
+            [&](const auto& kind) {
+                if constexpr (requires { kind.intensity; })
+                    check_strength(kind.color * kind.intensity, light.where);
+                else if constexpr (requires { kind.irradiance; })
+                    check_strength(kind.color * kind.irradiance, light.where);
+            },
+            light.kind);
     }
     /// Lights are summed in single precision.
     void check_strength(const Vec3& strength, const Location& where) {

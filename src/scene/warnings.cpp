@@ -55,10 +55,12 @@ class Watcher {
                                            [](const Material& m) { return m.emission != Vec3(0); });
             if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
         }
-        for (const Light& light : description_.lights) {
-            if (const auto* p = std::get_if<PointLight>(&light.kind)) watch_inside(p->position, light.where);
-            if (const auto* s = std::get_if<SpotLight>(&light.kind)) watch_inside(s->position, light.where);
-        }
+        for (const Light& light : description_.lights)
+            std::visit(
+                [&](const auto& kind) {
+                    if constexpr (requires { kind.position; }) watch_inside(kind.position, light.where);
+                },
+                light.kind);
     }
 
     // Without glass nobody needed to know which meshes are closed: here it is asked of the few that may
