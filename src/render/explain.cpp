@@ -1,3 +1,5 @@
+// Explanations of pixels: their samples and how these are combined.
+
 #include "glint/explain.h"
 
 #include "glint/names.h"

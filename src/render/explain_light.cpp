@@ -1,3 +1,5 @@
+// Explains one light at a hit.
+
 #include "render/explain_parts.h"
 
 #include "math/trig.h"
@@ -6,7 +8,7 @@
 namespace glint {
 namespace {
 
-/// Where the light stands, and what of it arrives.
+/// The position of the light, and how much of it arrives.
 class Arrival {
   public:
     Arrival(const LightRecord& light, const RayNode& node, const LightNode& record, ExplainedLight& out)
@@ -14,10 +16,11 @@ class Arrival {
           n_g_(node.geometric_normal * node.lit_side) {}
 
     void explain() {
-        const bool placed = light_.kind != light_directional;
-        step({"I", "", light_.strength, "light", placed ? "colour · intensity" : "colour · irradiance"});
-        placed ? find_place() : find_direction();
-        if (placed && !(record_.distance > 0.0f)) return at_the_light();
+        const bool has_position = light_.kind != light_directional;
+        step(
+            {"I", "", light_.strength, "light", has_position ? "colour · intensity" : "colour · irradiance"});
+        has_position ? find_position() : find_direction();
+        if (has_position && !(record_.distance > 0.0f)) return at_the_light();
         find_angle();
         if (light_.kind == light_spot) find_falloff();
         arrive();
@@ -26,7 +29,7 @@ class Arrival {
   private:
     void step(Step s) { out_.steps.push_back(std::move(s)); }
 
-    void find_place() {
+    void find_position() {
         const vec3 way = light_.position - node_.position;
         r_squared_ = dot(way, way);
         step({"x", "", light_.position, "light", "where the light stands"});
@@ -102,7 +105,7 @@ class Arrival {
     float falloff_ = 1;
 };
 
-/// The shadow ray, and what the surface makes of the light.
+/// The shadow ray, and the light that the surface reflects.
 class Shown {
   public:
     Shown(const ExplainedScene& scene, const RayNode& node, const LightNode& record, ExplainedLight& out)

@@ -1,3 +1,5 @@
+// Explains the rays of one sample.
+
 #include "render/explain_parts.h"
 
 #include "glint/names.h"
@@ -11,7 +13,7 @@ namespace glint {
 using trace::Hit;
 namespace {
 
-/// One ray: what it met, its local terms, its branches, their sum.
+/// One ray: its hit, local terms and branches, and their sum.
 class RayWorking {
   public:
     RayWorking(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& out)
@@ -36,7 +38,7 @@ class RayWorking {
         weigh_gain();
     }
 
-    /// Where it comes from and goes, and what it brings.
+    /// Its origin, its end and its radiance.
     void copy_path() {
         out_.kind = node_.kind;
         out_.end = node_.end;
@@ -147,7 +149,7 @@ class RayWorking {
         }
     }
 
-    /// A formula as it stands, or limited to the range that the clamp can take back.
+    /// The formula, limited to the range that the clamp can take back if it was.
     static std::string limited(const std::string& formula, const vec3& before, const vec3& after) {
         return after == before ? formula : "min(4194304, " + formula + ")";
     }
@@ -289,7 +291,7 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
     for (std::size_t i = 0; i < rays.size(); ++i) {
         stop_if_cancelled(cancel);
         const RayNode& node = tree.nodes[i];
-        // Parents stand before their children: they know what their branches weigh.
+        // Parents precede their children.
         if (node.parent >= 0) {
             const auto parent = static_cast<std::size_t>(node.parent);
             const RayNode& from = tree.nodes[parent];

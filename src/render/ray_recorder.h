@@ -18,28 +18,28 @@ struct LightNode {
     float distance = 0;      ///< infinite for directional lights
     float cosine = 0;        ///< n·l, 0 below the geometric horizon
     vec3 arriving{0.0f};     ///< E, before shadows
-    float shadow = 1;        ///< the share that gets through what lies between
-    vec3 diffuse{0.0f};      ///< after the shadow, before and after the limit the same unless clamp is on
+    float shadow = 1;        ///< the share that passes the blockers
+    vec3 diffuse{0.0f};      ///< after shadow and clamp
     vec3 highlight{0.0f};
 };
 
 /// A surface that a shadow ray met.
 struct BlockerNode {
     std::uint32_t object = 0;
-    float t = 0;              ///< of the way to a light with a place; else a distance
+    float t = 0;              ///< a fraction of the way to a light with a position; otherwise a distance
     float transparency = 0;   ///< τ
     bool passed_over = false; ///< hidden inside a solid of higher rank
 };
 
 /// The shadow ray to one light.
 struct ShadowNode {
-    bool asked = false; ///< was it sent?
+    bool asked = false; ///< it was sent
     vec3 origin{0.0f};
-    vec3 direction{0.0f};              ///< to the light itself where it has a place, else unit
+    vec3 direction{0.0f};              ///< up to the light if that has a position, else unit
     std::vector<BlockerNode> blockers; ///< all up to the light, in order
 };
 
-/// One ray with what it met. Children are indices into RayTree::nodes, −1 for none.
+/// One ray and its hit. Children are indices into RayTree::nodes, −1 for none.
 struct RayNode {
     RayKind kind = RayKind::primary;
     RayEnd end = RayEnd::matte;
@@ -67,13 +67,13 @@ struct RayNode {
     float refracted_weight = 0;
     int reflected = -1;
     int refracted = -1;
-    vec3 transmittance{1.0f}; ///< what absorption on the way leaves
+    vec3 transmittance{1.0f}; ///< of the medium up to the hit
     Terms terms{};            ///< weighted, absorption included
     vec3 radiance{0.0f};      ///< their sum
 };
 
 struct RayTree {
-    std::vector<RayNode> nodes; ///< the first is the primary ray; parents stand before their children
+    std::vector<RayNode> nodes; ///< the first is the primary ray; parents precede their children
 };
 
 class RayRecorder {
@@ -81,7 +81,7 @@ class RayRecorder {
     /// Empties the tree first.
     explicit RayRecorder(RayTree& tree) : tree_(tree) { tree_.nodes.clear(); }
 
-    // One ray: begin_ray(), then what it meets, with its branches between, then end_ray().
+    // One ray: begin_ray(), its hit or miss, its branches, end_ray().
     void begin_ray(RayKind kind, int depth, const vec3& origin, const vec3& direction);
     void skip_hidden(const trace::Hit& hit);
     void miss(const InteriorList* interior);

@@ -43,7 +43,7 @@ GLINT_FN SpawnedRay spawn_ray(GLINT_IN(SurfaceRecord) s, vec3 direction) {
 
 GLINT_FN truth is_dark(vec3 light) { return light.x == 0.0f && light.y == 0.0f && light.z == 0.0f; }
 
-/// max(0, n·l), and 0 unless the light also stands above the geometric surface: n_g·l > 0.
+/// max(0, n·l), and 0 unless the light is also above the geometric surface: n_g·l > 0.
 GLINT_FN real light_cosine(vec3 n, vec3 n_g, vec3 l) {
     return pick(dot(n_g, l) <= 0.0f, 0.0f, max(0.0f, dot(n, l)));
 }
@@ -53,7 +53,7 @@ GLINT_FN vec3 point_light_arriving(vec3 intensity, real cosine, real r_squared) 
     return pick(r_squared > 0.0f, intensity * (cosine / r_squared), vec3(0.0f));
 }
 
-/// The way of a direction from a spot light's outer cone (0) to its inner cone (1), by cosines; not clamped.
+/// Position of a direction between a spot light's outer cone (0) and inner cone (1), by cosines; not clamped.
 GLINT_FN real spot_ramp(real cos_angle, real cos_outer, real cos_inner) {
     return (cos_angle - cos_outer) / (cos_inner - cos_outer);
 }
@@ -66,7 +66,7 @@ GLINT_FN real spot_falloff(real cos_angle, real cos_outer, real cos_inner) {
     return pick(cos_angle >= cos_inner, 1.0f, between);
 }
 
-/// What a light sends to a point where nothing stands between.
+/// Light at a point, without shadows.
 struct LightArrival {
     vec3 direction; ///< l; 0 at the light itself
     real distance;  ///< r
@@ -86,8 +86,7 @@ GLINT_FN LightArrival arrival_from_point(vec3 position, vec3 intensity, vec3 p, 
     return arrival;
 }
 
-/// What a light sends to the surface where nothing stands between. A directional light's distance is
-/// infinite.
+/// Light of a light at the surface, without shadows. A directional light's distance is infinite.
 GLINT_FN LightArrival light_arrival(GLINT_IN(LightRecord) light, GLINT_IN(SurfaceRecord) s) {
     vec3 n = s.n * s.lit_side;
     vec3 n_g = s.n_g * s.lit_side;
@@ -108,7 +107,7 @@ GLINT_FN LightArrival light_arrival(GLINT_IN(LightRecord) light, GLINT_IN(Surfac
     return arrival;
 }
 
-/// True where light arrives and the material shows it: only then is a shadow ray sent.
+/// True if light arrives and the material reflects it: only then is a shadow ray traced.
 GLINT_FN truth is_worth_shadow_ray(GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
     return (m.diffuse > 0.0f || m.highlight > 0.0f) && !is_dark(arrival.arriving);
 }
@@ -130,12 +129,12 @@ GLINT_FN real shadow_transmittance(GLINT_IN(WhittedModes) modes, real transparen
     return pick(transparency > 0.0f, modes.opaque_shadows != 0 ? 0.0f : transparency, 0.0f);
 }
 
-// ── What a surface shows of it
+// ── Light that the surface reflects
 
 /// Diffuse reflection: E ⊙ c · k_d. (Report 2.2.)
 GLINT_FN vec3 diffuse_term(vec3 arriving, vec3 color, real k_d) { return arriving * color * k_d; }
 
-/// A lobe's cosine to the power m, from 0 to 1: a cosine rounded to just above 1 would run away with a large
+/// A lobe's cosine, limited to 0 … 1, to the power m: rounded to just above 1, it would overflow with a large
 /// m. 0^0 = 1.
 GLINT_FN real lobe_of(real cosine, real m) { return pow_of(min(1.0f, max(0.0f, cosine)), m); }
 
@@ -162,20 +161,20 @@ GLINT_FN real highlight_cosine(GLINT_IN(WhittedModes) modes, vec3 n, vec3 l, vec
 /// report's figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
 GLINT_FN vec3 highlight_term(vec3 arriving, real k, real lobe) { return arriving * (k * lobe); }
 
-/// Each channel limited to 2^22: what is more than enough where a sum will be limited to 1, and little enough
-/// that taking the rest away again leaves 1 exactly.
+/// Each channel limited to 2^22: enough if the sum will be limited to 1, and so small that subtracting the
+/// rest leaves exactly 1.
 GLINT_FN vec3 limit_to_range(vec3 color) { return min(color, vec3(4194304.0f)); }
 
 /// Each channel limited to 1.
 GLINT_FN vec3 limit_to_one(vec3 color) { return min(color, vec3(1.0f)); }
 
-/// What the surface shows of one light.
+/// Reflected light of one light.
 struct ShownLight {
     vec3 diffuse;
     vec3 highlight;
 };
 
-/// `passing` is the share of the light that passes what the shadow ray met.
+/// `passing` is the share of the light that passes the blockers of the shadow ray.
 GLINT_FN truth is_lit(GLINT_IN(LightArrival) arrival, real passing) {
     return passing > 0.0f && !is_dark(arrival.arriving);
 }
@@ -217,7 +216,7 @@ GLINT_FN vec3 local_sum(GLINT_IN(LocalTerms) local) {
 /// Ambient light: A ⊙ c · k_a. (Report 2.2, which prints a sum; its figures are products.)
 GLINT_FN vec3 ambient_term(vec3 ambient_light, vec3 color, real k_a) { return ambient_light * color * k_a; }
 
-/// Without the lights.
+/// The terms without lights.
 GLINT_FN LocalTerms ambient_terms(vec3 ambient_light, GLINT_IN(SurfaceRecord) s, GLINT_IN(MaterialRecord) m) {
     LocalTerms local;
     local.ambient = ambient_term(ambient_light, s.color, m.ambient);
@@ -227,7 +226,7 @@ GLINT_FN LocalTerms ambient_terms(vec3 ambient_light, GLINT_IN(SurfaceRecord) s,
     return local;
 }
 
-/// With the sum of all lights limited to 1 where the model clamps.
+/// The terms with their sum limited to 1, if the model clamps.
 GLINT_FN LocalTerms limited_terms(GLINT_IN(WhittedModes) modes, GLINT_IN(LocalTerms) local) {
     LocalTerms limited = local;
     if (modes.clamp == 0) return limited;
@@ -249,13 +248,13 @@ GLINT_FN LocalTerms weighted_terms(GLINT_IN(LocalTerms) local, real weight) {
 
 // ── Light that arrives along mirror and refracted rays
 
-/// True where the surface reflects or transmits. Where its bounces are followed, the local terms weigh
-/// local_weight(), else 1.
+/// True if the surface reflects or transmits.
 GLINT_FN truth has_bounces(GLINT_IN(MaterialRecord) m) {
     return m.reflectivity > 0.0f || m.transparency > 0.0f;
 }
 
-/// The weight of the local terms where the bounce is followed: 1 − τ, or 1 − ρ − τ where energy is balanced.
+/// The weight of the local terms if the bounce is followed: 1 − τ, or 1 − ρ − τ if energy is balanced. If it
+/// is not followed, their weight is 1.
 GLINT_FN real local_weight(real reflectivity, real transparency, bool balanced) {
     real kept = 1.0f - transparency;
     return balanced ? max(0.0f, kept - reflectivity) : kept;
@@ -265,7 +264,7 @@ GLINT_FN real local_weight(GLINT_IN(WhittedModes) modes, GLINT_IN(MaterialRecord
     return local_weight(m.reflectivity, m.transparency, modes.balanced != 0);
 }
 
-/// The direction of the mirror ray; that of the geometric normal where it would go below the surface else.
+/// The direction of the mirror ray: by the geometric normal if it would go below the surface otherwise.
 GLINT_FN vec3 mirror_ray_direction(vec3 v, vec3 n, vec3 n_g) {
     vec3 direction = normalize(mirror_direction(v, n));
     return pick(dot(direction, n_g) > 0.0f, direction, normalize(mirror_direction(v, n_g)));
@@ -275,7 +274,7 @@ GLINT_FN SpawnedRay reflected_ray(GLINT_IN(SurfaceRecord) s) {
     return spawn_ray(s, mirror_ray_direction(s.v, s.n, s.n_g));
 }
 
-/// What Snell's law says under the root: 1 − (η₁/η₂)² (1 − (n·v)²). Below 0 the reflection is total.
+/// The discriminant of Snell's law: 1 − (η₁/η₂)² (1 − (n·v)²). Below 0 the reflection is total.
 GLINT_FN real snell_discriminant(real n_dot_v, real eta) {
     return 1.0f - eta * eta * max(0.0f, 1.0f - n_dot_v * n_dot_v);
 }
@@ -287,13 +286,13 @@ GLINT_FN vec3 refracted_direction(vec3 v, vec3 n, real eta, real discriminant) {
     return pick(eta == 1.0f, -v, bent);
 }
 
-/// Fresnel's amplitude for light that swings across the plane of incidence, from the cosines on both sides
-/// and the indices. (Born and Wolf, Principles of Optics, section 1.5.2.)
+/// Fresnel's amplitude for light polarised across the plane of incidence, from the cosines on both sides and
+/// the indices. (Born and Wolf, Principles of Optics, section 1.5.2.)
 GLINT_FN real fresnel_s(real cos_1, real cos_2, real index_1, real index_2) {
     return (index_1 * cos_1 - index_2 * cos_2) / (index_1 * cos_1 + index_2 * cos_2);
 }
 
-/// And for light that swings within it.
+/// Fresnel's amplitude for light polarised in the plane of incidence.
 GLINT_FN real fresnel_p(real cos_1, real cos_2, real index_1, real index_2) {
     return (index_2 * cos_1 - index_1 * cos_2) / (index_2 * cos_1 + index_1 * cos_2);
 }
@@ -305,7 +304,7 @@ GLINT_FN real fresnel_reflectance(real cos_1, real cos_2, real index_1, real ind
     return 0.5f * (s * s + p * p);
 }
 
-/// What is left of light after a way through an absorbing medium: e^(−σ d). (Beer and Lambert.)
+/// The transmittance of an absorbing medium over a distance: e^(−σ d). (Beer and Lambert.)
 GLINT_FN vec3 transmittance(vec3 sigma, real d) {
     return vec3(exp_of(-(sigma.x * d)), exp_of(-(sigma.y * d)), exp_of(-(sigma.z * d)));
 }
@@ -335,8 +334,8 @@ GLINT_FN Refraction refraction_by(vec3 n, vec3 v, real eta) {
     return r;
 }
 
-/// By the shading normal, unless the viewer is below that or the refracted ray would stay above the surface:
-/// then by the geometric normal.
+/// Refraction by the shading normal; by the geometric normal if the viewer is below the former or the
+/// refracted ray would stay above the surface.
 GLINT_FN Refraction refraction_at(GLINT_IN(SurfaceRecord) s, real eta) {
     if (dot(s.n, s.v) > 0.0f) {
         Refraction r = refraction_by(s.n, s.v, eta);
@@ -345,7 +344,7 @@ GLINT_FN Refraction refraction_at(GLINT_IN(SurfaceRecord) s, real eta) {
     return refraction_by(s.n_g, s.v, eta);
 }
 
-/// How light is shared between the two rays that go on from a surface.
+/// The two rays that go on from a surface, and their shares of the light.
 struct Split {
     real reflected; ///< weight of the mirror ray
     real refracted; ///< weight of the refracted ray
@@ -361,8 +360,8 @@ GLINT_FN Split split_at_sheet(GLINT_IN(SurfaceRecord) s, GLINT_IN(MaterialRecord
     return split;
 }
 
-/// At the surface of a transparent solid: with Fresnel's equations where the material asks for them; the
-/// mirror ray has both shares where the reflection is total.
+/// At the surface of a transparent solid: by Fresnel's equations if the material has them; the mirror ray
+/// gets both shares if the reflection is total.
 GLINT_FN Split split_at_solid(GLINT_IN(MaterialRecord) m, GLINT_IN(Refraction) r, real index_before,
                               real index_after) {
     real both = m.reflectivity + m.transparency;

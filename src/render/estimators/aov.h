@@ -1,5 +1,5 @@
 #pragma once
-// Arbitrary output variables: what pictures show of first hits in place of light.
+// AOVs (arbitrary output variables) of first hits.
 
 #include "glint/render.h"
 #include "render/estimators/whitted.h"
@@ -9,7 +9,7 @@
 
 namespace glint {
 
-/// Whitted's settings for a look at first hits: nothing bounces.
+/// Whitted's settings for first hits: no bounces.
 WhittedSettings first_hit_settings(const SceneData& scene);
 
 /// Measures shadows, normal, depth or cost of first hits. Holds scratch memory: one for each thread.

@@ -15,8 +15,8 @@ namespace glint {
 /// Measures camera samples. Holds scratch memory: one for each thread.
 using Estimator = std::variant<Whitted, WhittedWavefront, AovEstimator>;
 
-/// The estimator of what a picture shows; of light, by the scene's integrator, one ray after another with
-/// Kernel::scalar. It refers to the scene.
+/// The estimator for what a picture shows: for light the scene's integrator, which traces one ray after
+/// another if the kernel is Kernel::scalar. It refers to the scene.
 inline Estimator make_estimator(const SceneData& scene, Aov show, const CancelFlag* cancel,
                                 const KernelChoice& kernel) {
     trace::row_of(kernel.target); // throws where the machine lacks it
@@ -26,8 +26,8 @@ inline Estimator make_estimator(const SceneData& scene, Aov show, const CancelFl
     return WhittedWavefront(scene, settings, cancel, kernel);
 }
 
-/// Measures each sample into its element of `out`; `terms` says whether light is to be told apart by term.
-/// Values are of no use once the estimator's flag was set.
+/// Measures each sample into its element of `out`; `terms` requests the terms of light too.
+/// Values are useless once the estimator's cancel flag was set.
 inline void estimate(Estimator& estimator, std::span<const CameraSample> samples, std::span<Channels> out,
                      bool terms) {
     std::visit([&](auto& e) { e.estimate(samples, out, terms); }, estimator);

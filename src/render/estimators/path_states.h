@@ -66,7 +66,7 @@ struct Wave {
     std::size_t first = 0;
     std::size_t count = 0;
 
-    /// Where the next wave begins.
+    /// Index of the first path of the next wave.
     std::size_t end() const {
         return (first + count + PathStates::alignment - 1) / PathStates::alignment * PathStates::alignment;
     }

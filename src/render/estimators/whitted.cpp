@@ -1,3 +1,5 @@
+// Whitted's ray tracing, one ray after another.
+
 #include "render/estimators/whitted.h"
 
 #include "geometry/surface.shared.h"
@@ -198,13 +200,13 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
     if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
         interior = crossed(interior, at.object, at.entering, scene_, arena_);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
-    // Where nothing can pass, the recorder alone wants to know what blocks.
+    // If no light can pass, only the recorder needs the blockers.
     if (!may_pass && recorder_ == nullptr) return 0.0f;
     const float passing = walk_shadow(shadow, interior);
     return may_pass ? passing : 0.0f;
 }
 
-// Every visible surface takes its share. A recorder gets those behind the first opaque one too.
+/// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     blockers_.clear();
     scene_.world.all_hits(shadow, blockers_);

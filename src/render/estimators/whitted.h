@@ -1,6 +1,6 @@
 #pragma once
 // Whitted's recursive ray tracing: a camera ray in, the light along it out, term by term. One ray after
-// another; the page to read first. whitted_wavefront.h has the same for many rays at once. T. Whitted, "An
+// another; the page to read first. whitted_wavefront.h traces many rays at once. T. Whitted, "An
 // Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
 #include "glint/explanation.h"
@@ -30,7 +30,7 @@ struct SurfaceInteraction {
 /// normal of the mesh's vertices.
 SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const trace::Hit& hit);
 
-/// How light goes on from a surface.
+/// The rays that go on from a surface.
 struct Bounce {
     Split split;
     const InteriorList* interior = nullptr; ///< behind the surface
@@ -57,8 +57,7 @@ class Whitted {
             const KernelChoice& kernel = {});
     explicit Whitted(const SceneData& scene) : Whitted(scene, scene.description.whitted) {}
 
-    /// `out` has an element for each sample. Terms are set whether asked for or not. Incomplete where
-    /// `cancel` was set.
+    /// `out` has an element for each sample. Terms are always set. Incomplete if `cancel` was set.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
     /// One sample. `record`, if given, receives its ray tree; the arithmetic is the same with and without.
     Channels trace(const CameraSample& sample, RayTree* record = nullptr);
@@ -74,13 +73,13 @@ class Whitted {
     void skip_hidden(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
-    /// Where the light goes on from a surface, and its shares.
+    /// Mirror and refracted ray of a surface: direction and weights.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
     Path reflected_path(const Path& path, const SurfaceInteraction& at);
     Path refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
-    /// Follows the branches of a bounce to their ends and sets the terms that they bring.
+    /// Follows the branches of a bounce to their ends and sets their terms.
     void follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms);
-    /// Takes from light what the medium around the ray absorbs over a distance.
+    /// Absorbs light in the medium around the ray over a distance.
     void absorb(const InteriorList* interior, float distance, Terms& terms);
 
   private:

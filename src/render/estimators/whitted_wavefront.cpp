@@ -1,3 +1,5 @@
+// Whitted's ray tracing as a wavefront.
+
 #include "render/estimators/whitted_wavefront.h"
 
 #include "render/shade_batch.h"
@@ -144,7 +146,7 @@ void WhittedWavefront::add_light(const LightRecord& light, Wave wave) {
     shade_.add_light(modes_, wave, s);
 }
 
-/// Finds the share of blocked light that passes, where any may.
+/// Sets the share of blocked light that passes, for paths where any may.
 void WhittedWavefront::pass_blockers(Wave wave) {
     PathStates& s = *states_;
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
@@ -211,7 +213,7 @@ void WhittedWavefront::weigh_local_terms(std::size_t i) {
         for (PathStates::Numbers& row : states_->terms[static_cast<std::size_t>(term)]) row[i] *= weight;
 }
 
-/// Adds up the paths' terms and what their branches bring, the deepest wave first.
+/// Sums the paths' terms, including those from branches, the deepest wave first.
 void WhittedWavefront::add_up() {
     for (std::size_t n = waves_.size(); n-- > 0;) {
         if (scene_.any_transparent) absorb(waves_[n]);
