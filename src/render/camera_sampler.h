@@ -7,7 +7,6 @@
 #include "render/camera_sample.h"
 
 #include <cstdint>
-#include <optional>
 
 namespace glint {
 
@@ -16,9 +15,6 @@ inline constexpr int batch_samples = 256;
 
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
-
-/// The crop, or all of the picture. Throws Error(usage) for a crop that does not lie inside.
-Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop);
 
 /// Makes camera samples. They depend only on the scene, the pixel and the index of the sample.
 class CameraSampler {

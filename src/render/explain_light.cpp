@@ -112,9 +112,9 @@ class Shown {
         : scene_(scene), material_(scene.material(node.hit.object)), node_(node), record_(record), out_(out) {
     }
 
-    void explain(const ShadowNode& shadow) {
+    void explain() {
         if (record_.arriving == vec3(0.0f)) return;
-        list_blockers(shadow);
+        name_blockers();
         weigh_shadow();
         if (material_.diffuse > 0.0f) show_diffuse();
         if (material_.highlight > 0.0f) show_highlight();
@@ -124,14 +124,13 @@ class Shown {
     void step(Step s) { out_.steps.push_back(std::move(s)); }
     bool opaque() const { return scene_.modes.opaque_shadows != 0; }
 
-    void list_blockers(const ShadowNode& shadow) {
-        out_.asked = shadow.asked;
-        out_.shadow_origin = shadow.origin;
-        const float length = sqrt(dot(shadow.direction, shadow.direction));
-        for (const BlockerNode& b : shadow.blockers) {
-            const float share = b.passed_over ? 1.0f : shadow_transmittance(scene_.modes, b.transparency);
-            out_.blockers.push_back({b.object, scene_.label(b.object), scene_.material_name(b.object),
-                                     b.t * length, b.transparency, share, b.passed_over});
+    void name_blockers() {
+        const float length = sqrt(dot(record_.shadow_direction, record_.shadow_direction));
+        for (Blocker& b : out_.blockers) {
+            b.label = scene_.label(b.object);
+            b.material = scene_.material_name(b.object);
+            b.distance = b.distance * length;
+            b.share = b.passed_over ? 1.0f : shadow_transmittance(scene_.modes, b.transparency);
         }
     }
 
@@ -211,17 +210,11 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
     const LightRecord& light = scene.scene.lights[index];
     const LightNode& record = node.lights[index];
     ExplainedLight out;
+    static_cast<TracedLight&>(out) = record;
     out.light = scene.light_numbers[index];
     out.label = light_label(scene.scene.description, out.light);
-    out.direction = record.direction;
-    out.distance = record.distance;
-    out.cosine = record.cosine;
-    out.arriving = record.arriving;
-    out.shadow = record.shadow;
-    out.diffuse = record.diffuse;
-    out.highlight = record.highlight;
     Arrival(light, node, record, out).explain();
-    Shown(scene, node, record, out).explain(node.shadows[index]);
+    Shown(scene, node, record, out).explain();
     return out;
 }
 

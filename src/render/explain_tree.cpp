@@ -40,17 +40,8 @@ class RayWorking {
 
     /// Its origin, its end and its radiance.
     void copy_path() {
-        out_.kind = node_.kind;
-        out_.end = node_.end;
-        out_.parent = node_.parent;
-        out_.reflected = node_.reflected;
-        out_.refracted = node_.refracted;
-        out_.depth = node_.depth;
-        out_.origin = node_.origin;
-        out_.direction = node_.direction;
+        static_cast<TracedRay&>(out_) = node_;
         out_.terms = node_.terms.value;
-        out_.radiance = node_.radiance;
-        out_.transmittance = node_.transmittance;
         for (const std::uint32_t object : node_.interiors) out_.inside.push_back(scene_.label(object));
         for (const Hit& hit : node_.passed_over) out_.passed_over.push_back(scene_.label(hit.object));
         out_.why = reason();
@@ -96,14 +87,6 @@ class RayWorking {
         out_.label = scene_.label(node_.hit.object);
         out_.material = scene_.material_name(node_.hit.object);
         out_.distance = node_.hit.t;
-        out_.position = node_.position;
-        out_.geometric_normal = node_.geometric_normal;
-        out_.shading_normal = node_.shading_normal;
-        out_.color = node_.color;
-        out_.entering = node_.entering;
-        out_.total_reflection = node_.total_reflection;
-        out_.index_before = node_.index_before;
-        out_.index_after = node_.index_after;
     }
 
     void give_surface() {

@@ -6,7 +6,6 @@
 #include "glint/limits.h"
 #include "parallel/large_pages.h"
 #include "render/aov.h"
-#include "render/camera_sampler.h"
 #include "render/upsample.h"
 
 #include <algorithm>
@@ -49,6 +48,18 @@ const char* difference(const FilmLayout& a, const FilmLayout& b) {
     if (a.term != b.term || a.terms != b.terms) return "terms";
     if (a.coverage != b.coverage) return "coverage";
     return nullptr;
+}
+
+/// The crop, or all of the picture.
+Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop) {
+    if (!crop) return {0, 0, settings.width, settings.height};
+    const Rect c = *crop;
+    const bool inside = c.x >= 0 && c.y >= 0 && c.width >= 1 && c.height >= 1 &&
+                        c.width <= settings.width - c.x && c.height <= settings.height - c.y;
+    if (inside) return c;
+    throw Error(ErrorKind::usage, "the crop does not lie inside the picture",
+                "expected x, y, width, height within " + std::to_string(settings.width) + "x" +
+                    std::to_string(settings.height));
 }
 
 } // namespace

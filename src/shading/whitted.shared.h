@@ -337,11 +337,10 @@ GLINT_FN Refraction refraction_by(vec3 n, vec3 v, real eta) {
 /// Refraction by the shading normal; by the geometric normal if the viewer is below the former or the
 /// refracted ray would stay above the surface.
 GLINT_FN Refraction refraction_at(GLINT_IN(SurfaceRecord) s, real eta) {
-    if (dot(s.n, s.v) > 0.0f) {
-        Refraction r = refraction_by(s.n, s.v, eta);
-        if (r.total || dot(r.direction, s.n_g) < 0.0f) return r;
-    }
-    return refraction_by(s.n_g, s.v, eta);
+    truth seen = dot(s.n, s.v) > 0.0f;
+    Refraction r = refraction_by(seen ? s.n : s.n_g, s.v, eta);
+    if (seen && !r.total && !(dot(r.direction, s.n_g) < 0.0f)) r = refraction_by(s.n_g, s.v, eta);
+    return r;
 }
 
 /// The two rays that go on from a surface, and their shares of the light.

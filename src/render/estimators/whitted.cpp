@@ -93,11 +93,7 @@ Channels Whitted::trace(const CameraSample& sample, RayTree* record) {
     if (record != nullptr) recorder.emplace(*record);
     recorder_ = record != nullptr ? &*recorder : nullptr;
     ++counts_.primary;
-    Path path;
-    path.origin = sample.origin;
-    path.direction = sample.direction;
-    path.interior = start();
-    const Channels out = radiance(path);
+    const Channels out = radiance({{sample.origin, sample.direction, infinite_t()}, start()});
     recorder_ = nullptr;
     return out;
 }
@@ -110,16 +106,14 @@ const InteriorList* Whitted::start() {
     return interior;
 }
 
-Channels Whitted::radiance(Path path) {
+Channels Whitted::radiance(Path&& path) {
     Channels out;
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
-    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.origin, path.direction);
+    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
-    Ray ray;
-    ray.origin = path.origin;
-    ray.direction = path.direction;
+    const Ray ray = ray_of(path.ray);
     Hit hit = scene_.world.closest(ray, kernel_);
     skip_hidden(ray, hit, path.interior);
     out.covered = static_cast<bool>(hit);
@@ -171,11 +165,11 @@ void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interio
 
 LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) {
     LocalTerms local = ambient_terms(scene_.ambient, at.surface, *at.material);
-    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
-        const LightArrival arrival = light_arrival(scene_.lights[i], at.surface);
-        if (recorder_ != nullptr) recorder_->begin_light(i, arrival);
+    for (const LightRecord& light : scene_.lights) {
+        const LightArrival arrival = light_arrival(light, at.surface);
+        if (recorder_ != nullptr) recorder_->begin_light(arrival);
         if (!is_worth_shadow_ray(*at.material, arrival)) continue;
-        const float passing = light_passing(scene_.lights[i], arrival, path, at);
+        const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
         local.diffuse = local.diffuse + shown.diffuse;
         local.highlight = local.highlight + shown.highlight;
@@ -214,7 +208,7 @@ float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     for (const Hit& hit : blockers_) {
         const bool hidden = is_hidden(interior, hit.object, scene_);
         const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
-        if (recorder_ != nullptr) recorder_->blocker({hit.object, hit.t, transparency, hidden});
+        if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
         if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
         cross(shadow, hit, interior);
@@ -231,8 +225,8 @@ bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
 
 void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms) {
     const Bounce bounce = bounce_at(path, at);
-    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), bounce);
     const Split& split = bounce.split;
+    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
     if (split.reflected > 0.0f)
         terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
     if (split.refracted > 0.0f)
@@ -247,23 +241,23 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
         return bounce;
     }
     bounce.interior = crossed(path.interior, at.object, at.entering, scene_, arena_);
-    bounce.index_before = refractive_index(path.interior, scene_);
-    bounce.index_after = refractive_index(bounce.interior, scene_);
-    bounce.refraction = refraction_at(at.surface, bounce.index_before / bounce.index_after);
-    bounce.split = split_at_solid(*at.material, bounce.refraction, bounce.index_before, bounce.index_after);
+    const float index_before = refractive_index(path.interior, scene_);
+    const float index_after = refractive_index(bounce.interior, scene_);
+    const Refraction refraction = refraction_at(at.surface, index_before / index_after);
+    bounce.split = split_at_solid(*at.material, refraction, index_before, index_after);
+    if (recorder_ != nullptr) recorder_->refract(refraction, index_before, index_after);
     return bounce;
 }
 
 Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
     ++counts_.reflected;
-    const SpawnedRay ray = reflected_ray(at.surface);
-    return {ray.origin, ray.direction, path.interior, path.depth + 1, RayKind::reflected};
+    return {reflected_ray(at.surface), path.interior, path.depth + 1, RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
-    const SpawnedRay ray = spawn_ray(at.surface, bounce.split.direction);
-    return {ray.origin, ray.direction, bounce.interior, path.depth + 1, RayKind::refracted};
+    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior, path.depth + 1,
+            RayKind::refracted};
 }
 
 void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {

@@ -34,10 +34,6 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
 struct Bounce {
     Split split;
     const InteriorList* interior = nullptr; ///< behind the surface
-    // At the surface of a transparent solid:
-    Refraction refraction{};
-    float index_before = 1;
-    float index_after = 1;
 };
 
 /// Holds scratch memory: one for each thread. The scene must outlive it.
@@ -45,8 +41,7 @@ class Whitted {
   public:
     /// A ray on its way.
     struct Path {
-        vec3 origin{0.0f};
-        vec3 direction{0.0f}; ///< unit
+        SpawnedRay ray; ///< direction of unit length
         const InteriorList* interior = nullptr;
         int depth = 0; ///< bounces so far
         RayKind kind = RayKind::primary;
@@ -83,7 +78,7 @@ class Whitted {
     void absorb(const InteriorList* interior, float distance, Terms& terms);
 
   private:
-    Channels radiance(Path path);
+    Channels radiance(Path&& path);
     LocalTerms local_light(const Path& path, const SurfaceInteraction& at);
     float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
                         const SurfaceInteraction& at);

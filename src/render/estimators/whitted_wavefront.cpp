@@ -191,8 +191,8 @@ void WhittedWavefront::spawn(const Whitted::Path& path, std::size_t parent, Term
     PathStates& s = *states_;
     const std::size_t i = next.first + next.count++;
     s.rays[i] = Ray{};
-    s.rays[i].origin = path.origin;
-    s.rays[i].direction = path.direction;
+    s.rays[i].origin = path.ray.origin;
+    s.rays[i].direction = path.ray.direction;
     s.interiors[i] = path.interior;
     s.parents[i] = static_cast<std::uint32_t>(parent);
     s.parent_terms[i] = term;
@@ -233,12 +233,8 @@ void WhittedWavefront::absorb(Wave wave) {
 }
 
 Whitted::Path WhittedWavefront::path_at(std::size_t i, int depth) const {
-    Whitted::Path path;
-    path.origin = states_->rays[i].origin;
-    path.direction = states_->rays[i].direction;
-    path.interior = states_->interiors[i];
-    path.depth = depth;
-    return path;
+    const Ray& ray = states_->rays[i];
+    return {{ray.origin, ray.direction, ray.tmax}, states_->interiors[i], depth};
 }
 
 SurfaceInteraction WhittedWavefront::surface_at(std::size_t i) const {
