@@ -45,8 +45,8 @@ class Square {
             ray.origin = node.origin;
             ray.direction = node.direction;
             batches_[{node.depth, -1}].rays.push_back(ray);
-            for (std::size_t i = 0; i < node.shadows.size(); ++i)
-                if (node.shadows[i].asked) add(node.depth, static_cast<int>(i), node.shadows[i]);
+            for (std::size_t i = 0; i < node.lights.size(); ++i)
+                if (node.lights[i].asked) add(node.depth, static_cast<int>(i), node.lights[i]);
         }
     }
     void move_to(std::vector<Batch>& all) {
@@ -55,10 +55,10 @@ class Square {
     }
 
   private:
-    void add(int depth, int light, const ShadowNode& shadow) {
+    void add(int depth, int light, const LightNode& node) {
         glint::Ray ray;
-        ray.origin = shadow.origin;
-        ray.direction = shadow.direction;
+        ray.origin = node.shadow_origin;
+        ray.direction = node.shadow_direction;
         if (scene_.lights[static_cast<std::size_t>(light)].kind != light_directional) ray.tmax = 1.0f;
         Batch& batch = batches_[{depth, light}];
         batch.any = true;

@@ -1,10 +1,24 @@
 #include "options.h"
 
+#include "glint/names.h"
+
 #include <algorithm>
 #include <array>
 
 namespace glint::cli {
 namespace {
+
+/// The names of an enumeration's values as the choices of an option: "box|tent|gaussian".
+template <class Enum>
+constexpr auto choices_of = [] {
+    std::array<char, 100> text{}; // longer ones do not compile
+    char* end = text.data();
+    for (const std::string_view name : enum_names<Enum>) {
+        if (end != text.data()) *end++ = '|';
+        end = std::copy(name.begin(), name.end(), end);
+    }
+    return text;
+}();
 
 // Options of more than one command.
 constexpr Option size{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true};
@@ -27,7 +41,7 @@ constexpr std::array render_options{
     size,
     spp,
     max_depth,
-    Option{0, "integrator", "whitted", "the light model"},
+    Option{0, "integrator", choices_of<Integrator>.data(), "the light model"},
     seed,
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
     Option{0, "frames", "A..B[:STEP]", "or all, of what moves: one file each, -o frame-%04d.png"},

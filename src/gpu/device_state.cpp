@@ -21,6 +21,9 @@ GpuDeviceState::~GpuDeviceState() {
 
 void GpuDeviceState::prepare(const Scene& scene) {
     const SceneData& wanted = scene.data();
+    if (wanted.description.render.integrator != Integrator::whitted)
+        throw Error(ErrorKind::device, "graphics cards have no shader for this integrator",
+                    "--backend cpu renders it");
     const std::optional<Scene> held = std::exchange(scene_, std::nullopt);
     if (held && held->data().all_but_view == wanted.all_but_view) {
         set_view(data_, wanted);

@@ -1,5 +1,5 @@
 #pragma once
-// Where the samples of a picture lie: from a pixel and the index of a sample to a camera ray and its weight.
+// Camera samples: from a pixel and the index of a sample to a camera ray and its weight.
 
 #include "glint/render.h"
 #include "imaging/camera.h"
@@ -7,7 +7,6 @@
 #include "render/camera_sample.h"
 
 #include <cstdint>
-#include <optional>
 
 namespace glint {
 
@@ -17,10 +16,7 @@ inline constexpr int batch_samples = 256;
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
 
-/// The crop, or all of the picture. Throws Error(usage) for a crop that does not lie inside.
-Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop);
-
-/// Makes camera samples. They depend on the scene, the pixel and the index of the sample alone.
+/// Makes camera samples. They depend only on the scene, the pixel and the index of the sample.
 class CameraSampler {
   public:
     explicit CameraSampler(const SceneDescription& scene);

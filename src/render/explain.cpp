@@ -1,5 +1,8 @@
+// Explanations of pixels: their samples and how these are combined.
+
 #include "glint/explain.h"
 
+#include "glint/names.h"
 #include "imaging/pixel_sum.h"
 #include "parallel/task_pool.h"
 #include "render/camera_sampler.h"
@@ -15,6 +18,8 @@ struct Explainer::State {
     State(const Scene& whole, const CancelFlag* stop)
         : scene(whole), settings(whole.render_settings()), sampler(whole.data().description),
           parts(whole.data()), cancel(stop), estimator(whole.data(), whole.data().description.whitted, stop) {
+        if (settings.integrator != Integrator::whitted)
+            throw Error(ErrorKind::usage, "only pictures of the integrator whitted can be explained");
     }
 
     ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
@@ -65,7 +70,6 @@ Explainer::Explainer(Explainer&&) noexcept = default;
 Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 
 Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
-    static constexpr const char* filters[] = {"box", "tent", "gaussian", "mitchell"};
     const RenderSettings& r = state_->settings;
     if (x < 0 || y < 0 || x >= r.width || y >= r.height)
         throw Error(ErrorKind::usage,
@@ -77,7 +81,7 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     out.y = y;
     out.width = r.width;
     out.height = r.height;
-    out.filter = filters[static_cast<std::size_t>(r.filter)];
+    out.filter = name_of(r.filter);
     PixelSum<Terms> sum;
     int negative = 0;
     for (int i = 0; i < r.spp; ++i) {

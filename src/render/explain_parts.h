@@ -3,7 +3,7 @@
 // or comes from the functions of shading/ that the estimator called, with the recorded numbers.
 
 #include "glint/explain.h"
-#include "render/ray_tree.h"
+#include "render/ray_recorder.h"
 #include "scene/scene_data.h"
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace glint {
 
-/// What the parts need of a scene, put together once.
+/// Parts of a scene that explanations need.
 struct ExplainedScene {
     explicit ExplainedScene(const SceneData& scene);
 
@@ -33,7 +33,7 @@ std::string numbered(const char* symbol, std::size_t number);
 /// The light of number `index` at a hit: its own formulas and its shadow ray.
 ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, std::size_t index);
 
-/// Adds to `steps` where the light goes on from a hit, and what share of it: mirror and refracted ray.
+/// Adds the steps of mirror and refracted ray: directions, and shares of the light.
 void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& ray);
 
 /// All rays of a recorded tree; those of less weight without lights and steps.

@@ -1,5 +1,5 @@
-// A film as bytes: a header, tile by tile the blocks of samples with their sums, and a check sum. In the
-// order of bytes of the machine; a film of another order is refused like one of another version.
+// A film as bytes: a header, the blocks of samples of each tile with their sums, and a check sum, in the byte
+// order of the machine. A film of another byte order is refused like one of another version.
 
 #include "render/film.h"
 
@@ -120,7 +120,7 @@ Film Film::load(std::span<const std::byte> bytes) {
     const auto sum_at = bytes.size() - sizeof(std::uint64_t);
     if (FilmReader(bytes.subspan(sum_at)).value<std::uint64_t>() != check_sum(bytes.first(sum_at)))
         refuse("it is damaged");
-    // Memory is taken for what the bytes hold, not for what the header claims.
+    // Allocate for the bytes that there are, not for what the header claims.
     const FilmLayout layout = layout_of(header);
     const TileGrid grid(layout.area.width, layout.area.height, layout.tile_size);
     if (grid.count() > in.left() / sizeof(std::uint32_t)) refuse("it ends too early");
@@ -174,7 +174,7 @@ void Film::load_tile(std::size_t tile, FilmReader& in) {
     for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
 }
 
-/// Are its blocks such as merge_blocks() leaves?
+/// True if its blocks are such as merge_blocks() leaves.
 bool Film::is_sound(const TileSamples& tile) const {
     int end = 0;
     for (const SampleBlock& block : tile.blocks) {

@@ -1,3 +1,5 @@
+// Nested dielectrics.
+
 #include "render/interior_list.h"
 
 namespace glint {

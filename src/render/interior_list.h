@@ -55,7 +55,7 @@ const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool
 /// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
 bool is_hidden(const InteriorList* list, std::uint32_t object, const SceneData& scene);
 
-/// The index of refraction of the space that the list stands for.
+/// The index of refraction inside all solids of the list: that of the first.
 float refractive_index(const InteriorList* list, const SceneData& scene);
 
 } // namespace glint

@@ -13,11 +13,8 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     if (!within(x, settings.width) || !within(y, settings.height)) return std::nullopt;
     const int px = static_cast<int>(x);
     const int py = static_cast<int>(y);
-    const PinholeCamera camera = camera_of(scene.description());
-    CameraSample sample;
-    sample.origin = camera.eye;
-    sample.direction =
-        pinhole_direction(camera, px, py, static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5));
+    const FilterSample offset{static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5)};
+    const CameraSample sample = CameraSampler(scene.description()).sample_at({px, py}, 0, offset);
 
     RayTree tree;
     Whitted(scene.data(), first_hit_settings(scene.data())).trace(sample, &tree);

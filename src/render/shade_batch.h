@@ -1,5 +1,5 @@
 #pragma once
-// The steps of shading/whitted_steps.shared.h for many paths at once, compiled for each SIMD target.
+// The steps of shading/whitted.shared.h for many paths at once, compiled for each SIMD target.
 
 #include "render/estimators/path_states.h"
 #include "trace/simd/kernel_table.h"

@@ -64,7 +64,7 @@ struct SceneData {
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first
 };
 
-/// The settings in the form used by shading/whitted_steps.shared.h.
+/// The settings in the form used by shading/whitted.shared.h.
 inline WhittedModes whitted_modes(const WhittedSettings& settings) {
     WhittedModes modes{};
     modes.opaque_shadows = settings.shadows == Shadows::opaque ? 1 : 0;

@@ -1,5 +1,5 @@
 #pragma once
-// How much light a material gives back.
+// The gain of a material.
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// Instances show what the same meshes show baked in their places, and are solids as these are.
+// Instances show what the same meshes show when baked, and are solids as these are.
 
 #include "scene_kit.h"
 

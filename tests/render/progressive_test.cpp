@@ -16,7 +16,7 @@ namespace {
 
 using namespace kit;
 
-/// To the end, in slices of so many seconds.
+/// To the end, in slices of `slice` seconds.
 void finish(Progressive& progressive, double slice = 10) {
     while (progressive.advance(slice)) {
     }

@@ -1,7 +1,7 @@
-// The steps of a bounce for one ray (shading/whitted_steps.shared.h).
+// The steps of a bounce for one ray (shading/whitted.shared.h).
 
 #include "shading/light_gain.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <gtest/gtest.h>
 
@@ -111,10 +111,10 @@ TEST(ShownLightStep, ChoosesTheLobe) {
     WhittedModes modes = report;
     const LightArrival arrival = light_arrival(lamp(light_directional), s);
     const float blinn = shown_light(modes, s, m, arrival, 1).highlight.x;
-    EXPECT_EQ(blinn, 8 * blinn_lobe(s.n, arrival.direction, s.v, 20));
+    EXPECT_EQ(blinn, 8 * lobe_of(blinn_cosine(s.n, arrival.direction, s.v), 20));
     modes.highlight = highlight_phong;
     EXPECT_EQ(shown_light(modes, s, m, arrival, 1).highlight.x,
-              8 * phong_lobe(s.n, arrival.direction, s.v, 20));
+              8 * lobe_of(phong_cosine(s.n, arrival.direction, s.v), 20));
     EXPECT_NE(shown_light(modes, s, m, arrival, 1).highlight.x, blinn);
 }
 

@@ -1,5 +1,5 @@
 // A hit that is ready to be shaded and the shadow rays from it, one a turn of an estimator's loop. The steps are those
-// of shading/whitted_steps.shared.h.
+// of shading/whitted.shared.h.
 
 // The surface that the path has hit.
 SurfaceRecord surface;

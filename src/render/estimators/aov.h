@@ -1,15 +1,15 @@
 #pragma once
-// Arbitrary output variables: what pictures show of first hits in place of light.
+// AOVs (arbitrary output variables) of first hits.
 
 #include "glint/render.h"
-#include "render/camera_sample.h"
 #include "render/estimators/whitted.h"
+#include "render/ray_recorder.h"
 
 #include <span>
 
 namespace glint {
 
-/// Whitted's settings for a look at first hits: nothing bounces.
+/// Whitted's settings for first hits: no bounces.
 WhittedSettings first_hit_settings(const SceneData& scene);
 
 /// Measures shadows, normal, depth or cost of first hits. Holds scratch memory: one for each thread.

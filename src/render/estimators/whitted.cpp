@@ -1,5 +1,8 @@
+// Whitted's ray tracing, one ray after another.
+
 #include "render/estimators/whitted.h"
 
+#include "geometry/surface.shared.h"
 #include "render/ray_recorder.h"
 
 #include <optional>
@@ -7,6 +10,7 @@
 namespace glint {
 
 using trace::Hit;
+using trace::PrimKind;
 namespace {
 
 Ray ray_of(const SpawnedRay& spawned) {
@@ -17,7 +21,63 @@ Ray ray_of(const SpawnedRay& spawned) {
     return ray;
 }
 
+void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
+    Hit middle = hit;
+    middle.u = 1.0f / 3.0f;
+    middle.v = 1.0f / 3.0f;
+    point = moved_off_edge(point, scene.world.surface(ray, middle).p);
+}
+
+vec3 vertex_normal(const SceneData& scene, const Hit& hit, const std::vector<vec3>& normals,
+                   std::uint32_t vertex) {
+    const vec3& n = normals[vertex];
+    const std::int32_t matrix = scene.objects[hit.object].normal_matrix;
+    if (matrix == no_normal_matrix) return n;
+    return transformed_normal(scene.normal_matrices[static_cast<std::size_t>(matrix)], n);
+}
+
+/// Colour and shading normal, where the mesh has them by vertex. A cloud of spheres has a colour for each.
+void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord& s) {
+    const MeshAttributes& attributes =
+        scene.attributes[static_cast<std::size_t>(scene.objects[hit.object].attributes)];
+    if (hit.kind == PrimKind::quadric) {
+        s.color = attributes.mesh->colors[hit.prim];
+        return;
+    }
+    const uvec3 corner = attributes.mesh->triangles[hit.prim];
+    if (attributes.colored) {
+        const std::vector<vec3>& c = attributes.mesh->colors;
+        s.color = interpolated(c[corner.x], c[corner.y], c[corner.z], hit.u, hit.v);
+    }
+    if (attributes.normals == nullptr) return;
+    const auto normal = [&](std::uint32_t vertex) {
+        return vertex_normal(scene, hit, *attributes.normals, vertex);
+    };
+    s.n = shading_normal(interpolated(normal(corner.x), normal(corner.y), normal(corner.z), hit.u, hit.v),
+                         s.n_g);
+}
+
 } // namespace
+
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
+    const ObjectData& object = scene.objects[hit.object];
+    SurfacePoint point = scene.world.surface(ray, hit);
+    if (hit.on_edge) step_off_edge(scene, ray, hit, point);
+    SurfaceInteraction at;
+    at.object = hit.object;
+    at.material = &scene.materials[object.material];
+    at.entering = dot(point.n, ray.direction) < 0.0f;
+    SurfaceRecord& s = at.surface;
+    s.p = point.p;
+    s.p_error = point.p_error;
+    s.v = -ray.direction;
+    s.n_g = at.entering ? point.n : -point.n;
+    s.n = s.n_g;
+    s.color = at.material->color;
+    s.lit_side = object.lit_as_stored && at.entering == object.turned ? -1.0f : 1.0f;
+    if (object.attributes != no_attributes) interpolate_vertices(scene, hit, s);
+    return at;
+}
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
@@ -33,11 +93,7 @@ Channels Whitted::trace(const CameraSample& sample, RayTree* record) {
     if (record != nullptr) recorder.emplace(*record);
     recorder_ = record != nullptr ? &*recorder : nullptr;
     ++counts_.primary;
-    Path path;
-    path.origin = sample.origin;
-    path.direction = sample.direction;
-    path.interior = start();
-    const Channels out = radiance(path);
+    const Channels out = radiance({{sample.origin, sample.direction, infinite_t()}, start()});
     recorder_ = nullptr;
     return out;
 }
@@ -50,16 +106,14 @@ const InteriorList* Whitted::start() {
     return interior;
 }
 
-Channels Whitted::radiance(Path path) {
+Channels Whitted::radiance(Path&& path) {
     Channels out;
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
-    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.origin, path.direction);
+    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
-    Ray ray;
-    ray.origin = path.origin;
-    ray.direction = path.direction;
+    const Ray ray = ray_of(path.ray);
     Hit hit = scene_.world.closest(ray, kernel_);
     skip_hidden(ray, hit, path.interior);
     out.covered = static_cast<bool>(hit);
@@ -104,17 +158,18 @@ void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interio
 
 /// The list behind a surface that a ray goes through unbent.
 void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interior) {
-    if (is_dielectric(hit.object, scene_))
-        interior = crossed(interior, hit.object, enters(scene_, ray, hit), scene_, arena_);
+    if (!is_dielectric(hit.object, scene_)) return;
+    const bool entering = dot(scene_.world.surface(ray, hit).n, ray.direction) < 0.0f;
+    interior = crossed(interior, hit.object, entering, scene_, arena_);
 }
 
 LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) {
     LocalTerms local = ambient_terms(scene_.ambient, at.surface, *at.material);
-    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
-        const LightArrival arrival = light_arrival(scene_.lights[i], at.surface);
-        if (recorder_ != nullptr) recorder_->begin_light(i, arrival);
+    for (const LightRecord& light : scene_.lights) {
+        const LightArrival arrival = light_arrival(light, at.surface);
+        if (recorder_ != nullptr) recorder_->begin_light(arrival);
         if (!is_worth_shadow_ray(*at.material, arrival)) continue;
-        const float passing = light_passing(scene_.lights[i], arrival, path, at);
+        const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
         local.diffuse = local.diffuse + shown.diffuse;
         local.highlight = local.highlight + shown.highlight;
@@ -139,13 +194,13 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
     if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
         interior = crossed(interior, at.object, at.entering, scene_, arena_);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
-    // Where nothing can pass, the recorder alone wants to know what blocks.
+    // If no light can pass, only the recorder needs the blockers.
     if (!may_pass && recorder_ == nullptr) return 0.0f;
     const float passing = walk_shadow(shadow, interior);
     return may_pass ? passing : 0.0f;
 }
 
-// Every visible surface takes its share. A recorder gets those behind the first opaque one too.
+/// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     blockers_.clear();
     scene_.world.all_hits(shadow, blockers_);
@@ -153,7 +208,7 @@ float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     for (const Hit& hit : blockers_) {
         const bool hidden = is_hidden(interior, hit.object, scene_);
         const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
-        if (recorder_ != nullptr) recorder_->blocker({hit.object, hit.t, transparency, hidden});
+        if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
         if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
         cross(shadow, hit, interior);
@@ -170,8 +225,8 @@ bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
 
 void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms) {
     const Bounce bounce = bounce_at(path, at);
-    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), bounce);
     const Split& split = bounce.split;
+    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
     if (split.reflected > 0.0f)
         terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
     if (split.refracted > 0.0f)
@@ -186,23 +241,23 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
         return bounce;
     }
     bounce.interior = crossed(path.interior, at.object, at.entering, scene_, arena_);
-    bounce.index_before = refractive_index(path.interior, scene_);
-    bounce.index_after = refractive_index(bounce.interior, scene_);
-    bounce.refraction = refraction_at(at.surface, bounce.index_before / bounce.index_after);
-    bounce.split = split_at_solid(*at.material, bounce.refraction, bounce.index_before, bounce.index_after);
+    const float index_before = refractive_index(path.interior, scene_);
+    const float index_after = refractive_index(bounce.interior, scene_);
+    const Refraction refraction = refraction_at(at.surface, index_before / index_after);
+    bounce.split = split_at_solid(*at.material, refraction, index_before, index_after);
+    if (recorder_ != nullptr) recorder_->refract(refraction, index_before, index_after);
     return bounce;
 }
 
 Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
     ++counts_.reflected;
-    const SpawnedRay ray = reflected_ray(at.surface);
-    return {ray.origin, ray.direction, path.interior, path.depth + 1, RayKind::reflected};
+    return {reflected_ray(at.surface), path.interior, path.depth + 1, RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
-    const SpawnedRay ray = spawn_ray(at.surface, bounce.split.direction);
-    return {ray.origin, ray.direction, bounce.interior, path.depth + 1, RayKind::refracted};
+    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior, path.depth + 1,
+            RayKind::refracted};
 }
 
 void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {

@@ -1,8 +1,8 @@
 #pragma once
 // Whitted's ray tracing of many camera rays at once, breadth first: each wave holds the paths of one depth.
 // Its rays are traced together, then light by light its shadow rays, and shaded in vectors
-// (render/shade_batch.h). Results have the bits of Whitted, which shades what is rare: glass, and branches
-// that have no room in PathStates.
+// (render/shade_batch.h). Results have the bits of Whitted, which shades glass, and follows branches for
+// which PathStates has no room.
 
 #include "render/estimators/path_states.h"
 #include "render/estimators/whitted.h"
@@ -22,8 +22,7 @@ class WhittedWavefront {
     WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
                      const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
 
-    /// `out` has an element for each sample, whose terms are set where `terms` asks for them. Unchanged where
-    /// `cancel` was set.
+    /// `out` has an element for each sample; its terms are set if `terms`. Unchanged if `cancel` was set.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
 
     RayCounts counts() const { return counts_ + single_.counts(); }
@@ -60,8 +59,8 @@ class WhittedWavefront {
     const ShadeKernels& shade_;
     Whitted single_;
     RayCounts counts_;            ///< beside those of single_
-    MaterialRecord background_{}; ///< what is seen where nothing is hit
-    MaterialRecord darkness_{};   ///< and where nothing is hit from inside a solid
+    MaterialRecord background_{}; ///< for rays that hit nothing
+    MaterialRecord darkness_{};   ///< for rays that hit nothing from inside a solid
     std::unique_ptr<PathStates> states_;
     std::vector<Wave> waves_;
     trace::World::Scratch scratch_;
