@@ -116,8 +116,7 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
         if (!is_worth_shadow_ray(*at.material, arrival)) continue;
         const float passing = light_passing(scene_.lights[i], arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
-        local.diffuse = local.diffuse + shown.diffuse;
-        local.highlight = local.highlight + shown.highlight;
+        local = with_light(local, shown);
         if (recorder_ != nullptr) recorder_->end_light(passing, shown);
     }
     return limited_terms(modes_, local);
