@@ -9,6 +9,10 @@
 
 GLINT_SHARED_BEGIN
 
+#ifndef GLINT_GLSL
+using glm::mat3;
+#endif
+
 /// The surface at a hit. `p` is on the surface up to `p_error`.
 struct SurfacePoint {
     vec3 p;
@@ -68,6 +72,15 @@ GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double 
     return point;
 }
 
+/// Where the line o + t d enters or leaves a quadric that it meets, and the outward normal there.
+GLINT_FN void point_on_line(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o, dvec3 d, GLINT_OUT(dvec3) on,
+                            GLINT_OUT(dvec3) n) {
+    SolidSpan span;
+    line_in_quadric(shape, o, d, span);
+    double t = leaving ? span.leave : span.enter;
+    point_of_quadric(shape, leaving ? span.leave_part : span.enter_part, o + d * t, on, n);
+}
+
 /// From a quadric's local space to the world: p_world = linear · p + translation, normals by the inverse
 /// transpose. `size` is size_of_quadric() there.
 GLINT_FN SurfacePoint point_in_world(dvec3 p, dvec3 n, GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
@@ -112,9 +125,15 @@ GLINT_FN vec3 transformed_normal(GLINT_IN(dmat3) normal_matrix, vec3 n) {
     return squared > 0.0 ? vec3(t / sqrt(squared)) : vec3(0.0f);
 }
 
-/// Interpolates with weights u and v of vertices b and c.
-GLINT_FN vec3 interpolated(vec3 a, vec3 b, vec3 c, float u, float v) {
-    return a * (1.0f - u - v) + b * u + c * v;
+/// The same for those of a triangle's corners, the columns.
+GLINT_FN mat3 transformed_normals(GLINT_IN(dmat3) normal_matrix, GLINT_IN(mat3) n) {
+    return mat3(transformed_normal(normal_matrix, n[0]), transformed_normal(normal_matrix, n[1]),
+                transformed_normal(normal_matrix, n[2]));
+}
+
+/// Between the corners of a triangle, the columns, at the weights u and v of the second and the third.
+GLINT_FN vec3 interpolated(GLINT_IN(mat3) corners, float u, float v) {
+    return corners[0] * (1.0f - u - v) + corners[1] * u + corners[2] * v;
 }
 
 /// The shading normal from the interpolated one: unit length, on the side of n_g; n_g if that is 0.

@@ -9,8 +9,7 @@
 namespace glint {
 namespace {
 
-/// Is a library there? libepoxy ends the program where it misses one. It stays loaded: libepoxy wants it
-/// next.
+/// Is a library installed? libepoxy ends the program if it misses one. The library stays loaded for libepoxy.
 bool can_load(const char* library) { return dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }
 
 bool has_word(const char* list, const std::string& word) {
@@ -21,7 +20,7 @@ std::string text(const GLubyte* bytes) {
     return bytes == nullptr ? std::string() : reinterpret_cast<const char*>(bytes);
 }
 
-/// A display and a context on it, current while it is looked at.
+/// A display and a context on it.
 struct Opened {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
@@ -32,7 +31,7 @@ constexpr int min_major = 4;
 constexpr int min_minor = 3;
 
 EGLContext make_context(EGLDisplay display) {
-    // A context that tells of its loss, where the driver knows how.
+    // A context that reports its loss, if the driver supports that.
     const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                            min_major,
                                            EGL_CONTEXT_MINOR_VERSION,
@@ -86,7 +85,7 @@ std::uint64_t limit(GLenum name) {
 
 constexpr std::uint64_t buffers_needed = 8;
 
-/// What the current context tells of its device.
+/// Describes the device of the current context.
 void describe_current(GpuDevice& d) {
     d.name = text(glGetString(GL_RENDERER));
     d.driver = text(glGetString(GL_VENDOR)) + ", OpenGL " + text(glGetString(GL_VERSION));
@@ -108,7 +107,7 @@ GpuDevice describe(const Opened& opened, EGLDeviceEXT device) {
     return d;
 }
 
-/// The devices that EGL lists; where there are none, `why` says what is missing.
+/// The devices that EGL lists; if there are none, `why` says what is missing.
 std::vector<EGLDeviceEXT> list_devices(std::string& why) {
     if (!can_load("libEGL.so.1")) {
         why = "libEGL.so.1 is not installed (Debian: apt-get install libegl1)";
@@ -166,7 +165,7 @@ GpuDevice gpu_device(GpuCurrentContext) {
 }
 
 struct GpuContext::State {
-    Opened opened; ///< no display: the context is somebody else's
+    Opened opened; ///< no display: the context belongs to the caller
     GpuDevice device;
     std::vector<std::string> complaints;
 };
@@ -181,7 +180,7 @@ GpuContext::GpuContext(int number) : state_(std::make_unique<State>()) {
     if (number >= static_cast<int>(devices.size()))
         refuse("there is no device " + std::to_string(number) + " among " + std::to_string(devices.size()));
 
-    // Hardware first; what a driver only pretends is still better than nothing.
+    // Hardware first, then software.
     for (const bool software : {false, true}) {
         for (std::size_t i = 0; i < devices.size(); ++i) {
             if (number >= 0 && static_cast<int>(i) != number) continue;
@@ -220,7 +219,7 @@ void GpuContext::enter() const {
 bool GpuContext::try_enter() const noexcept {
     const Opened& opened = state_->opened;
     if (opened.display == EGL_NO_DISPLAY) return true;
-    // The interface to be made current is remembered by thread.
+    // The bound interface is a state of the thread.
     eglBindAPI(EGL_OPENGL_API);
     return eglMakeCurrent(opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, opened.context) == EGL_TRUE;
 }

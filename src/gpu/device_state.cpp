@@ -13,7 +13,7 @@ GpuDeviceState::GpuDeviceState(int device, const GpuLimits& limits) : context_(d
 
 GpuDeviceState::~GpuDeviceState() {
     // Programs and buffers go while their context is current.
-    const GpuEnding ending(context_);
+    const GpuScope scope(context_, std::nothrow);
     buffers_.reset();
     programs_.clear();
     show_program_.reset();

@@ -1,6 +1,6 @@
 #include "glint/progressive.h"
 
-#include "render/film.h"
+#include "render/cpu_executor.h"
 #include "render/schedule_run.h"
 
 #include <optional>
@@ -12,8 +12,9 @@ struct Progressive::State {
 
     TaskPool pool;
     Film film;
-    std::optional<Scene> scene; ///< kept alive for the run
-    std::optional<ScheduleRun> run;
+    std::optional<Scene> scene; ///< kept alive for the executor
+    std::optional<CpuExecutor> executor;
+    std::optional<ScheduleRun<CpuExecutor>> run;
 };
 
 Progressive::Progressive(int threads) : state_(std::make_unique<State>(threads)) {}
@@ -24,12 +25,12 @@ void Progressive::start(const Scene& scene, const ProgressiveOptions& options) {
     RenderOptions wanted;
     wanted.show = options.show;
     const FilmLayout layout = film_layout(scene.render_settings(), wanted);
-    Schedule schedule{layout.area, layout.tile_size, refining_passes(options.coarsest, layout.samples), {}};
+    std::vector<Pass> passes = refining_passes(options.coarsest, layout.samples);
     s.run.reset();
     s.scene = scene;
     s.film.start(layout);
-    s.run.emplace(scene.data(), std::move(schedule), s.film, s.pool,
-                  RunOptions{options.show, options.kernel, options.cancel, {}});
+    s.executor.emplace(scene.data(), s.film, s.pool, options.kernel, options.cancel);
+    s.run.emplace(*s.executor, std::move(passes), options.cancel);
 }
 
 bool Progressive::advance(double seconds) {

@@ -1,6 +1,6 @@
 #include "glint/render.h"
 
-#include "render/film.h"
+#include "render/cpu_executor.h"
 #include "render/schedule_run.h"
 
 #include <ctime>
@@ -20,10 +20,9 @@ Picture render(const Scene& scene, const RenderOptions& options) {
     const double wall = wall_seconds();
     const double cpu = cpu_seconds();
     Film film(film_layout(scene.render_settings(), options));
-    const FilmLayout& layout = film.layout();
     TaskPool pool(options.threads);
-    ScheduleRun run(scene.data(), {layout.area, layout.tile_size, one_pass(layout.samples), {}}, film, pool,
-                    {options.show, options.kernel, options.cancel, options.progress});
+    CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
+    ScheduleRun run(executor, one_pass(film.layout().samples), options.cancel, options.progress);
     run.run(no_deadline);
     Picture picture;
     film.move_to(picture);

@@ -29,10 +29,6 @@ Rect TileGrid::tile(std::size_t index) const {
     return r;
 }
 
-TileGrid Schedule::grid_of(const Pass& pass) const {
-    return {(area.width + pass.step - 1) / pass.step, (area.height + pass.step - 1) / pass.step, tile_size};
-}
-
 std::vector<Pass> one_pass(int samples) { return {{1, false, 0, samples}}; }
 
 std::vector<Pass> refining_passes(int coarsest, int samples) {

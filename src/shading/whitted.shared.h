@@ -226,6 +226,14 @@ GLINT_FN LocalTerms ambient_terms(vec3 ambient_light, GLINT_IN(SurfaceRecord) s,
     return local;
 }
 
+/// With what the surface shows of one more light.
+GLINT_FN LocalTerms with_light(GLINT_IN(LocalTerms) local, GLINT_IN(ShownLight) shown) {
+    LocalTerms more = local;
+    more.diffuse = local.diffuse + shown.diffuse;
+    more.highlight = local.highlight + shown.highlight;
+    return more;
+}
+
 /// The terms with their sum limited to 1, if the model clamps.
 GLINT_FN LocalTerms limited_terms(GLINT_IN(WhittedModes) modes, GLINT_IN(LocalTerms) local) {
     LocalTerms limited = local;

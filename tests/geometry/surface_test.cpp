@@ -64,7 +64,7 @@ TEST(Surface, ShadingNormalsAreUnitAndOnTheGeometricSide) {
     EXPECT_EQ(shading_normal(vec3(0, 0, 4), n_g), n_g);
     EXPECT_EQ(shading_normal(vec3(0, 3, -4), n_g), vec3(0, -0.6f, 0.8f));
     EXPECT_EQ(shading_normal(vec3(0.0f), n_g), n_g);
-    EXPECT_EQ(interpolated(a, b, c, 0.25f, 0.5f), vec3(0.25f, 0.5f, 1.0f));
+    EXPECT_EQ(interpolated(mat3(a, b, c), 0.25f, 0.5f), vec3(0.25f, 0.5f, 1.0f));
 }
 
 TEST(Surface, TransformedNormalsAreUnitOrZero) {

@@ -2,8 +2,8 @@
 
 #include "render/estimators/whitted.h"
 
-#include "geometry/surface.shared.h"
 #include "render/ray_recorder.h"
+#include "shading/interaction.shared.h"
 
 #include <optional>
 
@@ -28,33 +28,27 @@ void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, Surfa
     point = moved_off_edge(point, scene.world.surface(ray, middle).p);
 }
 
-vec3 vertex_normal(const SceneData& scene, const Hit& hit, const std::vector<vec3>& normals,
-                   std::uint32_t vertex) {
-    const vec3& n = normals[vertex];
-    const std::int32_t matrix = scene.objects[hit.object].normal_matrix;
-    if (matrix == no_normal_matrix) return n;
-    return transformed_normal(scene.normal_matrices[static_cast<std::size_t>(matrix)], n);
+/// The vectors at the corners of a triangle, as columns.
+mat3 at_corners(const std::vector<vec3>& vectors, const uvec3& corner) {
+    return {vectors[corner.x], vectors[corner.y], vectors[corner.z]};
 }
 
 /// Colour and shading normal, where the mesh has them by vertex. A cloud of spheres has a colour for each.
 void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord& s) {
-    const MeshAttributes& attributes =
-        scene.attributes[static_cast<std::size_t>(scene.objects[hit.object].attributes)];
+    const ObjectData& object = scene.objects[hit.object];
+    const MeshAttributes& attributes = scene.attributes[static_cast<std::size_t>(object.attributes)];
     if (hit.kind == PrimKind::quadric) {
         s.color = attributes.mesh->colors[hit.prim];
         return;
     }
     const uvec3 corner = attributes.mesh->triangles[hit.prim];
-    if (attributes.colored) {
-        const std::vector<vec3>& c = attributes.mesh->colors;
-        s.color = interpolated(c[corner.x], c[corner.y], c[corner.z], hit.u, hit.v);
-    }
+    if (attributes.colored) s.color = interpolated(at_corners(attributes.mesh->colors, corner), hit.u, hit.v);
     if (attributes.normals == nullptr) return;
-    const auto normal = [&](std::uint32_t vertex) {
-        return vertex_normal(scene, hit, *attributes.normals, vertex);
-    };
-    s.n = shading_normal(interpolated(normal(corner.x), normal(corner.y), normal(corner.z), hit.u, hit.v),
-                         s.n_g);
+    mat3 normals = at_corners(*attributes.normals, corner);
+    if (object.normal_matrix != no_normal_matrix)
+        normals = transformed_normals(scene.normal_matrices[static_cast<std::size_t>(object.normal_matrix)],
+                                      normals);
+    s.n = shading_normal(interpolated(normals, hit.u, hit.v), s.n_g);
 }
 
 } // namespace
@@ -66,16 +60,10 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
     SurfaceInteraction at;
     at.object = hit.object;
     at.material = &scene.materials[object.material];
-    at.entering = dot(point.n, ray.direction) < 0.0f;
-    SurfaceRecord& s = at.surface;
-    s.p = point.p;
-    s.p_error = point.p_error;
-    s.v = -ray.direction;
-    s.n_g = at.entering ? point.n : -point.n;
-    s.n = s.n_g;
-    s.color = at.material->color;
-    s.lit_side = object.lit_as_stored && at.entering == object.turned ? -1.0f : 1.0f;
-    if (object.attributes != no_attributes) interpolate_vertices(scene, hit, s);
+    at.entering = enters(point.n, ray.direction);
+    at.surface =
+        surface_record(point, ray.direction, at.material->color, object.lit_as_stored, object.turned);
+    if (object.attributes != no_attributes) interpolate_vertices(scene, hit, at.surface);
     return at;
 }
 
@@ -159,7 +147,7 @@ void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interio
 /// The list behind a surface that a ray goes through unbent.
 void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interior) {
     if (!is_dielectric(hit.object, scene_)) return;
-    const bool entering = dot(scene_.world.surface(ray, hit).n, ray.direction) < 0.0f;
+    const bool entering = enters(scene_.world.surface(ray, hit).n, ray.direction);
     interior = crossed(interior, hit.object, entering, scene_, arena_);
 }
 
@@ -171,8 +159,7 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
         if (!is_worth_shadow_ray(*at.material, arrival)) continue;
         const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
-        local.diffuse = local.diffuse + shown.diffuse;
-        local.highlight = local.highlight + shown.highlight;
+        local = with_light(local, shown);
         if (recorder_ != nullptr) recorder_->end_light(passing, shown);
     }
     return limited_terms(modes_, local);

@@ -31,22 +31,18 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
 SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {
     const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
     const Line line = exact_line(ray);
-    SolidSpan span{};
-    intersect(world, line, quadric, span);
     const bool leaving = hit.u != 0.0f;
-    const double t = leaving ? span.leave : span.enter;
-    const int part = leaving ? span.leave_part : span.enter_part;
     const double size = size_of_quadric(quadric.shape);
+    dvec3 p;
+    dvec3 n;
     if (quadric.affine < 0) {
-        const ExactPoint point = surface(quadric.shape, part, line.origin + line.direction * t);
-        return rounded_point(point.p, point.n, surface_error * size);
+        point_on_line(quadric.shape, leaving, line.origin, line.direction, p, n);
+        return rounded_point(p, n, surface_error * size);
     }
-
-    // Solved in local space with the same t; normals transform by the inverse transpose.
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
     const Line local = affine.to_local(line);
-    const ExactPoint point = surface(quadric.shape, part, local.origin + local.direction * t);
-    return point_in_world(point.p, point.n, affine.linear, affine.inverse, affine.translation, size);
+    point_on_line(quadric.shape, leaving, local.origin, local.direction, p, n);
+    return point_in_world(p, n, affine.linear, affine.inverse, affine.translation, size);
 }
 
 SurfacePoint plane_point(const WorldData& world, const Ray& ray, const Hit& hit) {

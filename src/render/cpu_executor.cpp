@@ -1,4 +1,4 @@
-#include "render/schedule_run.h"
+#include "render/cpu_executor.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 namespace glint {
 namespace {
 
-std::size_t place_in(const Rect& tile, const Pixel& pixel) {
+std::size_t index_in(const Rect& tile, const Pixel& pixel) {
     return static_cast<std::size_t>(pixel.y - tile.y) * static_cast<std::size_t>(tile.width) +
            static_cast<std::size_t>(pixel.x - tile.x);
 }
@@ -16,13 +16,13 @@ std::size_t place_in(const Rect& tile, const Pixel& pixel) {
 
 /// The samples of a pixel so far.
 template <class T>
-struct ScheduleRun::PixelSamples {
+struct CpuExecutor::PixelSamples {
     PixelSum<T> sum;
     std::uint32_t covered = 0;
 
     PixelSamples(const Film& film, const Visit& visit, const Pixel& pixel) {
         if (!visit.continues) return;
-        const auto state = film.state<T>(visit.tile, place_in(visit.rect, pixel));
+        const auto state = film.state<T>(visit.tile, index_in(visit.rect, pixel));
         sum = PixelSum<T>(state.sum, static_cast<std::uint32_t>(visit.pass.first));
         covered = state.covered;
     }
@@ -32,123 +32,64 @@ struct ScheduleRun::PixelSamples {
     }
 };
 
-ScheduleRun::ScheduleRun(const SceneData& scene, Schedule schedule, Film& film, TaskPool& pool,
-                         RunOptions options)
-    : schedule_(std::move(schedule)), film_(film), pool_(pool), options_(std::move(options)),
-      sampler_(scene.description), cursor_(schedule_.passes) {
+CpuExecutor::CpuExecutor(const SceneData& scene, Film& film, TaskPool& pool, const KernelChoice& kernel,
+                         const CancelFlag* cancel, const Shard& shard)
+    : film_(film), pool_(pool), cancel_(cancel), shard_(shard), sampler_(scene.description) {
     for (std::uint32_t i = 0; i < batch_samples; ++i) block_.push_back({morton_x(i), morton_y(i)});
     for (int i = 0; i < pool.threads(); ++i)
-        workers_.emplace_back(make_estimator(scene, options_.show, options_.cancel, options_.kernel));
-    if (film_.has_samples()) {
-        std::erase_if(schedule_.passes, [](const Pass& pass) { return pass.is_preview(); });
-        cursor_ = ScheduleCursor(schedule_.passes);
-    }
-    for (const Pass& pass : schedule_.passes) progress_.tiles += task_count(pass);
-    begin_pass();
+        workers_.emplace_back(make_estimator(scene, film.layout().show, cancel, kernel));
 }
 
-void ScheduleRun::run(double deadline) {
-    const double begin = wall_seconds();
-    while (!is_finished() && !is_cancelled()) {
-        run_pass(deadline);
-        if (left_ == 0) end_pass();
-        if (wall_seconds() >= deadline) break;
-    }
-    seconds_ += wall_seconds() - begin;
-    measure_progress();
-}
-
-void ScheduleRun::add_stats(RenderStats& stats) const {
-    for (const Worker& worker : workers_) {
-        add_rays(ray_counts(worker.estimator), stats);
-        if (worker.tiles > 0) ++stats.threads;
-    }
+RayCounts CpuExecutor::rays(int worker) const {
+    return ray_counts(workers_[static_cast<std::size_t>(worker)].estimator);
 }
 
 // ── Passes and tiles ──
 
-std::size_t ScheduleRun::task_count(const Pass& pass) const {
-    const std::size_t tiles = schedule_.grid_of(pass).count();
-    const auto index = static_cast<std::size_t>(schedule_.shard.index);
-    const auto shards = static_cast<std::size_t>(schedule_.shard.count);
-    return tiles > index ? (tiles - index + shards - 1) / shards : 0;
+/// A preview would overwrite samples.
+bool CpuExecutor::shows_preview() const { return pass_.is_preview() && !film_.has_samples(); }
+
+std::vector<std::uint32_t> CpuExecutor::begin_pass(const Pass& pass) {
+    pass_ = pass;
+    if (pass.is_preview() && !shows_preview()) return {};
+    film_.begin_pass(pass);
+    const FilmLayout& layout = film_.layout();
+    grid_ = TileGrid((layout.area.width + pass.step - 1) / pass.step,
+                     (layout.area.height + pass.step - 1) / pass.step, layout.tile_size);
+    const std::size_t tiles = grid_.count();
+    const auto index = static_cast<std::size_t>(shard_.index);
+    const auto shards = static_cast<std::size_t>(shard_.count);
+    return std::vector<std::uint32_t>(tiles > index ? (tiles - index + shards - 1) / shards : 0, 1);
 }
 
-std::size_t ScheduleRun::tile_of(std::size_t task) const {
-    return static_cast<std::size_t>(schedule_.shard.index) +
-           task * static_cast<std::size_t>(schedule_.shard.count);
+void CpuExecutor::end_pass() {
+    if (shows_preview()) film_.show_preview(pass_.step, is_light(film_.layout().show), pool_);
 }
 
-void ScheduleRun::begin_pass() {
-    if (is_finished()) return;
-    film_.begin_pass(pass());
-    grid_ = schedule_.grid_of(pass());
-    done_.assign(task_count(pass()), 0);
-    left_ = done_.size();
-    for (std::size_t task = 0; task < done_.size() && !pass().is_preview(); ++task)
-        if (film_.missing(tile_of(task), pass()).count == 0) {
-            done_[task] = 1;
-            --left_;
-            ++progress_.tiles_done;
-        }
+std::uint32_t CpuExecutor::step(std::size_t task, int worker) {
+    const std::size_t tile =
+        static_cast<std::size_t>(shard_.index) + task * static_cast<std::size_t>(shard_.count);
+    return measure_tile(tile, workers_[static_cast<std::size_t>(worker)]) ? 1 : 0;
 }
 
-void ScheduleRun::end_pass() {
-    if (pass().is_preview()) film_.show_preview(pass().step, is_light(options_.show), pool_);
-    cursor_.next();
-    begin_pass();
-}
-
-void ScheduleRun::run_pass(double deadline) {
-    for (Worker& worker : workers_) worker.may_stop = false;
-    const bool must_end = cursor_.is_first();
-    pool_.run(done_.size(), [&](std::size_t task, int number) {
-        Worker& worker = workers_[static_cast<std::size_t>(number)];
-        const bool is_late = !must_end && worker.may_stop && wall_seconds() >= deadline;
-        if (done_[task] != 0 || is_late || is_cancelled() || !run_tile(tile_of(task), worker)) return;
-        worker.may_stop = true;
-        done_[task] = 1;
-        left_.fetch_sub(1, std::memory_order_relaxed);
-        ++worker.tiles;
-        if (options_.progress) report(worker);
-    });
-}
-
-/// Was it not cancelled?
-bool ScheduleRun::run_tile(std::size_t tile, Worker& worker) {
-    if (pass().is_preview()) {
-        if (!measure(visit_of(pass(), tile), worker)) return false;
-        film_.commit_preview(pass(), worker.values);
+/// False if it was cancelled.
+bool CpuExecutor::measure_tile(std::size_t tile, Worker& worker) {
+    if (pass_.is_preview()) {
+        if (!measure(visit_of(pass_, tile), worker)) return false;
+        film_.commit_preview(pass_, worker.values);
         return true;
     }
     for (;;) {
-        const Pass part = film_.missing(tile, pass());
+        const Pass part = film_.missing(tile, pass_);
         if (part.count == 0) return true;
         if (!measure(visit_of(part, tile), worker)) return false;
         film_.commit(tile, part, worker.values);
     }
 }
 
-void ScheduleRun::report(Worker& worker) {
-    const std::uint64_t rays = ray_counts(worker.estimator).total();
-    const std::lock_guard lock(mutex_);
-    progress_.tiles_done += 1;
-    progress_.rays += rays - worker.rays_reported;
-    progress_.seconds = wall_seconds() - start_;
-    worker.rays_reported = rays;
-    options_.progress(progress_);
-}
-
-void ScheduleRun::measure_progress() {
-    const double tiles = std::max<double>(1, static_cast<double>(done_.size()));
-    reached_ = cursor_.reached(1 - static_cast<double>(left_.load()) / tiles);
-    reached_.seconds = seconds_;
-    for (const Worker& worker : workers_) reached_.rays += ray_counts(worker.estimator).total();
-}
-
 // ── Visits ──
 
-ScheduleRun::Visit ScheduleRun::visit_of(const Pass& pass, std::size_t tile) const {
+CpuExecutor::Visit CpuExecutor::visit_of(const Pass& pass, std::size_t tile) const {
     Visit visit{pass, tile, grid_.tile(tile)};
     if (!pass.is_preview()) {
         visit.continues = film_.continues(tile, pass);
@@ -163,7 +104,7 @@ ScheduleRun::Visit ScheduleRun::visit_of(const Pass& pass, std::size_t tile) con
 }
 
 /// False if it was cancelled.
-bool ScheduleRun::measure(const Visit& visit, Worker& worker) const {
+bool CpuExecutor::measure(const Visit& visit, Worker& worker) const {
     FilmTile& values = worker.values;
     values.pixels.clear();
     if (visit.keeps_states) values.states.resize(film_.state_bytes(visit.tile));
@@ -183,7 +124,7 @@ bool ScheduleRun::measure(const Visit& visit, Worker& worker) const {
 }
 
 /// Adds the pixels of a block, as far as they lie in the tile and the pass is to measure them.
-void ScheduleRun::collect_block(const Visit& visit, int x, int y, FilmTile& values) const {
+void CpuExecutor::collect_block(const Visit& visit, int x, int y, FilmTile& values) const {
     const Rect& r = visit.rect;
     const std::size_t from = values.pixels.size();
     const auto count = static_cast<std::size_t>(visit.block_width * visit.block_height);
@@ -200,11 +141,12 @@ void ScheduleRun::collect_block(const Visit& visit, int x, int y, FilmTile& valu
     values.resize_to_pixels(film_.layout());
 }
 
-void ScheduleRun::measure_centres(std::size_t from, Worker& worker) const {
+void CpuExecutor::measure_centres(std::size_t from, Worker& worker) const {
     const std::size_t count = worker.values.pixels.size() - from;
     for (std::size_t i = 0; i < count; ++i) {
         const Pixel& pixel = worker.values.pixels[from + i];
-        worker.samples[i] = sampler_.centre({schedule_.area.x + pixel.x, schedule_.area.y + pixel.y});
+        worker.samples[i] =
+            sampler_.centre({film_.layout().area.x + pixel.x, film_.layout().area.y + pixel.y});
     }
     estimate(worker.estimator, {worker.samples.data(), count}, {worker.channels.data(), count},
              film_.layout().term.has_value());
@@ -213,12 +155,12 @@ void ScheduleRun::measure_centres(std::size_t from, Worker& worker) const {
 }
 
 /// Samples first … first + count − 1 of the pixels from number `from` on.
-void ScheduleRun::estimate_samples(std::size_t from, int first, int count, Worker& worker) const {
+void CpuExecutor::estimate_samples(std::size_t from, int first, int count, Worker& worker) const {
     const bool centres = film_.layout().samples == 1;
     std::size_t s = 0;
     for (std::size_t i = from; i < worker.values.pixels.size(); ++i) {
         const Pixel& of_area = worker.values.pixels[i];
-        const Pixel pixel{schedule_.area.x + of_area.x, schedule_.area.y + of_area.y};
+        const Pixel pixel{film_.layout().area.x + of_area.x, film_.layout().area.y + of_area.y};
         for (int k = first; k < first + count; ++k, ++s)
             worker.samples[s] = centres ? sampler_.centre(pixel) : sampler_.sample(pixel, k);
     }
@@ -227,7 +169,7 @@ void ScheduleRun::estimate_samples(std::size_t from, int first, int count, Worke
 }
 
 template <class T>
-void ScheduleRun::measure_samples(const Visit& visit, std::size_t from, Worker& worker) const {
+void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, Worker& worker) const {
     const int count = visit.pass.count;
     if (count > batch_samples) return measure_pixel<T>(visit, worker);
     estimate_samples(from, visit.pass.first, count, worker);
@@ -247,7 +189,7 @@ void ScheduleRun::measure_samples(const Visit& visit, std::size_t from, Worker& 
 
 /// The last of the worker's pixels, which alone has more samples than a batch.
 template <class T>
-void ScheduleRun::measure_pixel(const Visit& visit, Worker& worker) const {
+void CpuExecutor::measure_pixel(const Visit& visit, Worker& worker) const {
     const std::size_t pixel = worker.values.pixels.size() - 1;
     PixelSamples<T> samples(film_, visit, worker.values.pixels[pixel]);
     const int end = visit.pass.first + visit.pass.count;
@@ -261,7 +203,7 @@ void ScheduleRun::measure_pixel(const Visit& visit, Worker& worker) const {
 }
 
 template <class T>
-const T& ScheduleRun::measured(const Channels& channels) const {
+const T& CpuExecutor::measured(const Channels& channels) const {
     if constexpr (std::is_same_v<T, Terms>) {
         return channels.terms;
     } else {
@@ -271,17 +213,17 @@ const T& ScheduleRun::measured(const Channels& channels) const {
 }
 
 template <class T>
-void ScheduleRun::put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
+void CpuExecutor::put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
                            FilmTile& values) const {
     put(samples.sum.value(), samples.covered, pixel, values);
     if (!visit.keeps_states) return;
     const PixelState<T> state{samples.sum.part(), samples.covered};
-    const std::size_t place = place_in(visit.rect, values.pixels[pixel]);
-    std::memcpy(&values.states[place * sizeof state], &state, sizeof state);
+    const std::size_t index = index_in(visit.rect, values.pixels[pixel]);
+    std::memcpy(&values.states[index * sizeof state], &state, sizeof state);
 }
 
 template <class T>
-void ScheduleRun::put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const {
+void CpuExecutor::put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const {
     const FilmLayout& layout = film_.layout();
     if constexpr (std::is_same_v<T, Terms>) {
         values.shown[pixel] = layout.term ? value[*layout.term] : value.sum();
