@@ -76,7 +76,9 @@ std::set<std::string> options_in(const std::string& text) {
     std::set<std::string> names;
     std::istringstream words(text);
     for (std::string word; words >> word;)
-        if (word.rfind("--", 0) == 0) names.insert(word.substr(0, word.find_first_of(",;")));
+        // "--size", or "-t,--threads".
+        if (const std::size_t at = word.find("--"); at == 0 || (at == 3 && word[2] == ','))
+            names.insert(word.substr(at, word.find_first_of(",;", at) - at));
     return names;
 }
 
