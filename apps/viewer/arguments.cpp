@@ -5,6 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
 namespace glint::viewer {
 namespace {
 
@@ -14,7 +18,19 @@ std::string override_fault(const std::string& text) {
 }
 
 void add_size(CLI::App& app, const char* name, auto& size, int min, const char* help) {
-    app.add_option(name, size, help)->delimiter('x')->type_name("WxH")->check(CLI::Range(min, 8192));
+    const auto take = [name, min, &size](const std::string& text) {
+        constexpr int max = 8192;
+        std::istringstream in(text);
+        int width = 0, height = 0;
+        char separator = 0;
+        in >> width >> separator >> height;
+        const bool is_size = in && separator == 'x' && in.peek() == EOF;
+        if (!is_size || std::min(width, height) < min || std::max(width, height) > max)
+            throw CLI::ValidationError(name, "expected WxH such as 1280x720, each number from " +
+                                                 std::to_string(min) + " to " + std::to_string(max));
+        size = std::pair(width, height);
+    };
+    app.add_option_function<std::string>(name, take, help)->type_name("WxH");
 }
 
 void add_flag(CLI::App& app, const char* name, bool& flag, const char* help) {
@@ -29,10 +45,13 @@ struct Choices {
 void add_options(CLI::App& app, Arguments& a, Choices& choices) {
     app.set_version_flag("--version", std::string("glint-view ") + version(), "the version");
     app.add_option("FILE", a.file, "a scene or a mesh");
+    // Of an option that is given twice, the last value counts.
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     add_size(app, "--size", a.picture_size, 1, "of the picture; default: as many pixels as the window shows");
     add_size(app, "--window", a.window_size, 320, "of the window, times what the screen asks for");
     app.add_option("-D", a.load.overrides, "set one value of the scene: -D material.glass.index=1.33")
         ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("PATH=VALUE")
         ->check(override_fault);
     app.add_option("--up", choices.up, "the axis of a bare mesh that points up")

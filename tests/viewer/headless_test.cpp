@@ -61,6 +61,7 @@ TEST(Headless, ADisplayThatIsNotThereIsNamed) {
 TEST(Headless, WrongWordsAreRefusedBeforeAWindowOpens) {
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--sise", "4x4"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--size", "4"}, {}).exit, 2);
+    EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--size", "4x4x4"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--size"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--theme", "pink"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--scale", "nan"}, {}).exit, 2);
