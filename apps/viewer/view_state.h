@@ -9,8 +9,6 @@
 
 namespace glint::viewer {
 
-class Session;
-
 enum class CompareMode { off, wipe, side_by_side };
 
 struct ViewState {
@@ -22,8 +20,5 @@ struct ViewState {
     Kernel kernel = Kernel::automatic;
     ThemeChoice theme = ThemeChoice::dark;
 };
-
-/// Makes the session show both views so. True if they have to be rendered again.
-bool apply(const ViewState& state, Session& session);
 
 } // namespace glint::viewer

@@ -2,7 +2,7 @@
 
 #include "glint/explain.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "imaging/pixel_sum.h"
 #include "parallel/task_pool.h"
 #include "render/camera_sampler.h"

@@ -1,6 +1,6 @@
 // explain: what it writes, and that its page says in a browser what its JSON says.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,7 +76,7 @@ blend = 0.5
 intensity = 30
 )";
 
-class Explain : public Workplace {
+class Explain : public CliTest {
   public:
     Explain() { write("cabinet.toml", cabinet); }
 };

@@ -1,11 +1,12 @@
+#pragma once
 // The window's clock.
-#include "activity.h"
 
 #include <chrono>
 
 namespace glint::viewer {
 
-double now() {
+/// Seconds of a monotonic clock.
+inline double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 

@@ -1,5 +1,5 @@
 // Writes the man page or a shell's completion to stdout, for the build.
-#include "documents.h"
+#include "generate_docs.h"
 
 #include <cstdio>
 #include <string>
@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     if (what == "zsh") text = zsh_completion();
     if (what == "fish") text = fish_completion();
     if (text.empty()) {
-        std::fputs("usage: glint_documents man|bash|zsh|fish\n", stderr);
+        std::fputs("usage: glint_generate_docs man|bash|zsh|fish\n", stderr);
         return 2;
     }
     return std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0 ? 4 : 0;

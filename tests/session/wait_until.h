@@ -8,10 +8,10 @@ namespace glint::viewer {
 
 /// Waits until the condition holds; false after a time limit.
 template <class Condition>
-bool comes_true(const Condition& condition) {
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+bool wait_until(const Condition& condition) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (!condition()) {
-        if (std::chrono::steady_clock::now() > patience) return false;
+        if (std::chrono::steady_clock::now() > deadline) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     return true;

@@ -1,5 +1,5 @@
 // Completions for bash, zsh and fish.
-#include "documents.h"
+#include "generate_docs.h"
 
 #include "../options.h"
 
@@ -35,10 +35,7 @@ std::string bash_values(const Command& command) {
 }
 
 std::string bash_options(const Command& command) {
-    std::vector<std::string> all;
-    for (const Option& option : command.options)
-        for (std::string& name : spellings(option)) all.push_back(std::move(name));
-    return fmt::format("        {}) words='{}' ;;\n", command.name, fmt::join(all, " "));
+    return fmt::format("        {}) words='{}' ;;\n", command.name, fmt::join(spellings(command), " "));
 }
 
 /// One option for zsh's _arguments: '(-o --output)'{-o,--output}'[help]:FILE:_files'.

@@ -1,6 +1,6 @@
 // The man page and the completions of shells, as the build made them.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <fstream>
 #include <sstream>
@@ -8,20 +8,21 @@
 namespace glint::test {
 namespace {
 
-std::string document(const std::string& name) {
-    std::ifstream file(std::string(GLINT_DOCUMENTS) + "/" + name);
+std::string generated(const std::string& name) {
+    std::ifstream file(std::string(GLINT_GENERATED_DOCS) + "/" + name);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
 }
 
-class Documents : public Workplace {
+class GeneratedDocs : public CliTest {
   public:
     /// What bash offers for the last of the words.
     std::string offered(const std::string& words) const {
         Setting setting;
         setting.folder = path("");
-        setting.input = "PATH=$(dirname " GLINT_PROGRAM "):$PATH\nsource " GLINT_DOCUMENTS "/glint.bash\n"
+        setting.input = "PATH=$(dirname " GLINT_PROGRAM "):$PATH\nsource " GLINT_GENERATED_DOCS
+                        "/glint.bash\n"
                         "COMP_WORDS=(" +
                         words +
                         ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_glint\n"
@@ -32,8 +33,8 @@ class Documents : public Workplace {
     }
 };
 
-TEST_F(Documents, ManPageNamesEveryOptionThatHelpNames) {
-    const std::string page = document("glint.1");
+TEST_F(GeneratedDocs, ManPageNamesEveryOptionThatHelpNames) {
+    const std::string page = generated("glint.1");
     EXPECT_EQ(page.rfind(".TH GLINT 1", 0), 0u);
     for (const char* option :
          {"\\-\\-size", "\\-\\-keep\\-partial", "\\-\\-metric", "\\-\\-force", "\\-\\-json"})
@@ -41,7 +42,7 @@ TEST_F(Documents, ManPageNamesEveryOptionThatHelpNames) {
     EXPECT_NE(page.find("NO_COLOR"), std::string::npos);
 }
 
-TEST_F(Documents, BashCompletesCommandsOptionsWordsAndFiles) {
+TEST_F(GeneratedDocs, BashCompletesCommandsOptionsWordsAndFiles) {
     EXPECT_EQ(offered("glint rend"), "render ");
     EXPECT_EQ(offered("glint goo"), "good.toml ");
     EXPECT_EQ(offered("glint good.toml --max"), "--max-depth ");
@@ -50,11 +51,11 @@ TEST_F(Documents, BashCompletesCommandsOptionsWordsAndFiles) {
     EXPECT_EQ(offered("glint diff --metric p"), "psnr ");
 }
 
-TEST_F(Documents, OtherShellsKnowTheSameOptions) {
-    EXPECT_EQ(document("_glint").rfind("#compdef glint\n", 0), 0u);
+TEST_F(GeneratedDocs, OtherShellsKnowTheSameOptions) {
+    EXPECT_EQ(generated("_glint").rfind("#compdef glint\n", 0), 0u);
     for (const char* name : {"_glint", "glint.fish"})
         for (const char* option : {"keep-partial", "metric", "auto plain json none"})
-            EXPECT_NE(document(name).find(option), std::string::npos) << name << " " << option;
+            EXPECT_NE(generated(name).find(option), std::string::npos) << name << " " << option;
 }
 
 } // namespace

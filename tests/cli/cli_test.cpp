@@ -1,4 +1,4 @@
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -67,7 +67,7 @@ end_header
 
 } // namespace
 
-Workplace::Workplace() {
+CliTest::CliTest() {
     std::string name = (fs::temp_directory_path() / "glint-test-XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
     folder_ = name;
@@ -82,35 +82,35 @@ Workplace::Workplace() {
     fs::create_directory(folder_ / "empty");
 }
 
-Workplace::~Workplace() {
+CliTest::~CliTest() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
 }
 
-Outcome Workplace::glint(const std::string& line, Setting setting) const {
+Outcome CliTest::glint(const std::string& line, Setting setting) const {
     setting.folder = folder_.string();
     return run_glint(words_of(line), setting);
 }
 
-std::string Workplace::content(const std::string& name) const {
+std::string CliTest::content(const std::string& name) const {
     std::ifstream file(folder_ / name, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
 }
 
-void Workplace::write(const std::string& name, const std::string& text) const {
+void CliTest::write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
-void Workplace::write_pfm(const std::string& name, int width, int height, float value) const {
+void CliTest::write_pfm(const std::string& name, int width, int height, float value) const {
     std::ofstream file(folder_ / name, std::ios::binary);
     file << "PF\n" << width << " " << height << "\n-1.0\n";
     for (int i = 0; i < width * height * 3; ++i)
         file.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-std::string Workplace::listing() const {
+std::string CliTest::listing() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_))
         names.push_back(entry.path().filename().string());
@@ -120,13 +120,13 @@ std::string Workplace::listing() const {
     return text;
 }
 
-Setting Workplace::without_devices() {
+Setting CliTest::without_devices() {
     Setting setting;
     setting.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=none"};
     return setting;
 }
 
-bool Workplace::has_device(const Setting& setting) const {
+bool CliTest::has_device(const Setting& setting) const {
     return glint("info --devices", setting).out.find("usable          yes") != std::string::npos;
 }
 

@@ -1,5 +1,5 @@
 // The man page in roff.
-#include "documents.h"
+#include "generate_docs.h"
 
 #include "../options.h"
 

@@ -13,10 +13,10 @@ namespace glint::test {
 /// Holds at the start of every test: good.toml (16×12 pixels, 1 sample), dark.toml (valid, without light:
 /// warns), bad.toml (two errors of meaning), long.toml (renders for hours), mesh.ply, empty/ (a folder),
 /// garbage.png.
-class Workplace : public testing::Test {
+class CliTest : public testing::Test {
   public:
-    Workplace();
-    ~Workplace() override;
+    CliTest();
+    ~CliTest() override;
 
     /// Runs `glint LINE`, split at blanks.
     Outcome glint(const std::string& line, Setting setting = {}) const;
