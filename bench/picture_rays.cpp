@@ -7,6 +7,7 @@
 #include "glint/scene_files.h"
 #include "render/camera_sampler.h"
 #include "render/estimators/whitted.h"
+#include "render/ray_recorder.h"
 
 #include <fmt/format.h>
 

@@ -230,11 +230,11 @@ void add_light(const WhittedModes& modes, Wave wave, PathStates& states) {
         arrival.direction = load(states.to_light, i);
         arrival.arriving = load(states.arriving, i);
         const real passing = passing_light(states, i);
-        if (!any(is_lit(arrival, passing))) return;
+        if (!any_lane(is_lit(arrival, passing))) return;
         const MaterialRecord m = stored_materials(states, i);
         const ShownLight shown = shown_light(modes, surfaces_of(states, i), m, arrival, passing);
         add(shown.diffuse, row(states, Term::diffuse), i);
-        if (any(m.highlight > 0.0f)) add(shown.highlight, row(states, Term::highlight), i);
+        if (any_lane(m.highlight > 0.0f)) add(shown.highlight, row(states, Term::highlight), i);
     });
 }
 

@@ -5,6 +5,7 @@
 #include "scene_kit.h"
 #include "wait_until.h"
 
+#include "glint/mesh_files.h"
 #include "glint/pick.h"
 
 #include <glm/geometric.hpp>

@@ -3,6 +3,8 @@
 #include "request.h"
 #include "scenes.h"
 
+#include "glint/write_file.h"
+
 #include <cstdio>
 #include <exception>
 
