@@ -75,7 +75,7 @@ std::vector<Model> models_of(const Options& options, const std::string& folder) 
     return models;
 }
 
-void print_rays(const Options& options, const GpuContext& context, GpuRenderer& renderer,
+void print_rays(const Options& options, const gpu::GpuContext& context, GpuRenderer& renderer,
                 const std::vector<Model>& models) {
     std::cout << fmt::format(
         "\nRays, {0} × {0} pixels (docs/performance.md has the sets; frame: a picture of the renderer with a "
@@ -124,7 +124,7 @@ void print_frames(const Options& options, GpuRenderer& renderer, const std::vect
 
 int run(const Options& options) {
     frame_size(options); // report an invalid size before minutes of work
-    const GpuContext context(options.device);
+    const gpu::GpuContext context(options.device);
     GpuRenderer renderer(options.device);
     std::cout << context.device().name << "; " << context.device().driver << "\n" << std::flush;
     const TemporaryFolder folder;

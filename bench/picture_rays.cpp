@@ -38,10 +38,10 @@ struct Batch {
 /// The batches of one block: the rays of each depth, and the shadow rays to each light.
 class Square {
   public:
-    explicit Square(const SceneData& scene) : scene_(scene) {}
+    explicit Square(const scene::SceneData& scene) : scene_(scene) {}
 
-    void add(const RayTree& tree) {
-        for (const RayNode& node : tree.nodes) {
+    void add(const rendering::RayTree& tree) {
+        for (const rendering::RayNode& node : tree.nodes) {
             glint::Ray ray;
             ray.origin = node.origin;
             ray.direction = node.direction;
@@ -56,7 +56,7 @@ class Square {
     }
 
   private:
-    void add(int depth, int light, const LightNode& node) {
+    void add(int depth, int light, const rendering::LightNode& node) {
         glint::Ray ray;
         ray.origin = node.shadow_origin;
         ray.direction = node.shadow_direction;
@@ -66,24 +66,24 @@ class Square {
         batch.rays.push_back(ray);
     }
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     std::map<std::pair<int, int>, Batch> batches_; ///< by depth and light
 };
 
-std::vector<Batch> batches_of(const SceneData& scene) {
+std::vector<Batch> batches_of(const scene::SceneData& scene) {
     const RenderSettings& settings = scene.description.render;
-    const CameraSampler sampler(scene.description);
-    Whitted tracer(scene);
+    const rendering::CameraSampler sampler(scene.description);
+    rendering::Whitted tracer(scene);
     Square square(scene);
     std::vector<Batch> all;
     for (int y = 0; y < settings.height; y += block)
         for (int x = 0; x < settings.width; x += block) {
             for (std::uint32_t i = 0; i < block * block; ++i) {
-                const int px = x + morton_x(i);
-                const int py = y + morton_y(i);
+                const int px = x + rendering::morton_x(i);
+                const int py = y + rendering::morton_y(i);
                 if (px >= settings.width || py >= settings.height) continue;
-                const CameraSample sample = sampler.centre({px, py});
-                RayTree tree;
+                const rendering::CameraSample sample = sampler.centre({px, py});
+                rendering::RayTree tree;
                 tracer.trace(sample, &tree);
                 square.add(tree);
             }

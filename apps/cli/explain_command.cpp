@@ -9,8 +9,8 @@
 
 #include "glint/explain.h"
 #include "glint/explanation_files.h"
-#include "glint/scene_files.h"
 #include "glint/limits.h"
+#include "glint/scene_files.h"
 
 #include <fmt/format.h>
 

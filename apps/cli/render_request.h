@@ -5,8 +5,8 @@
 #include "frames.h"
 
 #include "glint/picture_files.h"
-#include "glint/scene_files.h"
 #include "glint/render.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>

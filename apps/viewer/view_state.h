@@ -3,8 +3,8 @@
 
 #include "arguments.h"
 
-#include "glint/picture_files.h"
 #include "glint/kernels.h"
+#include "glint/picture_files.h"
 #include "glint/render.h"
 
 namespace glint::viewer {

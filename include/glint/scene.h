@@ -284,20 +284,22 @@ struct SceneStats {
     Vec3 bounds_max{0};
 };
 
+namespace scene {
 struct SceneData;
+}
 
 /// A scene ready for rendering: immutable, cheap to copy, usable by any number of threads.
 class Scene {
   public:
-    explicit Scene(std::shared_ptr<const SceneData> scene_data) : data_(std::move(scene_data)) {}
-    const SceneData& data() const { return *data_; } ///< for the library itself
+    explicit Scene(std::shared_ptr<const scene::SceneData> scene_data) : data_(std::move(scene_data)) {}
+    const scene::SceneData& data() const { return *data_; } ///< for the library itself
     SceneStats stats() const;
     const SceneDescription& description() const; ///< as built, with its camera filled in
     const CameraDescription& camera() const;
     const RenderSettings& render_settings() const;
 
   private:
-    std::shared_ptr<const SceneData> data_;
+    std::shared_ptr<const scene::SceneData> data_;
 };
 
 /// May be set by any thread or a signal handler: operations end within milliseconds.

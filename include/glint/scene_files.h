@@ -24,15 +24,17 @@ struct LoadOptions {
     LoadCallback progress = {};         ///< called while meshes are read
 };
 
+namespace formats {
 class OpenScene;
+}
 
 /// The animation of a scene: its [animation] and [[animate]] tables.
 struct Animation {
     int first = 0;
     int last = 0; ///< default: the last keyframe
     double fps = 24;
-    std::vector<std::string> keys;          ///< animated key paths, in file order
-    std::shared_ptr<const OpenScene> scene; ///< for scene_at(); null if nothing is animated
+    std::vector<std::string> keys;                   ///< animated key paths, in file order
+    std::shared_ptr<const formats::OpenScene> scene; ///< for scene_at(); null if nothing is animated
 };
 
 struct LoadedScene {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 struct EmbeddedFile {
     const char* name; ///< below src/
@@ -18,4 +18,4 @@ inline std::string_view embedded_text(std::string_view name) {
     return file->name != nullptr ? file->text : "";
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace glint {
+namespace glint::formats {
 
 class LoadWatch {
   public:
@@ -30,4 +30,4 @@ class LoadWatch {
     std::string activity_;
 };
 
-} // namespace glint
+} // namespace glint::formats

@@ -14,7 +14,7 @@
 #include <new>
 #include <system_error>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -58,7 +58,7 @@ void InputFile::rewind() {
 
 FileBytes::FileBytes(std::size_t size)
     : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {
-    prefer_large_pages(bytes_.get(), size);
+    parallel::prefer_large_pages(bytes_.get(), size);
 }
 
 void FileBytes::grow(std::size_t size, std::size_t kept) {
@@ -90,4 +90,4 @@ FileBytes read_bytes(const std::string& path) {
     return read_bytes(file);
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iostream>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,9 +64,9 @@ void require_scene_size(std::string_view text, const std::string& name) {
 }
 
 std::string lower_extension(const std::string& path) {
-    return lower_case(fs::path(path).extension().string());
+    return scene::lower_case(fs::path(path).extension().string());
 }
 
 bool looks_like_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); }
 
-} // namespace glint
+} // namespace glint::formats

@@ -3,7 +3,7 @@
 
 #include "glint/write_file.h"
 
-namespace glint {
+namespace glint::formats {
 
 /// Throws the Error(output) that write_file() would throw for this path: missing folder, path is a folder, no
 /// permission. Writes nothing.
@@ -18,4 +18,4 @@ void write_pieces(const std::string& path, Pieces pieces);
 /// Writes all bytes to standard output, unchanged. Throws Error(output).
 void write_stdout(std::span<const std::byte> bytes);
 
-} // namespace glint
+} // namespace glint::formats

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 /// The bits of a position; adding +0 turns −0 into +0.
@@ -185,4 +185,4 @@ std::vector<vec3> smooth_normals(std::span<const vec3> positions, std::span<cons
     return normals;
 }
 
-} // namespace glint
+} // namespace glint::geometry

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::geometry {
 
 /// For every vertex the index of the first one with the same position, compared by bits except that −0 is 0.
 std::vector<std::uint32_t> weld_by_position(std::span<const vec3> positions);
@@ -38,4 +38,4 @@ double angle_from(double sine, double cosine);
 /// their normal. Zero for a vertex without faces of some area, or whose faces cancel.
 std::vector<vec3> smooth_normals(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
-} // namespace glint
+} // namespace glint::geometry

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 /// Twice the signed area of a triangle, positive if counter-clockwise.
@@ -167,4 +167,4 @@ bool triangulate(std::span<const vec3> positions, std::span<const std::uint32_t>
     return true;
 }
 
-} // namespace glint
+} // namespace glint::geometry

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::geometry {
 
 /// Maximum number of corners for ear clipping, whose time is quadratic.
 inline constexpr std::size_t max_concave_corners = 10'000;
@@ -24,4 +24,4 @@ inline constexpr std::size_t max_concave_corners = 10'000;
 bool triangulate(std::span<const vec3> positions, std::span<const std::uint32_t> corners,
                  std::vector<uvec3>& out);
 
-} // namespace glint
+} // namespace glint::geometry

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 using Index = std::uint32_t;
@@ -165,4 +165,4 @@ Polyhedron make_pyramid(const Footing& footing) {
     return p;
 }
 
-} // namespace glint
+} // namespace glint::geometry

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace glint {
+namespace glint::geometry {
 
 /// A closed convex polyhedron. Triangles run counter-clockwise seen from outside and share corners, so every
 /// directed edge has its opposite; the triangles of a face are consecutive.
@@ -38,4 +38,4 @@ struct Footing {
 Polyhedron make_prism(const Footing& footing);
 Polyhedron make_pyramid(const Footing& footing);
 
-} // namespace glint
+} // namespace glint::geometry

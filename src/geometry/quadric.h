@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace glint {
+namespace glint::geometry {
 
 /// By kind, in the plural.
 inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders", "disks",
@@ -81,4 +81,4 @@ inline Interval extent(const QuadricShape& shape, const dvec3& g) {
     return values;
 }
 
-} // namespace glint
+} // namespace glint::geometry

@@ -20,7 +20,7 @@
 #include <array>
 #include <cstddef>
 
-namespace glint {
+namespace glint::geometry {
 
 /// Per-ray constants of the triangle test. The direction must be finite and not zero.
 struct ShearedRay {
@@ -63,4 +63,4 @@ inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& ve
     return !surely_outside(a, b, c) && intersect_sheared(a, b, c, ray.sz, tmin, limit, hit);
 }
 
-} // namespace glint
+} // namespace glint::geometry

@@ -6,7 +6,8 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-namespace glint {
+namespace glint::gpu {
+
 namespace {
 
 /// Is a library installed? libepoxy ends the program if it misses one. The library stays loaded for libepoxy.
@@ -139,31 +140,6 @@ void GLAPIENTRY note_complaint(GLenum, GLenum type, GLuint, GLenum severity, GLs
 
 } // namespace
 
-std::vector<GpuDevice> gpu_devices(std::string* why) {
-    std::string reason;
-    std::vector<GpuDevice> devices;
-    for (const EGLDeviceEXT device : list_devices(reason)) {
-        Opened opened = open_device(device);
-        devices.push_back(describe(opened, device));
-        close(opened);
-    }
-    if (why != nullptr) *why = reason;
-    return devices;
-}
-
-GpuDevice gpu_device(GpuCurrentContext) {
-    const std::array<std::string, 3> software{"llvmpipe", "softpipe", "Software Rasterizer"};
-    const int version = epoxy_gl_version();
-    GpuDevice d;
-    describe_current(d);
-    d.software = std::any_of(software.begin(), software.end(),
-                             [&](const std::string& name) { return d.name.rfind(name, 0) == 0; });
-    if (version < 10 * min_major + min_minor)
-        d.fault = "it has OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
-                  ", and compute shaders need 4.3";
-    return d;
-}
-
 struct GpuContext::State {
     Opened opened; ///< no display: the context belongs to the caller
     GpuDevice device;
@@ -248,5 +224,34 @@ void GpuContext::check(const std::string& doing) const {
 }
 
 const std::vector<std::string>& GpuContext::complaints() const { return state_->complaints; }
+
+} // namespace glint::gpu
+
+namespace glint {
+
+std::vector<GpuDevice> gpu_devices(std::string* why) {
+    std::string reason;
+    std::vector<GpuDevice> devices;
+    for (const EGLDeviceEXT device : gpu::list_devices(reason)) {
+        gpu::Opened opened = gpu::open_device(device);
+        devices.push_back(gpu::describe(opened, device));
+        gpu::close(opened);
+    }
+    if (why != nullptr) *why = reason;
+    return devices;
+}
+
+GpuDevice gpu_device(GpuCurrentContext) {
+    const std::array<std::string, 3> software{"llvmpipe", "softpipe", "Software Rasterizer"};
+    const int version = epoxy_gl_version();
+    GpuDevice d;
+    gpu::describe_current(d);
+    d.software = std::any_of(software.begin(), software.end(),
+                             [&](const std::string& name) { return d.name.rfind(name, 0) == 0; });
+    if (version < 10 * gpu::min_major + gpu::min_minor)
+        d.fault = "it has OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
+                  ", and compute shaders need 4.3";
+    return d;
+}
 
 } // namespace glint

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 /// A context of OpenGL 4.3 or later, core profile, on no surface. Current on a thread between enter() and
 /// leave().
@@ -63,4 +63,4 @@ class GpuScope {
     const bool entered_;
 };
 
-} // namespace glint
+} // namespace glint::gpu

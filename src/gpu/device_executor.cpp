@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::gpu {
 
-void DeviceExecutor::start(const FilmLayout& layout, TileDone tile_done) {
+void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_done) {
     const std::size_t terms = layout.terms || layout.term ? term_count : 1;
     if (!work_ || terms_ != terms) {
         terms_ = terms;
@@ -22,12 +22,12 @@ void DeviceExecutor::start(const FilmLayout& layout, TileDone tile_done) {
 
 /// Between the pixels that are known, those at the middle of rows, of columns and of squares are measured one
 /// after the other: each is a grid of its own.
-std::vector<std::uint32_t> DeviceExecutor::begin_pass(const Pass& pass) {
+std::vector<std::uint32_t> DeviceExecutor::begin_pass(const rendering::Pass& pass) {
     pass_ = pass;
     tiles_.clear();
-    std::vector<Pixel> origins{{0, 0}};
+    std::vector<rendering::Pixel> origins{{0, 0}};
     if (pass.refines) origins = {{pass.step, 0}, {0, pass.step}, {pass.step, pass.step}};
-    for (const Pixel& origin : origins) {
+    for (const rendering::Pixel& origin : origins) {
         const std::vector<GpuTile> grid = tiles_of_grid(origin, pass.refines ? 2 * pass.step : pass.step);
         tiles_.insert(tiles_.end(), grid.begin(), grid.end());
     }
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> DeviceExecutor::begin_pass(const Pass& pass) {
     return squares;
 }
 
-std::vector<GpuTile> DeviceExecutor::tiles_of_grid(const Pixel& origin, int step) const {
+std::vector<GpuTile> DeviceExecutor::tiles_of_grid(const rendering::Pixel& origin, int step) const {
     const int across = (layout_.area.width - origin.x + step - 1) / step;
     const int down = (layout_.area.height - origin.y + step - 1) / step;
     std::vector<GpuTile> tiles;
@@ -50,7 +50,7 @@ std::uint32_t DeviceExecutor::step(std::size_t tile, int /*worker*/) {
     tile_ = tile;
     if (!work_->is_under_way()) begin_tile();
     const std::uint32_t squares = work_->unfinished_squares();
-    work_->step(device_state_.program(terms_ > 1, !is_light(layout_.show)), film());
+    work_->step(device_state_.program(terms_ > 1, !rendering::is_light(layout_.show)), film());
     if (!work_->is_under_way()) {
         tile_done_(tiles_[tile_], film());
         if (keeps_film()) samples_[tile_] = static_cast<std::uint32_t>(pass_.first + pass_.count);
@@ -92,7 +92,7 @@ bool DeviceExecutor::is_under_way(std::size_t tile) const {
     return !pass_.is_preview() && tile == tile_ && work_->is_under_way();
 }
 
-GpuSettings DeviceExecutor::settings_of(const GpuTile& tile, const Pass& pass) const {
+GpuSettings DeviceExecutor::settings_of(const GpuTile& tile, const rendering::Pass& pass) const {
     const Rect& area = layout_.area;
     GpuSettings s = device_state_.settings();
     s.tile_x = static_cast<std::uint32_t>(area.x + tile.origin.x + tile.rect.x * tile.step);
@@ -104,7 +104,7 @@ GpuSettings DeviceExecutor::settings_of(const GpuTile& tile, const Pass& pass) c
     s.end_sample = static_cast<std::uint32_t>(pass.is_preview() ? 1 : pass.first + pass.count);
     s.pixel_step = static_cast<std::uint32_t>(tile.step);
     s.first_sample = static_cast<std::uint32_t>(pass.first);
-    if (!is_light(layout_.show)) {
+    if (!rendering::is_light(layout_.show)) {
         // Nothing bounces.
         s.aov = static_cast<int>(layout_.show);
         s.max_depth = 0;
@@ -112,4 +112,4 @@ GpuSettings DeviceExecutor::settings_of(const GpuTile& tile, const Pass& pass) c
     return s;
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace glint {
+namespace glint::gpu {
 
 GpuDeviceState::GpuDeviceState(int device, const GpuLimits& limits) : context_(device), budget_(limits) {
     if (limits.buffer > 0) context_.set_max_buffer(std::min(limits.buffer, context_.device().max_buffer));
@@ -20,7 +20,7 @@ GpuDeviceState::~GpuDeviceState() {
 }
 
 void GpuDeviceState::prepare(const Scene& scene) {
-    const SceneData& wanted = scene.data();
+    const scene::SceneData& wanted = scene.data();
     if (wanted.description.render.integrator != Integrator::whitted)
         throw Error(ErrorKind::device, "graphics cards have no shader for this integrator",
                     "--backend cpu renders it");
@@ -60,4 +60,4 @@ const GpuProgram& GpuDeviceState::show_program() {
     return *show_program_;
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace glint {
+namespace glint::gpu {
 
 /// All but the constructors needs the context to be entered.
 class GpuDeviceState {
@@ -52,4 +52,4 @@ class GpuDeviceState {
     int upload_count_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace glint {
+namespace glint::gpu {
 
 class DispatchBudget {
   public:
@@ -64,4 +64,4 @@ class DispatchBudget {
     std::uint32_t steps_ = 2048;
 };
 
-} // namespace glint
+} // namespace glint::gpu

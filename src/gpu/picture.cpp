@@ -51,6 +51,10 @@ void GpuPicture::wait_until_drawn() {
     drawn_ = nullptr;
 }
 
+} // namespace glint
+
+namespace glint::gpu {
+
 struct GpuPicturePool::Shelf {
     std::mutex mutex;
     std::vector<std::unique_ptr<GpuPicture>> pictures;
@@ -97,4 +101,4 @@ std::shared_ptr<GpuPicture> GpuPicturePool::take(int width, int height) {
             [shelf = shelf_](GpuPicture* done) { shelf->put(std::unique_ptr<GpuPicture>(done)); }};
 }
 
-} // namespace glint
+} // namespace glint::gpu

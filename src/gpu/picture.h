@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace glint {
+namespace glint::gpu {
 
 class GpuContext;
 
@@ -29,4 +29,4 @@ class GpuPicturePool {
     std::shared_ptr<Shelf> shelf_;
 };
 
-} // namespace glint
+} // namespace glint::gpu

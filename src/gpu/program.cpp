@@ -11,7 +11,7 @@
 #include <epoxy/gl.h>
 #include <functional>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 constexpr std::size_t min_bytes = 256;
@@ -211,14 +211,14 @@ GpuTimer::~GpuTimer() {
 }
 
 void GpuTimer::start() {
-    wall_ = -wall_seconds();
+    wall_ = -rendering::wall_seconds();
     if (own_clock_) glBeginQuery(GL_TIME_ELAPSED, id_);
 }
 
 void GpuTimer::stop() {
     if (own_clock_) return glEndQuery(GL_TIME_ELAPSED);
     glFinish();
-    wall_ += wall_seconds();
+    wall_ += rendering::wall_seconds();
 }
 
 double GpuTimer::seconds() const {
@@ -228,4 +228,4 @@ double GpuTimer::seconds() const {
     return 1e-9 * static_cast<double>(nanoseconds);
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,16 +1,17 @@
 #pragma once
 // Shaders compiled for what a scene needs, buffers, timers.
 
+#include "gpu/records.shared.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 class GpuContext;
-struct GpuSettings;
 
 /// What is compiled in.
 struct ProgramChoice {
@@ -104,4 +105,4 @@ class GpuTimer {
     double wall_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -11,6 +11,10 @@
 
 namespace glint {
 
+using gpu::GpuBuffer;
+using gpu::GpuScope;
+using gpu::GpuTile;
+
 struct GpuProgressive::State {
     explicit State(int device) : device_state(device, {}) {}
     explicit State(GpuCurrentContext current) : device_state(current) {}
@@ -21,10 +25,10 @@ struct GpuProgressive::State {
         pool.reset();
     }
 
-    GpuDeviceState device_state;
-    std::optional<DeviceExecutor> executor{std::in_place, device_state};
-    std::optional<ScheduleRun<DeviceExecutor>> run;
-    std::optional<GpuPicturePool> pool{std::in_place, device_state.context()};
+    gpu::GpuDeviceState device_state;
+    std::optional<gpu::DeviceExecutor> executor{std::in_place, device_state};
+    std::optional<rendering::ScheduleRun<gpu::DeviceExecutor>> run;
+    std::optional<gpu::GpuPicturePool> pool{std::in_place, device_state.context()};
     std::shared_ptr<GpuPicture> known; ///< centres of pixels, where they were measured
 
     void start(const Scene& scene, const ProgressiveOptions& options);
@@ -38,8 +42,8 @@ struct GpuProgressive::State {
 void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& options) {
     RenderOptions render;
     render.show = options.show;
-    const FilmLayout layout = film_layout(scene.render_settings(), render);
-    std::vector<Pass> passes = refining_passes(options.coarsest, layout.samples);
+    const rendering::FilmLayout layout = rendering::film_layout(scene.render_settings(), render);
+    std::vector<rendering::Pass> passes = rendering::refining_passes(options.coarsest, layout.samples);
     run.reset();
     device_state.prepare(scene);
     const Rect& area = layout.area;
@@ -56,7 +60,7 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
 bool GpuProgressive::State::advance(double seconds) {
     if (!run) return false;
     try {
-        run->run(wall_seconds() + seconds);
+        run->run(rendering::wall_seconds() + seconds);
     } catch (...) {
         run.reset();
         throw;
@@ -79,12 +83,12 @@ void GpuProgressive::State::show_centres_of(const GpuTile& tile, const GpuBuffer
 /// Runs show.glsl over a tile.
 void GpuProgressive::State::show(const GpuSettings& how, const GpuBuffer& from, const GpuPicture& shown,
                                  const Rect& rect) {
-    const FilmLayout& layout = executor->layout();
+    const rendering::FilmLayout& layout = executor->layout();
     GpuSettings s = how;
     s.film_terms = static_cast<std::uint32_t>(executor->terms());
     s.shown_term = layout.term ? static_cast<std::uint32_t>(*layout.term) : 0u;
-    s.slot_count = slots_of(rect);
-    s.smooth_steps = is_light(layout.show) ? 1u : 0u;
+    s.slot_count = gpu::slots_of(rect);
+    s.smooth_steps = rendering::is_light(layout.show) ? 1u : 0u;
     executor->work().buffer().bind_storage(6);
     from.bind_storage(7);
     glBindImageTexture(0, known->texture(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
@@ -98,7 +102,7 @@ std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
     const std::shared_ptr<GpuPicture> shown = pool->take(area.width, area.height);
     const std::vector<GpuTile> tiles = executor->picture_tiles();
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        GpuSettings how = executor->settings_of(tiles[i], Pass{});
+        GpuSettings how = executor->settings_of(tiles[i], rendering::Pass{});
         how.show_mode = executor->is_under_way(i) ? show_started : show_means;
         how.known_step = static_cast<std::uint32_t>(reached().step);
         how.known_samples = executor->samples_of(i);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <epoxy/gl.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 /// Rays of a dispatch: enough to fill the device, few enough to keep the desktop responsive.
@@ -14,7 +14,8 @@ constexpr std::size_t rays_in_software = std::size_t{1} << 14;
 
 } // namespace
 
-GpuRays::GpuRays(const GpuContext& context, const SceneData& scene, bool count_steps) : context_(context) {
+GpuRays::GpuRays(const GpuContext& context, const scene::SceneData& scene, bool count_steps)
+    : context_(context) {
     const GpuScope scope(context);
     const GpuSceneData data = flatten(scene);
     ProgramChoice choice = program_for(data);
@@ -54,4 +55,4 @@ std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
     return hits;
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 /// Input of shaders/rays.glsl.
 struct GpuRay {
@@ -34,7 +34,7 @@ static_assert(sizeof(GpuRay) == sizeof(GpuHit) && sizeof(GpuHit) == 7 * 4);
 class GpuRays {
   public:
     /// Throws Error(device) as GpuRenderer does. The context must outlive it.
-    GpuRays(const GpuContext& context, const SceneData& scene, bool count_steps);
+    GpuRays(const GpuContext& context, const scene::SceneData& scene, bool count_steps);
     ~GpuRays();
 
     /// The closest hit of each ray; with `any`, whichever was found first.
@@ -56,4 +56,4 @@ class GpuRays {
     double seconds_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -12,11 +12,11 @@ namespace glint {
 namespace {
 
 /// A pixel of a tile, from the fields of its slot.
-void read_pixel(const Pixel& pixel, std::span<const float> fields, std::size_t slot, std::size_t slots,
-                std::size_t terms, Film& film) {
+void read_pixel(const rendering::Pixel& pixel, std::span<const float> fields, std::size_t slot,
+                std::size_t slots, std::size_t terms, rendering::Film& film) {
     const auto field = [&](std::size_t f) { return fields[f * slots + slot]; };
     const auto sum = [&](std::size_t f) { return vec3(field(f), field(f + 1), field(f + 2)); };
-    SignedSums<Terms> sums;
+    imaging::SignedSums<rendering::Terms> sums;
     for (std::size_t t = 0; t < terms; ++t) {
         sums.positive.value[t] = sum(3 * t);
         sums.negative.value[t] = sum(3 * (terms + t));
@@ -26,14 +26,15 @@ void read_pixel(const Pixel& pixel, std::span<const float> fields, std::size_t s
     film.set_pixel(pixel, sums, static_cast<std::uint32_t>(field(film_fields_of_term * terms + 1)));
 }
 
-void read_tile(const Rect& tile, const GpuBuffer& buffer, std::size_t terms, Film& film) {
-    const std::uint32_t slots = slots_of(tile);
-    std::vector<float> fields(film_fields(terms) * slots);
+void read_tile(const Rect& tile, const gpu::GpuBuffer& buffer, std::size_t terms, rendering::Film& film) {
+    const std::uint32_t slots = gpu::slots_of(tile);
+    std::vector<float> fields(gpu::film_fields(terms) * slots);
     buffer.read(0, fields.data(), fields.size() * sizeof(float));
     const Rect& area = film.layout().area;
     for (std::uint32_t slot = 0; slot < slots; ++slot) {
         const uvec2 in_tile = pixel_of_slot(slot, static_cast<std::uint32_t>(tile.width));
-        const Pixel pixel{tile.x + static_cast<int>(in_tile.x), tile.y + static_cast<int>(in_tile.y)};
+        const rendering::Pixel pixel{tile.x + static_cast<int>(in_tile.x),
+                                     tile.y + static_cast<int>(in_tile.y)};
         if (pixel.x < area.width && pixel.y < area.height)
             read_pixel(pixel, fields, slot, slots, terms, film);
     }
@@ -42,7 +43,7 @@ void read_tile(const Rect& tile, const GpuBuffer& buffer, std::size_t terms, Fil
 } // namespace
 
 struct GpuRenderer::State {
-    GpuDeviceState device_state;
+    gpu::GpuDeviceState device_state;
 };
 
 GpuRenderer::GpuRenderer(int device, const GpuLimits& limits) : state_(new State{{device, limits}}) {}
@@ -53,30 +54,31 @@ GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
 const GpuDevice& GpuRenderer::device() const { return state_->device_state.context().device(); }
 
 void GpuRenderer::prepare(const Scene& scene) {
-    const GpuScope scope(state_->device_state.context());
+    const gpu::GpuScope scope(state_->device_state.context());
     state_->device_state.prepare(scene);
 }
 
 Picture GpuRenderer::render(const RenderOptions& options) {
-    const double start = wall_seconds();
-    GpuDeviceState& device_state = state_->device_state;
+    const double start = rendering::wall_seconds();
+    gpu::GpuDeviceState& device_state = state_->device_state;
     if (!device_state.scene()) throw Error(ErrorKind::usage, "no scene was prepared");
-    const GpuScope scope(device_state.context());
-    Film film(film_layout(device_state.scene()->render_settings(), options));
+    const gpu::GpuScope scope(device_state.context());
+    rendering::Film film(rendering::film_layout(device_state.scene()->render_settings(), options));
     film.begin_pass({});
-    DeviceExecutor executor(device_state);
-    executor.start(film.layout(), [&](const GpuTile& tile, const GpuBuffer& buffer) {
+    gpu::DeviceExecutor executor(device_state);
+    executor.start(film.layout(), [&](const gpu::GpuTile& tile, const gpu::GpuBuffer& buffer) {
         read_tile(tile.rect, buffer, executor.terms(), film);
         device_state.context().check("reading the picture");
     });
-    ScheduleRun run(executor, one_pass(film.layout().samples), options.cancel, options.progress);
-    run.run(no_deadline);
+    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
+                               options.progress);
+    run.run(rendering::no_deadline);
     Picture picture;
     film.move_to(picture);
     picture.complete = run.is_finished();
     run.add_stats(picture.stats);
     picture.stats.device_seconds = executor.work().device_seconds();
-    picture.stats.wall_seconds = wall_seconds() - start;
+    picture.stats.wall_seconds = rendering::wall_seconds() - start;
     return picture;
 }
 

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace glint {
+namespace glint::gpu {
 
 class GpuContext;
 
@@ -24,4 +24,4 @@ class SceneBuffers {
     GpuBuffer objects_, words_, lights_, shapes_;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -12,8 +12,9 @@
 #include <cmath>
 #include <map>
 
-namespace glint {
+namespace glint::gpu {
 
+using scene::SceneData;
 using trace::Affine;
 using trace::InstanceData;
 using trace::PlanePrim;
@@ -83,7 +84,7 @@ class Flattener {
     void number_interiors() {
         std::vector<std::uint32_t> solids;
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i)
-            if (is_dielectric(i, scene_)) solids.push_back(i);
+            if (rendering::is_dielectric(i, scene_)) solids.push_back(i);
         if (solids.size() > max_transparent_solids)
             throw Error(ErrorKind::device,
                         "the scene has " + std::to_string(solids.size()) +
@@ -105,7 +106,7 @@ class Flattener {
     }
 
     void add_objects() {
-        for (const ObjectData& o : scene_.objects) {
+        for (const scene::ObjectData& o : scene_.objects) {
             ObjectRecord record{};
             record.material = scene_.materials[o.material];
             record.rank = o.rank;
@@ -145,14 +146,14 @@ class Flattener {
         record.mesh_max_coordinate = data_.tree.mesh_max_coordinates[placed.mesh];
     }
 
-    void add_attributes(const ObjectData& object, ObjectRecord& record) {
+    void add_attributes(const scene::ObjectData& object, ObjectRecord& record) {
         record.corners = record.normals = record.colors = invalid_index;
-        if (object.attributes == no_attributes) return;
-        const MeshAttributes& a = scene_.attributes[static_cast<std::size_t>(object.attributes)];
+        if (object.attributes == scene::no_attributes) return;
+        const scene::MeshAttributes& a = scene_.attributes[static_cast<std::size_t>(object.attributes)];
         record.corners = add_array(a.mesh->triangles);
         if (a.normals != nullptr) record.normals = add_array(*a.normals);
         if (a.colored || a.mesh->triangles.empty()) record.colors = add_array(a.mesh->colors);
-        if (object.normal_matrix == no_normal_matrix) return;
+        if (object.normal_matrix == scene::no_normal_matrix) return;
         record.flags |= object_local_normals;
         record.normal_matrix = scene_.normal_matrices[static_cast<std::size_t>(object.normal_matrix)];
     }
@@ -173,8 +174,8 @@ class Flattener {
 
     void set_film() {
         GpuSettings& s = data_.settings;
-        const CameraSampler sampler(scene_.description);
-        const PixelFilterSampler& filter = sampler.filter();
+        const rendering::CameraSampler sampler(scene_.description);
+        const imaging::PixelFilterSampler& filter = sampler.filter();
         std::copy(filter.tails().begin(), filter.tails().end(), data_.filter_table.tails);
         s.filter_radius = filter.radius();
         s.negative_filter_steps = static_cast<std::uint32_t>(filter.negative_steps());
@@ -193,7 +194,7 @@ class Flattener {
         s.background = scene_.background;
         s.instance_slack = world_.instance_tree.slack();
         s.max_depth = static_cast<std::uint32_t>(w.max_depth);
-        s.modes = whitted_modes(w);
+        s.modes = scene::whitted_modes(w);
     }
 
     const SceneData& scene_;
@@ -220,7 +221,7 @@ uvec4 interiors_at_eye(const GpuSceneData& data, const std::vector<std::uint32_t
 void set_view(GpuSceneData& data, const SceneData& scene) {
     GpuSettings& s = data.settings;
     s.interiors_at_eye = interiors_at_eye(data, scene.camera_interiors);
-    const PinholeCamera camera = camera_of(scene.description);
+    const PinholeCamera camera = rendering::camera_of(scene.description);
     s.camera_eye = camera.eye;
     s.image_width = camera.width;
     s.camera_forward = camera.forward;
@@ -231,4 +232,4 @@ void set_view(GpuSceneData& data, const SceneData& scene) {
 
 GpuSceneData flatten(const SceneData& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }
 
-} // namespace glint
+} // namespace glint::gpu

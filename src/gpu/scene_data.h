@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 struct GpuSceneData {
     GpuTree tree;
@@ -25,9 +25,9 @@ struct GpuSceneData {
 
 /// `tree`, if given, is the scene's tree from an earlier call. Throws Error(device) with the sizes for a
 /// scene with more of anything than the shader can index.
-GpuSceneData flatten(const SceneData& scene, const GpuTree* tree = nullptr);
+GpuSceneData flatten(const scene::SceneData& scene, const GpuTree* tree = nullptr);
 
 /// Sets camera and size. Throws as flatten() does.
-void set_view(GpuSceneData& data, const SceneData& scene);
+void set_view(GpuSceneData& data, const scene::SceneData& scene);
 
-} // namespace glint
+} // namespace glint::gpu

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <epoxy/gl.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 int whole_squares(int pixels) { return (pixels + 7) / 8 * 8; }
@@ -80,14 +80,14 @@ void TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     settings_.end_slot = past;
     settings_.slot_count = slots_;
     settings_.max_nodes = budget.nodes();
-    const double start = wall_seconds();
+    const double start = rendering::wall_seconds();
     timer_->start();
     program.dispatch(settings_, past - first_);
     timer_->stop();
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     glFinish();
     device_state_.context().check("rendering");
-    budget.learn(wall_seconds() - start, whole);
+    budget.learn(rendering::wall_seconds() - start, whole);
     seconds_ += timer_->seconds();
     first_ = past < slots_ ? past : 0;
     if (first_ == 0) count();
@@ -116,4 +116,4 @@ void TileWork::count() {
     if (unfinished_ < slots_ / 4) device_state_.budget().few_left();
 }
 
-} // namespace glint
+} // namespace glint::gpu

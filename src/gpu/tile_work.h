@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 /// A slot is a pixel of a tile.
 std::uint32_t slots_of(const Rect& tile);
@@ -36,8 +36,8 @@ class TileWork {
 
     bool is_under_way() const { return unfinished_ > 0; }
     std::uint32_t unfinished_squares() const { return (unfinished_ + square_slots - 1) / square_slots; }
-    const RayCounts& rays() const { return rays_; }    ///< since start()
-    double device_seconds() const { return seconds_; } ///< time that the device worked since then
+    const rendering::RayCounts& rays() const { return rays_; } ///< since start()
+    double device_seconds() const { return seconds_; }         ///< time that the device worked since then
     /// The slots' fields, for show.glsl.
     const GpuBuffer& buffer() const { return *work_; }
 
@@ -52,8 +52,8 @@ class TileWork {
     std::uint32_t slots_ = 0;
     std::uint32_t first_ = 0; ///< of the next dispatch
     std::uint32_t unfinished_ = 0;
-    RayCounts rays_;
+    rendering::RayCounts rays_;
     double seconds_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::gpu {
 
 using bvh::Tree;
 using bvh::TreeNode;
@@ -236,4 +236,4 @@ class Builder {
 
 GpuTree build_gpu_tree(const WorldData& world) { return Builder(world).run(); }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -10,15 +10,12 @@
 // count − 1 (5 bits) and the first (24 bits); else a node.
 
 #include "gpu/records.shared.h"
+#include "trace/world/data.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace glint {
-
-namespace trace {
-struct WorldData;
-}
+namespace glint::gpu {
 
 struct GpuTree {
     std::vector<NodeRecord> nodes;
@@ -33,4 +30,4 @@ struct GpuTree {
 /// Throws Error(device) for a world with too many nodes or leaves for codes of 32 bits.
 GpuTree build_gpu_tree(const trace::WorldData& world);
 
-} // namespace glint
+} // namespace glint::gpu

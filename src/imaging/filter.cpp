@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::imaging {
 
 namespace {
 
@@ -97,4 +97,4 @@ FilterSample PixelFilterSampler::sample(float u, float v) const {
     return {x.distance_to, y.distance_to, x.weight * y.weight};
 }
 
-} // namespace glint
+} // namespace glint::imaging

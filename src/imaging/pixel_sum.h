@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace glint {
+namespace glint::imaging {
 
 /// A sum of up to 2^32 − 1 values by a fixed tree. Values are added in pairs, pairs in pairs, and so on, as
 /// carries run through a binary counter: each aligned block of a power of two is a full tree, so blocks may
@@ -136,4 +136,4 @@ class PixelSum {
     std::uint32_t positives_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::imaging

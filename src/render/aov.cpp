@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 /// Steps to the first hit that are shown white.
@@ -57,30 +57,36 @@ std::optional<Term> term_of(Aov aov) {
     return static_cast<Term>(number);
 }
 
+} // namespace glint::rendering
+
+namespace glint {
+
 const char* aov_name(Aov aov) {
-    if (const auto term = term_of(aov)) return term_name(*term);
+    if (const auto term = rendering::term_of(aov)) return term_name(*term);
     static constexpr std::array first_hits{"shadows", "normal", "depth", "cost"};
     if (aov == Aov::final) return "final";
     return first_hits[static_cast<std::size_t>(aov) - static_cast<std::size_t>(Aov::shadows)];
 }
 
-bool is_visible(Aov aov) { return aov == Aov::final || (is_light(aov) && aov != Aov::clamp); }
+bool is_visible(Aov aov) { return aov == Aov::final || (rendering::is_light(aov) && aov != Aov::clamp); }
 
 Image visible(const Image& numbers, Aov aov, const Scene& scene) {
     switch (aov) {
     case Aov::clamp:
-        return mapped(numbers, [](const vec3& n) { return -n; });
+        return rendering::mapped(numbers, [](const vec3& n) { return -n; });
     case Aov::shadows:
-        return mapped(numbers, [all = light_count(scene)](const vec3& n) { return vec3(1.0f) - n / all; });
+        return rendering::mapped(
+            numbers, [all = rendering::light_count(scene)](const vec3& n) { return vec3(1.0f) - n / all; });
     case Aov::normal:
-        return mapped(numbers, [](const vec3& n) { return n == vec3(0.0f) ? n : n * 0.5f + vec3(0.5f); });
+        return rendering::mapped(numbers,
+                                 [](const vec3& n) { return n == vec3(0.0f) ? n : n * 0.5f + vec3(0.5f); });
     case Aov::depth:
-        return mapped(numbers, [middle = middle_distance(scene)](const vec3& n) {
+        return rendering::mapped(numbers, [middle = rendering::middle_distance(scene)](const vec3& n) {
             const float x = n.x / middle;
             return vec3(1.0f / (1.0f + x * x));
         });
     case Aov::cost:
-        return cost_in_colours(numbers);
+        return rendering::cost_in_colours(numbers);
     default:
         return numbers;
     }

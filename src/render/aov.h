@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace glint {
+namespace glint::rendering {
 
 /// True for the light and its terms, which have as many samples as the scene says; others have one ray a
 /// pixel.
@@ -13,4 +13,4 @@ bool is_light(Aov aov);
 /// The term that an AOV shows; none if it shows all light or first hits.
 std::optional<Term> term_of(Aov aov);
 
-} // namespace glint
+} // namespace glint::rendering

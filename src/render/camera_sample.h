@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace glint {
+namespace glint::rendering {
 
 /// A pixel of the whole picture (not of a crop), from the top left.
 struct Pixel {
@@ -73,4 +73,4 @@ struct RayCounts {
     }
 };
 
-} // namespace glint
+} // namespace glint::rendering

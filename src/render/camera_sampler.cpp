@@ -4,18 +4,18 @@
 
 #include "math/random.shared.h"
 
-namespace glint {
+namespace glint::rendering {
 
 PinholeCamera camera_of(const SceneDescription& scene) {
     const CameraDescription& c = *scene.camera;
-    return pinhole_camera(c.eye, c.direction, c.up, c.fov, c.fov_axis, scene.render.width,
-                          scene.render.height);
+    return imaging::pinhole_camera(c.eye, c.direction, c.up, c.fov, c.fov_axis, scene.render.width,
+                                   scene.render.height);
 }
 
 CameraSampler::CameraSampler(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(settings_.filter) {}
 
-FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
+imaging::FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
     if (settings_.spp == 1) return {};
     const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
                                static_cast<uint>(pixel.x), static_cast<uint>(pixel.y));
@@ -23,9 +23,9 @@ FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
     return filter_.sample(u.x, u.y);
 }
 
-CameraSample CameraSampler::sample_at(const Pixel& pixel, int index, const FilterSample& at) const {
+CameraSample CameraSampler::sample_at(const Pixel& pixel, int index, const imaging::FilterSample& at) const {
     return {camera_.eye, pinhole_direction(camera_, pixel.x, pixel.y, at.dx, at.dy), pixel,
             static_cast<std::uint32_t>(index), at.weight};
 }
 
-} // namespace glint
+} // namespace glint::rendering

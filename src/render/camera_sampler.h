@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Samples that are traced together: enough to fill batches of rays, few enough to stay in the cache.
 inline constexpr int batch_samples = 256;
@@ -25,19 +25,19 @@ class CameraSampler {
     CameraSample sample(const Pixel& pixel, int index) const {
         return sample_at(pixel, index, film_sample(pixel, index));
     }
-    CameraSample centre(const Pixel& pixel) const { return sample_at(pixel, 0, FilterSample{}); }
+    CameraSample centre(const Pixel& pixel) const { return sample_at(pixel, 0, imaging::FilterSample{}); }
 
     /// Offset from the pixel's centre and weight of a sample, and the camera sample there.
-    FilterSample film_sample(const Pixel& pixel, int index) const;
-    CameraSample sample_at(const Pixel& pixel, int index, const FilterSample& at) const;
+    imaging::FilterSample film_sample(const Pixel& pixel, int index) const;
+    CameraSample sample_at(const Pixel& pixel, int index, const imaging::FilterSample& at) const;
 
     const PinholeCamera& camera() const { return camera_; }
-    const PixelFilterSampler& filter() const { return filter_; }
+    const imaging::PixelFilterSampler& filter() const { return filter_; }
 
   private:
     const RenderSettings settings_;
     const PinholeCamera camera_;
-    const PixelFilterSampler filter_;
+    const imaging::PixelFilterSampler filter_;
 };
 
 /// Every second bit of a number, moved together.
@@ -53,4 +53,4 @@ inline int even_bits(std::uint32_t x) {
 inline int morton_x(std::uint32_t i) { return even_bits(i); }
 inline int morton_y(std::uint32_t i) { return even_bits(i >> 1); }
 
-} // namespace glint
+} // namespace glint::rendering

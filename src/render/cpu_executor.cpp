@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 std::size_t index_in(const Rect& tile, const Pixel& pixel) {
@@ -17,13 +17,13 @@ std::size_t index_in(const Rect& tile, const Pixel& pixel) {
 /// The samples of a pixel so far.
 template <class T>
 struct CpuExecutor::PixelSamples {
-    PixelSum<T> sum;
+    imaging::PixelSum<T> sum;
     std::uint32_t covered = 0;
 
     PixelSamples(const Film& film, const Visit& visit, const Pixel& pixel) {
         if (!visit.continues) return;
         const auto state = film.state<T>(visit.tile, index_in(visit.rect, pixel));
-        sum = PixelSum<T>(state.sum, static_cast<std::uint32_t>(visit.pass.first));
+        sum = imaging::PixelSum<T>(state.sum, static_cast<std::uint32_t>(visit.pass.first));
         covered = state.covered;
     }
     void add(const T& value, const CameraSample& sample, const Channels& channels) {
@@ -32,8 +32,8 @@ struct CpuExecutor::PixelSamples {
     }
 };
 
-CpuExecutor::CpuExecutor(const SceneData& scene, Film& film, TaskPool& pool, const KernelChoice& kernel,
-                         const CancelFlag* cancel, const Shard& shard)
+CpuExecutor::CpuExecutor(const scene::SceneData& scene, Film& film, parallel::TaskPool& pool,
+                         const KernelChoice& kernel, const CancelFlag* cancel, const Shard& shard)
     : film_(film), pool_(pool), cancel_(cancel), shard_(shard), sampler_(scene.description) {
     for (std::uint32_t i = 0; i < batch_samples; ++i) block_.push_back({morton_x(i), morton_y(i)});
     for (int i = 0; i < pool.threads(); ++i)
@@ -234,4 +234,4 @@ void CpuExecutor::put(const T& value, std::uint32_t covered, std::size_t pixel, 
     if (layout.coverage) values.covered[pixel] = covered;
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -11,15 +11,15 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 /// For ScheduleRun; its unit of work is a tile. Refers to scene, film and pool. Skips what the film has.
 class CpuExecutor {
   public:
-    CpuExecutor(const SceneData& scene, Film& film, TaskPool& pool, const KernelChoice& kernel = {},
-                const CancelFlag* cancel = nullptr, const Shard& shard = {});
+    CpuExecutor(const scene::SceneData& scene, Film& film, parallel::TaskPool& pool,
+                const KernelChoice& kernel = {}, const CancelFlag* cancel = nullptr, const Shard& shard = {});
 
-    TaskPool& pool() const { return pool_; }
+    parallel::TaskPool& pool() const { return pool_; }
     std::vector<std::uint32_t> begin_pass(const Pass& pass);
     std::uint32_t step(std::size_t task, int worker);
     void end_pass();
@@ -65,10 +65,10 @@ class CpuExecutor {
     template <class T>
     void put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
                   FilmTile& values) const;
-    bool is_cancelled() const { return glint::is_cancelled(cancel_); }
+    bool is_cancelled() const { return glint::rendering::is_cancelled(cancel_); }
 
     Film& film_;
-    TaskPool& pool_;
+    parallel::TaskPool& pool_;
     const CancelFlag* cancel_;
     Shard shard_;
     CameraSampler sampler_;
@@ -78,4 +78,4 @@ class CpuExecutor {
     TileGrid grid_; ///< its tiles
 };
 
-} // namespace glint
+} // namespace glint::rendering

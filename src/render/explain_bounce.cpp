@@ -5,7 +5,7 @@
 #include "math/trig.h"
 #include "shading/whitted.shared.h"
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 const char* const wrong_side = "the smooth normal would send the ray through the surface: the geometric one "
@@ -167,4 +167,4 @@ void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayN
     BounceSteps(scene, tree, node, ray).explain();
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -5,7 +5,7 @@
 #include "math/trig.h"
 #include "shading/whitted.shared.h"
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 /// The position of the light, and how much of it arrives.
@@ -218,4 +218,4 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
     return out;
 }
 
-} // namespace glint
+} // namespace glint::rendering

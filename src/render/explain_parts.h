@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Parts of a scene that explanations need.
 struct ExplainedScene {
-    explicit ExplainedScene(const SceneData& scene);
+    explicit ExplainedScene(const scene::SceneData& scene);
 
     std::string label(std::uint32_t object) const { return object_label(scene.description, object); }
     const std::string& material_name(std::uint32_t object) const;
@@ -21,7 +21,7 @@ struct ExplainedScene {
         return scene.materials[scene.objects[object].material];
     }
 
-    const SceneData& scene;
+    const scene::SceneData& scene;
     const WhittedSettings& settings;
     const WhittedModes modes;                 ///< of the settings
     std::vector<std::uint32_t> light_numbers; ///< by SceneData::lights: index in SceneDescription::lights
@@ -46,4 +46,4 @@ inline void stop_if_cancelled(const CancelFlag* cancel) {
         throw Error(ErrorKind::cancelled, "explaining was cancelled");
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -11,6 +11,10 @@
 namespace glint {
 
 using trace::Hit;
+} // namespace glint
+
+namespace glint::rendering {
+
 namespace {
 
 /// One ray: its hit, local terms and branches, and their sum.
@@ -221,7 +225,7 @@ class RayWorking {
         const MaterialRecord& m = material();
         const bool balanced = scene_.settings.energy == Energy::balanced;
         const float brightest = std::max({node_.color.x, node_.color.y, node_.color.z});
-        out_.gain = light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
+        out_.gain = shading::light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
         step({"gain", std::string(balanced ? "max(0, (1 − τ) − ρ)" : "(1 − τ)") + " · max(c) · k_d + ρ + τ",
               out_.gain, "gain", "light that can leave for each light that arrives", "",
               out_.gain > 1.0000001f
@@ -247,21 +251,11 @@ std::string numbered(const char* symbol, std::size_t number) {
     return symbol + subscript;
 }
 
-ExplainedScene::ExplainedScene(const SceneData& scene_data)
-    : scene(scene_data), settings(scene_data.description.whitted), modes(whitted_modes(settings)) {
+ExplainedScene::ExplainedScene(const scene::SceneData& scene_data)
+    : scene(scene_data), settings(scene_data.description.whitted), modes(scene::whitted_modes(settings)) {
     const std::vector<Light>& lights = scene_data.description.lights;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
-}
-
-std::string object_label(const SceneDescription& scene, std::size_t object) {
-    const Object& o = scene.objects[object];
-    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
-    return std::string(name_of(o.shape)) + " " + name;
-}
-
-std::string light_label(const SceneDescription& scene, std::size_t light) {
-    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
 }
 
 const std::string& ExplainedScene::material_name(std::uint32_t object) const {
@@ -287,6 +281,20 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
         max(w.x, max(w.y, w.z)) < min_weight ? working.copy_path() : working.explain();
     }
     return rays;
+}
+
+} // namespace glint::rendering
+
+namespace glint {
+
+std::string object_label(const SceneDescription& scene, std::size_t object) {
+    const Object& o = scene.objects[object];
+    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
+    return std::string(name_of(o.shape)) + " " + name;
+}
+
+std::string light_label(const SceneDescription& scene, std::size_t light) {
+    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
 }
 
 } // namespace glint

@@ -12,7 +12,7 @@
 #include <bit>
 #include <cstring>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 bool is_power_of_two(int n) { return std::has_single_bit(static_cast<unsigned>(n)); }
@@ -28,7 +28,7 @@ void fit_image(Image& image, const Rect& area) {
     image = {};
     image.width = area.width;
     image.height = area.height;
-    reserve_large(image.pixels, values);
+    parallel::reserve_large(image.pixels, values);
     image.pixels.resize(values);
 }
 
@@ -256,11 +256,11 @@ void Film::show_blocks(std::size_t tile) {
             all.sum = before.sum + all.sum;
             all.covered += before.covered;
         }
-        const SignedSums<T> sums{all.sum.positive, all.sum.negative, static_cast<std::uint32_t>(count),
-                                 all.sum.positives};
+        const imaging::SignedSums<T> sums{all.sum.positive, all.sum.negative,
+                                          static_cast<std::uint32_t>(count), all.sum.positives};
         const auto width = static_cast<std::size_t>(r.width);
-        show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)}, pixel_value(sums),
-             static_cast<float>(all.covered) / static_cast<float>(count));
+        show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)},
+             imaging::pixel_value(sums), static_cast<float>(all.covered) / static_cast<float>(count));
     }
     if (count == layout_.samples) {
         blocks.resize(1);
@@ -282,8 +282,8 @@ void Film::show(const Pixel& pixel, const T& value, float coverage) {
     if (layout_.coverage) coverage_[index(pixel)] = coverage;
 }
 
-void Film::set_pixel(const Pixel& pixel, const SignedSums<Terms>& sums, std::uint32_t covered) {
-    show(pixel, pixel_value(sums), static_cast<float>(covered) / static_cast<float>(sums.count));
+void Film::set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums, std::uint32_t covered) {
+    show(pixel, imaging::pixel_value(sums), static_cast<float>(covered) / static_cast<float>(sums.count));
 }
 
 void Film::commit_preview(const Pass& pass, const FilmTile& values) {
@@ -292,7 +292,7 @@ void Film::commit_preview(const Pass& pass, const FilmTile& values) {
         write(image.at(values.pixels[i].x, values.pixels[i].y), values.shown[i]);
 }
 
-void Film::show_preview(int step, bool smooth, TaskPool& pool) {
+void Film::show_preview(int step, bool smooth, parallel::TaskPool& pool) {
     if (step == 1) return;
     fit();
     upsample(preview_, step, smooth, image_, pool);
@@ -343,4 +343,4 @@ void Film::copy_pixels(std::size_t tile, const Film& from) {
 template PixelState<Terms> Film::state(std::size_t tile, std::size_t pixel) const;
 template PixelState<vec3> Film::state(std::size_t tile, std::size_t pixel) const;
 
-} // namespace glint
+} // namespace glint::rendering

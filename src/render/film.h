@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 /// What a film measures and stores.
 struct FilmLayout {
@@ -39,7 +39,7 @@ FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& opti
 /// The sums of a pixel that will get more samples. T is Terms or, for one channel, vec3.
 template <class T>
 struct PixelState {
-    typename PixelSum<T>::Part sum;
+    typename imaging::PixelSum<T>::Part sum;
     std::uint32_t covered = 0; ///< samples that hit something
 };
 
@@ -93,9 +93,9 @@ class Film {
     /// Stores centres of a preview pass.
     void commit_preview(const Pass& pass, const FilmTile& values);
     /// Ends a preview pass: the image shows its pixels and, `smooth`, interpolates between them.
-    void show_preview(int step, bool smooth, TaskPool& pool);
+    void show_preview(int step, bool smooth, parallel::TaskPool& pool);
     /// Sets a finished pixel of the area from sums made elsewhere.
-    void set_pixel(const Pixel& pixel, const SignedSums<Terms>& sums, std::uint32_t covered);
+    void set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums, std::uint32_t covered);
 
     const Image& image() const { return image_; }
     /// Moves the images and the coverage into a picture.
@@ -173,4 +173,4 @@ void with_sum_type(const FilmLayout& layout, const F& f) {
         f(vec3(0.0f));
 }
 
-} // namespace glint
+} // namespace glint::rendering

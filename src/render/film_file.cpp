@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstring>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 constexpr std::uint64_t magic = 0x6d6c6966'746e6c67; ///< "glntfilm"
@@ -39,7 +39,7 @@ void append(std::vector<std::byte>& out, const T& value) {
 }
 
 struct Header {
-    std::uint64_t magic = glint::magic;
+    std::uint64_t magic = glint::rendering::magic;
     std::uint32_t version = version_of_format;
     std::int32_t x = 0, y = 0, width = 0, height = 0;
     std::int32_t tile_size = 0, samples = 0;
@@ -186,4 +186,4 @@ bool Film::is_sound(const TileSamples& tile) const {
     return true;
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -10,11 +10,11 @@ namespace glint {
 struct Progressive::State {
     explicit State(int threads) : pool(threads) {}
 
-    TaskPool pool;
-    Film film;
+    parallel::TaskPool pool;
+    rendering::Film film;
     std::optional<Scene> scene; ///< kept alive for the executor
-    std::optional<CpuExecutor> executor;
-    std::optional<ScheduleRun<CpuExecutor>> run;
+    std::optional<rendering::CpuExecutor> executor;
+    std::optional<rendering::ScheduleRun<rendering::CpuExecutor>> run;
 };
 
 Progressive::Progressive(int threads) : state_(std::make_unique<State>(threads)) {}
@@ -24,8 +24,8 @@ void Progressive::start(const Scene& scene, const ProgressiveOptions& options) {
     State& s = *state_;
     RenderOptions wanted;
     wanted.show = options.show;
-    const FilmLayout layout = film_layout(scene.render_settings(), wanted);
-    std::vector<Pass> passes = refining_passes(options.coarsest, layout.samples);
+    const rendering::FilmLayout layout = rendering::film_layout(scene.render_settings(), wanted);
+    std::vector<rendering::Pass> passes = rendering::refining_passes(options.coarsest, layout.samples);
     s.run.reset();
     s.scene = scene;
     s.film.start(layout);
@@ -35,7 +35,7 @@ void Progressive::start(const Scene& scene, const ProgressiveOptions& options) {
 
 bool Progressive::advance(double seconds) {
     if (!state_->run) return false;
-    state_->run->run(wall_seconds() + seconds);
+    state_->run->run(rendering::wall_seconds() + seconds);
     return !state_->run->is_finished();
 }
 

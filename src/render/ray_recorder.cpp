@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace glint {
+namespace glint::rendering {
 
 using trace::Hit;
 namespace {
@@ -105,4 +105,4 @@ void RayRecorder::end_light(float passing, const ShownLight& shown) {
     light.highlight = shown.highlight;
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 struct LightNode : TracedLight {
     vec3 shadow_direction{0.0f}; ///< up to the light if that has a position, else unit
@@ -63,4 +63,4 @@ class RayRecorder {
     std::vector<std::size_t> open_; ///< the rays that have begun and not ended, parents first
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -17,18 +17,19 @@ double cpu_seconds() {
 } // namespace
 
 Picture render(const Scene& scene, const RenderOptions& options) {
-    const double wall = wall_seconds();
+    const double wall = rendering::wall_seconds();
     const double cpu = cpu_seconds();
-    Film film(film_layout(scene.render_settings(), options));
-    TaskPool pool(options.threads);
-    CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
-    ScheduleRun run(executor, one_pass(film.layout().samples), options.cancel, options.progress);
-    run.run(no_deadline);
+    rendering::Film film(rendering::film_layout(scene.render_settings(), options));
+    parallel::TaskPool pool(options.threads);
+    rendering::CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
+    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
+                               options.progress);
+    run.run(rendering::no_deadline);
     Picture picture;
     film.move_to(picture);
     picture.complete = run.is_finished();
     run.add_stats(picture.stats);
-    picture.stats.wall_seconds = wall_seconds() - wall;
+    picture.stats.wall_seconds = rendering::wall_seconds() - wall;
     picture.stats.cpu_seconds = cpu_seconds() - cpu;
     return picture;
 }

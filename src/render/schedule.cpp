@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 /// In samples of a pixel.
@@ -74,4 +74,4 @@ Refinement ScheduleCursor::reached(double of_pass) const {
     return reached;
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Seconds of a steady clock.
 inline double wall_seconds() {
@@ -99,4 +99,4 @@ class ScheduleCursor {
     double done_ = 0; ///< of the passes before
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 inline constexpr double no_deadline = std::numeric_limits<double>::infinity();
 
@@ -24,7 +24,7 @@ inline constexpr double no_deadline = std::numeric_limits<double>::infinity();
 template <class E>
 concept TileExecutor = requires(E& executor, const Pass& pass, std::size_t tile, int worker) {
     /// With a worker for each tile that is measured at a time.
-    { executor.pool() } -> std::same_as<TaskPool&>;
+    { executor.pool() } -> std::same_as<parallel::TaskPool&>;
     /// The tiles of a pass: the work in each.
     { executor.begin_pass(pass) } -> std::same_as<std::vector<std::uint32_t>>;
     /// The work that became whole.
@@ -116,7 +116,7 @@ class ScheduleRun {
 
     /// Once seen it holds for all tiles, even if the flag is cleared meanwhile.
     bool is_cancelled() {
-        if (glint::is_cancelled(cancel_)) cancelled_.store(true, std::memory_order_relaxed);
+        if (glint::rendering::is_cancelled(cancel_)) cancelled_.store(true, std::memory_order_relaxed);
         return cancelled_.load(std::memory_order_relaxed);
     }
 
@@ -150,4 +150,4 @@ class ScheduleRun {
     Refinement reached_;
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -14,14 +14,24 @@
 #include "shading/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace glint {
+namespace glint::rendering {
 
 using trace::kernel_targets;
 namespace HWY_NAMESPACE {
+
+namespace lanes = glint::HWY_NAMESPACE::lanes;
 namespace {
 
 using namespace lanes;
+using lanes::integer;
+using lanes::LightArrival;
+using lanes::LocalTerms;
+using lanes::MaterialRecord;
 using lanes::real;
+using lanes::ShownLight;
+using lanes::SpawnedRay;
+using lanes::SurfaceRecord;
+using lanes::truth;
 using lanes::vec3;
 
 HWY_INLINE vec3 load(const PathStates::Vectors& from, std::size_t i) {
@@ -282,11 +292,11 @@ void add_to_parents(Wave wave, PathStates& states) {
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace glint
+} // namespace glint::rendering
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace glint {
+namespace glint::rendering {
 
 #define GLINT_SHADE_KERNELS(CHOOSE)                                                                          \
     {                                                                                                        \
@@ -298,5 +308,5 @@ const std::array<ShadeKernels, kernel_targets> shade_kernels{
      GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2), GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX3)}};
 #undef GLINT_SHADE_KERNELS
 
-} // namespace glint
+} // namespace glint::rendering
 #endif

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace glint {
+namespace glint::rendering {
 
 struct ShadeKernels {
     /// After World::surfaces(): turns normals toward the viewer, copies what shading needs of the materials.
@@ -32,4 +32,4 @@ struct ShadeKernels {
 };
 extern const std::array<ShadeKernels, trace::kernel_targets> shade_kernels;
 
-} // namespace glint
+} // namespace glint::rendering

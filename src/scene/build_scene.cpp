@@ -16,6 +16,10 @@ using trace::PrimKind;
 using trace::World;
 using trace::WorldInput;
 using trace::WorldStats;
+} // namespace glint
+
+namespace glint::scene {
+
 namespace {
 
 MaterialRecord material_record(const Material& m) {
@@ -161,7 +165,8 @@ BuildQuality quality_for(const SceneDescription& description, const WorldInput& 
 }
 
 void check_cancel(const BuildSceneOptions& options) {
-    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) throw TasksCancelled();
+    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed))
+        throw parallel::TasksCancelled();
 }
 
 void report(const BuildSceneOptions& options, const char* activity, double fraction) {
@@ -188,7 +193,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
         if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
 
     report(options, "building the trees", 0);
-    TaskPool pool(options.threads, options.cancel);
+    parallel::TaskPool pool(options.threads, options.cancel);
     baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
     report(options, "building the trees", 1);
@@ -198,10 +203,14 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
 
 } // namespace
 
+} // namespace glint::scene
+
+namespace glint {
+
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options) {
     try {
-        return Scene(make_scene_data(description, options));
-    } catch (const TasksCancelled&) {
+        return Scene(scene::make_scene_data(description, options));
+    } catch (const parallel::TasksCancelled&) {
         throw Error(ErrorKind::cancelled, "building the scene was cancelled");
     }
 }
@@ -212,8 +221,8 @@ SceneStats Scene::stats() const {
     SceneStats stats;
     stats.objects = data_->objects.size();
     stats.triangles = world.triangles;
-    for (std::size_t kind = 0; kind < quadric_names.size(); ++kind)
-        stats.quadrics.push_back({quadric_names[kind], world.quadrics[kind]});
+    for (std::size_t kind = 0; kind < geometry::quadric_names.size(); ++kind)
+        stats.quadrics.push_back({geometry::quadric_names[kind], world.quadrics[kind]});
     stats.planes = world.planes;
     stats.lights = data_->description.lights.size();
     stats.tree_nodes = world.nodes;

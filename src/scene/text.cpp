@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace glint {
+namespace glint::scene {
 
 std::string show(double x) {
     if (std::isnan(x)) return "nan";
@@ -53,4 +53,4 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
     return nearest ? "did you mean " + in_quotes(*nearest) + "?" : otherwise;
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 /// The shortest text that reads back as x: "0.1", "4", "nan".
 std::string show(double x);
@@ -38,4 +38,4 @@ std::optional<Number> parse_number(std::string_view text) {
 /// Whether a byte of UTF-8 is not the first of its character.
 constexpr bool continues_utf8(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; }
 
-} // namespace glint
+} // namespace glint::scene

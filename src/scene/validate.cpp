@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 class Checker {
@@ -171,4 +171,4 @@ const Material* material_of(const SceneDescription& description, const Object& o
     return nullptr;
 }
 
-} // namespace glint
+} // namespace glint::scene

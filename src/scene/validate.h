@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 /// Whether to check shapes and transforms, or assume that they have been checked.
 enum class Shapes { unchecked, checked };
@@ -24,4 +24,4 @@ const Object* find_mesh(const SceneDescription& description, const std::string& 
 /// The material of an object: its own, or its mesh's for an instance without one; nullptr if unknown.
 const Material* material_of(const SceneDescription& description, const Object& object);
 
-} // namespace glint
+} // namespace glint::scene

@@ -28,7 +28,7 @@ std::string title(const Object& object) {
 
 class WarningFinder {
   public:
-    explicit WarningFinder(const SceneData& scene) : scene_(scene), description_(scene.description) {
+    explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {
         for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
             if (glass(id) && scene.objects[id].solid) glass_solids_.push_back(id);
     }
@@ -65,11 +65,11 @@ class WarningFinder {
 
     // Without glass it is not known which meshes are closed: find out for those around the position.
     std::vector<std::uint32_t> everything_around(const Vec3& position) const {
-        std::vector<std::uint32_t> around = objects_around(scene_, vec3(position));
+        std::vector<std::uint32_t> around = scene::objects_around(scene_, vec3(position));
         if (scene_.any_transparent) return around;
-        for (const std::uint32_t id : surfaces_around(scene_, vec3(position)))
+        for (const std::uint32_t id : scene::surfaces_around(scene_, vec3(position)))
             if (const Mesh* mesh = mesh_of(id);
-                mesh != nullptr && is_closed(mesh->positions, mesh->triangles))
+                mesh != nullptr && geometry::is_closed(mesh->positions, mesh->triangles))
                 around.push_back(id);
         return around;
     }
@@ -77,7 +77,7 @@ class WarningFinder {
         if (const auto* mesh = std::get_if<MeshShape>(&object(id).shape)) return mesh->data.get();
         const auto* instance = std::get_if<InstanceShape>(&object(id).shape);
         if (instance == nullptr) return nullptr;
-        return std::get<MeshShape>(find_mesh(description_, instance->mesh)->shape).data.get();
+        return std::get<MeshShape>(scene::find_mesh(description_, instance->mesh)->shape).data.get();
     }
 
     void check_inside(const Vec3& position, const Location& where) {
@@ -97,7 +97,8 @@ class WarningFinder {
     void check_gain(const Material& m) {
         const double brightest = std::max({m.color.x, m.color.y, m.color.z});
         const bool balanced = description_.whitted.energy == Energy::balanced;
-        const double gain = light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
+        const double gain =
+            shading::light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
         if (gain <= 1.0000001) return;
         char number[32];
         std::snprintf(number, sizeof number, "%.2f", gain);
@@ -178,7 +179,7 @@ class WarningFinder {
                                                        glm::all(glm::lessThanEqual(p, box.hi))));
             });
         if (!near_glass) return;
-        for (const std::uint32_t around : objects_around(scene_, p)) {
+        for (const std::uint32_t around : scene::objects_around(scene_, p)) {
             if (around == id || !glass(around) || scene_.objects[around].rank < scene_.objects[id].rank)
                 continue;
             ++probe.hidden;
@@ -193,7 +194,7 @@ class WarningFinder {
         if (b.t - a.t <= a.t * 0x1p-20f) probe.coincident = b.object;
     }
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     const SceneDescription& description_;
     std::vector<std::uint32_t> glass_solids_;
     std::vector<Hit> hits_;

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 struct TestMesh {
@@ -302,4 +302,4 @@ TEST(Polygon, OfManyCornersIsAFanWhenConvexAndRefusedWhenConcave) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 struct Named {
@@ -205,4 +205,4 @@ TEST(Polyhedron, AxisOfAnyLengthGivesTheDirectionOnly) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

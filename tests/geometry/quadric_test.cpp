@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 const QuadricShape unit_sphere = make_sphere(dvec3(0), 1.0);
@@ -372,4 +372,4 @@ TEST(Extent, IsTight) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

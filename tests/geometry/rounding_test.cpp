@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 dvec3 through_float(const dvec3& v) { return dvec3(vec3(v)); }
@@ -16,4 +16,4 @@ TEST(Rounding, ToFloatIsKeptOnTheWayBackToDouble) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

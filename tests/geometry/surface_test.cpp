@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 const vec3 a(0.0f, 0.0f, 1.0f);
@@ -75,4 +75,4 @@ TEST(Surface, TransformedNormalsAreUnitOrZero) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 constexpr float largest = std::numeric_limits<float>::max();
@@ -277,4 +277,4 @@ TEST(Triangle, NeighboursAgreeOnTheirEdge) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

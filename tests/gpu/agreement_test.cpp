@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <tuple>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST(GpuAgreement, EveryFilterLooksAsOnTheCpu) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 GpuLimits dispatches_of(std::uint32_t pixels, std::uint32_t rays) {
@@ -74,4 +74,4 @@ TEST(GpuDispatches, WhatADriverCutShortIsToldAndNotShown) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

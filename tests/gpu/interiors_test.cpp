@@ -7,18 +7,18 @@
 
 #include <random>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 constexpr std::uint32_t solids = 20;
 
 /// Glass balls, each of a rank above the last.
-SceneData balls() {
-    SceneData scene;
+scene::SceneData balls() {
+    scene::SceneData scene;
     scene.materials.emplace_back();
     scene.materials.front().transparency = 1;
     for (std::uint32_t i = 0; i < solids; ++i) {
-        ObjectData object;
+        scene::ObjectData object;
         object.rank = i;
         object.solid = true;
         scene.objects.push_back(object);
@@ -27,7 +27,7 @@ SceneData balls() {
 }
 
 /// Numbers of solids begin with 1.
-std::vector<std::uint32_t> listed(const InteriorList* list) {
+std::vector<std::uint32_t> listed(const rendering::InteriorList* list) {
     std::vector<std::uint32_t> numbers;
     for (; list != nullptr; list = list->rest) numbers.push_back(list->object + 1);
     return numbers;
@@ -39,16 +39,16 @@ std::vector<std::uint32_t> listed(const uvec4& list) {
 }
 
 TEST(GpuInteriors, AreEnteredAndLeftAsOnTheCpu) {
-    const SceneData scene = balls();
+    const scene::SceneData scene = balls();
     std::mt19937 random(3);
     for (int walk = 0; walk < 100; ++walk) {
-        InteriorArena arena;
-        const InteriorList* list = nullptr;
+        rendering::InteriorArena arena;
+        const rendering::InteriorList* list = nullptr;
         uvec4 packed(0u);
         for (int step = 0; step < 40; ++step) {
             const auto object = static_cast<std::uint32_t>(random() % solids);
             const bool entering = random() % 3 != 0 && !interiors_full(packed);
-            list = crossed(list, object, entering, scene, arena);
+            list = rendering::crossed(list, object, entering, scene, arena);
             packed = entering ? interiors_with(packed, object + 1) : interiors_without(packed, object + 1);
             ASSERT_EQ(listed(packed), listed(list));
         }
@@ -67,4 +67,4 @@ TEST(GpuInteriors, AFullListLosesItsLowest) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -110,8 +110,8 @@ TEST(Pages, TheSceneOfTheReadmeIsGood) {
 }
 
 TEST(Pages, TheExplainPageEmbedsItsStyleAndScript) {
-    EXPECT_EQ(page_style(), read_project_file("src/formats/explain/page.css"));
-    EXPECT_EQ(page_script(), read_project_file("src/formats/explain/page.js"));
+    EXPECT_EQ(formats::page_style(), read_project_file("src/formats/explain/page.css"));
+    EXPECT_EQ(formats::page_script(), read_project_file("src/formats/explain/page.js"));
 }
 
 TEST(Pages, TheReadmeNamesAllScriptsAndNoOthers) {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -141,4 +141,4 @@ TEST(Pick, FindsObjectMaterialAndPlace) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

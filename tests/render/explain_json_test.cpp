@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -130,4 +130,4 @@ TEST_P(JsonOf, StepsLeadFromRayToRay) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

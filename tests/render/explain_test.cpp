@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -121,4 +121,4 @@ TEST(Labels, CountAllObjectsAndAllLights) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -13,7 +13,7 @@
 #include <cstring>
 #include <random>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -37,7 +37,7 @@ RenderOptions in_tiles(int tile_size) {
 /// Runs passes over a film. Returns the number of rays.
 std::uint64_t run(const Scene& scene, Film& film, std::vector<Pass> passes, const Shard& shard = {},
                   const CancelFlag* cancel = nullptr, std::function<void(const Progress&)> progress = {}) {
-    TaskPool pool(1);
+    parallel::TaskPool pool(1);
     CpuExecutor executor(scene.data(), film, pool, {}, cancel, shard);
     ScheduleRun run(executor, std::move(passes), cancel, std::move(progress));
     run.run(no_deadline);
@@ -237,4 +237,4 @@ TEST(Film, DamageIsFoundWhereverItIs) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

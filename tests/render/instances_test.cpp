@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::rendering {
+
+using scene::objects_around;
+
 namespace {
 
 using namespace kit;
@@ -192,4 +195,4 @@ TEST(Instances, TakeTheMemoryOfTheirMeshOnce) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <thread>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -171,4 +171,4 @@ TEST(Progressive, TheWayIsToldFromNothingToTheEnd) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

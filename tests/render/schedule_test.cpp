@@ -9,7 +9,7 @@
 
 #include <bit>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 TEST(Schedule, PreviewsHalveTheStepAndSamplesDouble) {
@@ -70,10 +70,10 @@ TEST(Schedule, TheCursorCountsWorkBySamples) {
 
 /// Three tiles a pass, each of two units, of which a step does one.
 struct SteppingExecutor {
-    TaskPool threads{1};
+    parallel::TaskPool threads{1};
     std::vector<std::size_t> steps; ///< their tiles
 
-    TaskPool& pool() { return threads; }
+    parallel::TaskPool& pool() { return threads; }
     std::vector<std::uint32_t> begin_pass(const Pass&) { return {2, 2, 2}; }
     std::uint32_t step(std::size_t tile, int) {
         steps.push_back(tile);
@@ -129,4 +129,4 @@ TEST(ScheduleRun, GoesOnWithinATileThatWasCancelled) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

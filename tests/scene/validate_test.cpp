@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 using namespace kit;
@@ -285,4 +285,4 @@ TEST(Validate, BuildSceneReportsAllErrorsTogether) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

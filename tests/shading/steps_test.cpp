@@ -143,11 +143,11 @@ TEST(LightGain, WeighsDiffuseLightLikeTheEstimator) {
         for (const float reflectivity : {0.0f, 0.3f, 0.7f})
             for (const float transparency : {0.0f, 0.2f, 0.3f, 0.5f}) {
                 const float weight = local_weight(reflectivity, transparency, balanced);
-                EXPECT_EQ(light_gain(0.8f, 0.9f, reflectivity, transparency, balanced),
+                EXPECT_EQ(shading::light_gain(0.8f, 0.9f, reflectivity, transparency, balanced),
                           weight * 0.8f * 0.9f + reflectivity + transparency);
             }
-    EXPECT_DOUBLE_EQ(light_gain(1.0, 1.0, 0.5, 0.0, false), 1.5);
-    EXPECT_DOUBLE_EQ(light_gain(1.0, 1.0, 0.5, 0.0, true), 1);
+    EXPECT_DOUBLE_EQ(shading::light_gain(1.0, 1.0, 0.5, 0.0, false), 1.5);
+    EXPECT_DOUBLE_EQ(shading::light_gain(1.0, 1.0, 0.5, 0.0, true), 1);
 }
 
 TEST(RefractionStep, FallsBackToTheGeometricNormal) {

@@ -158,17 +158,17 @@ MeshTree build(const Mesh& mesh, BuildQuality quality, int threads = 1) {
 }
 
 TriangleRecord brute_force(const Mesh& mesh, const Ray& ray) {
-    const ShearedRay sheared(ray);
+    const geometry::ShearedRay sheared(ray);
     TriangleRecord record;
     float limit = next_float(ray.tmax, -1.0f);
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        TriangleVertices vertices;
+        geometry::TriangleVertices vertices;
         for (int k = 0; k < 3; ++k) {
             const vec3& p = mesh.positions[mesh.triangles[i][k]];
             vertices[static_cast<std::size_t>(k)] = {p.x, p.y, p.z};
         }
         TriangleHit hit;
-        if (!intersect_triangle(sheared, vertices, ray.tmin, limit, hit)) continue;
+        if (!geometry::intersect_triangle(sheared, vertices, ray.tmin, limit, hit)) continue;
         if (hit.t == limit && record.triangle < i) continue;
         limit = hit.t;
         record = {hit.t, hit.u, hit.v, i};

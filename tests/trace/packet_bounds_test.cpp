@@ -38,15 +38,15 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
     for (std::uint32_t i = 0; i < spheres; ++i) {
         const dvec3 center = snapped(numbers, size);
         const double radius = (0.1 + std::abs(numbers())) * 0.3 * size;
-        input.quadrics.push_back({object++, 0, make_sphere(center, radius)});
+        input.quadrics.push_back({object++, 0, geometry::make_sphere(center, radius)});
     }
     const dvec3 base = snapped(numbers, size);
     const dvec3 axis = numbers.direction();
-    input.quadrics.push_back({object++, 0, make_cylinder(base, axis, size * 0.5, size * 0.25)});
+    input.quadrics.push_back({object++, 0, geometry::make_cylinder(base, axis, size * 0.5, size * 0.25)});
     const dvec3 center = snapped(numbers, size);
     const dvec3 normal = numbers.direction();
-    input.quadrics.push_back({object++, 0, make_disk(center, normal, size * 0.4)});
-    input.quadrics.push_back({object++, 0, make_cone(center, -normal, size * 0.6, size * 0.3)});
+    input.quadrics.push_back({object++, 0, geometry::make_disk(center, normal, size * 0.4)});
+    input.quadrics.push_back({object++, 0, geometry::make_cone(center, -normal, size * 0.6, size * 0.3)});
     WorldInput::Triangles mesh = square(object, static_cast<float>(numbers()));
     const vec3 corner(snapped(numbers, size));
     for (vec3& p : mesh.positions) p = p * static_cast<float>(size) + corner;

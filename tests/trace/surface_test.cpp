@@ -11,6 +11,7 @@
 
 namespace glint {
 
+using geometry::make_sphere;
 using trace::Affine;
 using trace::Hit;
 using trace::Quadric;
@@ -38,7 +39,7 @@ TEST(Surface, OfATriangleIsInItsPlane) {
 TEST(Surface, OfQuadricsHasOutwardNormals) {
     WorldInput input;
     input.quadrics.push_back({0, 7, make_sphere({1, 2, 3}, 2.0)});
-    input.quadrics.push_back({1, 0, make_cylinder({10, 0, 0}, {1, 0, 0}, 4.0, 1.0)});
+    input.quadrics.push_back({1, 0, geometry::make_cylinder({10, 0, 0}, {1, 0, 0}, 4.0, 1.0)});
     input.planes.push_back({2, {0, 0, 5}, -20.0});
     const World world = world_of(input);
 
@@ -209,7 +210,7 @@ WorldInput some_cylinder(Numbers& random, dvec3& about, double& reach) {
     const dvec3 base = random.point() * size * std::pow(10.0, 2.0 * random());
     const dvec3 axis = random.direction();
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_cylinder(base, axis, size * 2.0, size * 0.7)});
+    input.quadrics.push_back({0, 0, geometry::make_cylinder(base, axis, size * 2.0, size * 0.7)});
     about = base + axis * size;
     reach = size;
     return input;
@@ -220,7 +221,7 @@ WorldInput some_disk(Numbers& random, dvec3& about, double& reach) {
     about = random.point() * size * std::pow(10.0, 3.0 * random());
     reach = size;
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_disk(about, random.direction(), size)});
+    input.quadrics.push_back({0, 0, geometry::make_disk(about, random.direction(), size)});
     return input;
 }
 
@@ -229,7 +230,7 @@ WorldInput some_cone(Numbers& random, dvec3& about, double& reach) {
     const dvec3 base = random.point() * size * std::pow(10.0, 2.0 * random());
     const dvec3 axis = random.direction();
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_cone(base, axis, size * 2.0, size * 0.7)});
+    input.quadrics.push_back({0, 0, geometry::make_cone(base, axis, size * 2.0, size * 0.7)});
     about = base + axis * size * 0.6;
     reach = size;
     return input;
@@ -268,7 +269,7 @@ TEST(Cylinder, RayIntoItLeavesOnce) { expect_spawned_rays_leave(some_cylinder, -
 
 TEST(Disk, SpawnedRayNeverReintersects) {
     const auto squeezed = [](Numbers& random, dvec3& about, double& reach) {
-        return some_squeezed(make_disk({0, 0, 0}, {0, 0, 1}, 1.0), random, about, reach);
+        return some_squeezed(geometry::make_disk({0, 0, 0}, {0, 0, 1}, 1.0), random, about, reach);
     };
     for (const double side : {1.0, -1.0}) {
         expect_spawned_rays_leave(some_disk, side, 0);
@@ -277,7 +278,7 @@ TEST(Disk, SpawnedRayNeverReintersects) {
 }
 
 WorldInput some_squeezed_cone(Numbers& random, dvec3& about, double& reach) {
-    return some_squeezed(make_cone({0, 0, -0.5}, {0, 0, 1}, 1.5, 0.9), random, about, reach);
+    return some_squeezed(geometry::make_cone({0, 0, -0.5}, {0, 0, 1}, 1.5, 0.9), random, about, reach);
 }
 
 TEST(Cone, SpawnedRayNeverReintersects) {

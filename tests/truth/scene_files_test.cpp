@@ -7,8 +7,8 @@
 //   # expect mean = R G B relative T           the same of the mean over all pixels
 
 #include "glint/image.h"
-#include "glint/scene_files.h"
 #include "glint/render.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 

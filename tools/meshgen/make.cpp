@@ -112,7 +112,7 @@ Mesh plain_mesh(const Request& r) {
 Mesh make_mesh(const Request& request) {
     Mesh mesh = plain_mesh(request);
     if (!request.colors) mesh.colors.clear();
-    if (!request.flat) mesh.normals = smooth_normals(mesh.positions, mesh.triangles);
+    if (!request.flat) mesh.normals = geometry::smooth_normals(mesh.positions, mesh.triangles);
     return mesh;
 }
 

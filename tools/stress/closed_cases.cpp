@@ -14,6 +14,7 @@
 
 namespace glint::stress {
 
+using geometry::Polyhedron;
 using trace::Hit;
 using trace::World;
 using trace::WorldInput;
@@ -23,13 +24,13 @@ namespace {
 Polyhedron random_polyhedron(Random& random) {
     switch (random.below(4)) {
     case 0:
-        return make_box(dvec3(0.0), dvec3(1.5));
+        return geometry::make_box(dvec3(0.0), dvec3(1.5));
     case 1:
-        return make_octahedron(dvec3(0.0), 1.5);
+        return geometry::make_octahedron(dvec3(0.0), 1.5);
     case 2:
-        return make_dodecahedron(dvec3(0.0), 1.0);
+        return geometry::make_dodecahedron(dvec3(0.0), 1.0);
     default:
-        return make_icosahedron(dvec3(0.0), 1.0);
+        return geometry::make_icosahedron(dvec3(0.0), 1.0);
     }
 }
 

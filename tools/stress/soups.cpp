@@ -119,11 +119,11 @@ std::int32_t add_affine(const ScaledOffset& to_world, Random& random, WorldInput
 QuadricShape any_standing(const dvec3& p, const dvec3& axis, double height, double radius, Random& random) {
     switch (random.below(3)) {
     case 0:
-        return make_cylinder(p, axis, height, radius);
+        return geometry::make_cylinder(p, axis, height, radius);
     case 1:
-        return make_cone(p, axis, height, radius);
+        return geometry::make_cone(p, axis, height, radius);
     default:
-        return make_disk(p, axis, radius);
+        return geometry::make_disk(p, axis, radius);
     }
 }
 
@@ -135,7 +135,7 @@ void add_quadrics(const ScaledOffset& to_world, Random& random, WorldInput& worl
         const dvec3 p = local ? at * 0.5 : dvec3(to_world(at));
         const double radius = 0.25 * random.between(1, 3) * (local ? 1.0 : to_world.scale);
         if (random.one_in(2)) {
-            world.quadrics.push_back({20 + i / 4, i, make_sphere(p, radius), affine});
+            world.quadrics.push_back({20 + i / 4, i, geometry::make_sphere(p, radius), affine});
             continue;
         }
         const dvec3 axis = random.one_in(2) ? random.along_axis() : random.direction();

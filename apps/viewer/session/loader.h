@@ -3,8 +3,8 @@
 
 #include "view_slot.h"
 
-#include "glint/scene_files.h"
 #include "glint/scene.h"
+#include "glint/scene_files.h"
 
 #include <cstdint>
 #include <functional>

@@ -5,6 +5,10 @@
 #include "glint/explanation_files.h"
 
 namespace glint {
+
+using formats::json_number;
+using formats::Scope;
+
 namespace {
 
 std::string json_vector(const glm::vec3& v) {
@@ -25,7 +29,7 @@ class Members {
         text_ += (text_.empty() ? "" : ", ") + ("\"" + std::string(name) + "\": ") + value;
         return *this;
     }
-    Members& words(const char* name, const std::string& text) { return add(name, json_text(text)); }
+    Members& words(const char* name, const std::string& text) { return add(name, formats::json_text(text)); }
     /// Omitted if empty.
     Members& perhaps(const char* name, const std::string& text) {
         return text.empty() ? *this : words(name, text);
@@ -135,8 +139,8 @@ std::string json_ray(const ExplainedRay& ray) {
     members.add("parent", json_index(ray.parent)).add("reflected", json_index(ray.reflected));
     members.add("refracted", json_index(ray.refracted));
     members.add("origin", json_vector(ray.origin)).add("direction", json_vector(ray.direction));
-    members.add("weight", json_vector(ray.weight)).add("inside", json_list(ray.inside));
-    members.add("passed_over", json_list(ray.passed_over)).add("hit", json_hit(ray));
+    members.add("weight", json_vector(ray.weight)).add("inside", formats::json_list(ray.inside));
+    members.add("passed_over", formats::json_list(ray.passed_over)).add("hit", json_hit(ray));
     members.add("refraction", json_refraction(ray)).words("end", ray_end_name(ray.end)).words("why", ray.why);
     members.add("transmittance", json_vector(ray.transmittance));
     members.add("lights", lines(lights, 4));

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace glint {
+namespace glint::formats {
 
 std::string json_number(float x) {
     if (!std::isfinite(x)) return "null";
@@ -25,7 +25,7 @@ std::string json_text(const std::string& text) {
 
 std::string json_list(std::vector<std::string> texts) {
     for (std::string& text : texts) text = json_text(text);
-    return "[" + listed(texts) + "]";
+    return "[" + scene::listed(texts) + "]";
 }
 
 std::string escape_markup(std::string_view text) {
@@ -54,7 +54,7 @@ std::string escape_markup(std::string_view text) {
 std::string cut(const std::string& text, std::size_t most) {
     std::size_t characters = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (continues_utf8(text[i])) continue;
+        if (scene::continues_utf8(text[i])) continue;
         if (characters++ == most) return text.substr(0, i) + "…";
     }
     return text;
@@ -62,9 +62,9 @@ std::string cut(const std::string& text, std::size_t most) {
 
 std::string web_color(const glm::vec3& linear) {
     char buffer[8];
-    std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x", srgb8_from_linear(linear.x),
-                  srgb8_from_linear(linear.y), srgb8_from_linear(linear.z));
+    std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x", imaging::srgb8_from_linear(linear.x),
+                  imaging::srgb8_from_linear(linear.y), imaging::srgb8_from_linear(linear.z));
     return buffer;
 }
 
-} // namespace glint
+} // namespace glint::formats

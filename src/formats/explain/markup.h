@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Nine digits, which parse to the same float; null for values that JSON cannot represent.
 std::string json_number(float x);
@@ -21,4 +21,4 @@ std::string cut(const std::string& text, std::size_t most);
 /// "#rrggbb" of linear light by the sRGB curve, clamped to 0 … 1.
 std::string web_color(const glm::vec3& linear);
 
-} // namespace glint
+} // namespace glint::formats

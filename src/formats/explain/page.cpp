@@ -12,7 +12,7 @@
 #include <new>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 /// Beyond this number, constants are stored per ray.
@@ -196,8 +196,8 @@ std::vector<bool> PageData::heaviest(std::size_t count) const {
 }
 
 std::string PageData::json(const std::string& head) const {
-    return head + "\"steps\":[" + listed(steps_, ",") + "],\"constants\":[" + listed(constants_, ",") +
-           "],\"shapes\":[" + listed(shapes_, ",") + "]}";
+    return head + "\"steps\":[" + scene::listed(steps_, ",") + "],\"constants\":[" +
+           scene::listed(constants_, ",") + "],\"shapes\":[" + scene::listed(shapes_, ",") + "]}";
 }
 
 std::string PageData::packed(const std::string& head, std::size_t count) const {
@@ -245,4 +245,4 @@ std::string PageData::packed(const std::string& head, std::size_t count) const {
     return deflated(bytes);
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 inline std::string_view page_style() { return embedded_text("formats/explain/page.css"); }
 /// Plain JavaScript without libraries or network access.
@@ -70,4 +70,4 @@ class PageData {
     std::map<std::string, int> constant_numbers_;
 };
 
-} // namespace glint
+} // namespace glint::formats

@@ -10,6 +10,9 @@
 #include <cmath>
 
 namespace glint {
+
+using formats::number_text;
+
 namespace {
 
 constexpr int shown_digits = 3;
@@ -210,7 +213,7 @@ class SvgTree {
         double y = box.y + 22;
         for (const TextLine& line : box.lines) {
             if (line.swatch) swatch(x + 12, y - 11, 13, line.color);
-            text(x + (line.swatch ? 32 : 12), y, cut(line.text, 49), line.style);
+            text(x + (line.swatch ? 32 : 12), y, formats::cut(line.text, 49), line.style);
             y += line_height;
         }
         for (const std::size_t child : box.children) draw_boxes(sample, child);
@@ -220,13 +223,13 @@ class SvgTree {
 
     void text(double x, double y, const std::string& words, const std::string& style) {
         body_ += "<text class=\"" + style + "\" x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\">" +
-                 escape_markup(words) + "</text>\n";
+                 formats::escape_markup(words) + "</text>\n";
     }
 
     void swatch(double x, double y, double size, const glm::vec3& color) {
         body_ += "<rect class=\"swatch\" x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
                  coordinate(size) + "\" height=\"" + coordinate(size) + "\" rx=\"2\" fill=\"" +
-                 web_color(color) + "\"/>\n";
+                 formats::web_color(color) + "\"/>\n";
     }
 
     void sample_title(const ExplainedSample& s, std::size_t index, double y) {

@@ -7,9 +7,13 @@
 #include <algorithm>
 
 namespace glint {
+
+using formats::number_text;
+using formats::Scope;
+
 namespace {
 
-constexpr int digits = readable_digits;
+constexpr int digits = formats::readable_digits;
 constexpr std::size_t longest_line = 100;
 
 /// Terminal escape sequences, or empty strings.
@@ -28,7 +32,7 @@ std::string text_of(const Quantity& q) { return quantity_text(q, digits); }
 
 /// Width in characters, not bytes.
 std::size_t width(std::string_view text) {
-    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_utf8));
+    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, scene::continues_utf8));
 }
 
 std::string angle(float degrees) { return number_text(degrees, 4) + "°"; }
@@ -99,7 +103,7 @@ class TextTree {
 
     void write_path(const ExplainedRay& ray, const std::string& inner) {
         line(inner + "from " + text_of(ray.origin) + " along " + text_of(ray.direction));
-        if (!ray.inside.empty()) line(inner + "inside " + listed(ray.inside, ", within "));
+        if (!ray.inside.empty()) line(inner + "inside " + scene::listed(ray.inside, ", within "));
         for (const std::string& label : ray.passed_over)
             line(inner + "passes over " + label + ": hidden inside a solid that owns the space");
         if (!ray.hit) return;

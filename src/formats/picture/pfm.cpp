@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -63,7 +63,7 @@ class HeaderReader {
 
     template <class Number>
     Number number(const std::string& what) {
-        const auto value = parse_number<Number>(word());
+        const auto value = scene::parse_number<Number>(word());
         if (!value) fail(what + " is no valid number");
         return *value;
     }
@@ -125,4 +125,4 @@ LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& na
     return picture;
 }
 
-} // namespace glint
+} // namespace glint::formats

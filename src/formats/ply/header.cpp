@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 /// Two names of each type, in the order of Type.
@@ -128,7 +128,7 @@ class HeaderParser {
     void read_element() {
         expect_words(3, "element NAME COUNT");
         const std::string_view digits = words_[2];
-        const auto count = parse_number<std::uint64_t>(digits);
+        const auto count = scene::parse_number<std::uint64_t>(digits);
         if (!count)
             fail(digits, quoted(digits) + " is not a number of elements",
                  "expected a whole number, 0 or more");
@@ -190,4 +190,4 @@ const char* type_name(Type type) { return type_names[static_cast<std::size_t>(ty
 
 Header parse_header(const Source& source) { return HeaderParser(source).parse(); }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

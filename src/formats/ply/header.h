@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -51,4 +51,4 @@ struct Header {
 /// accepted. Throws Error(input) with line and column.
 Header parse_header(const Source& source);
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 /// The names of each role, in the order of Role.
@@ -138,4 +138,4 @@ MeshLayout interpret_header(const Source& source, const Header& header) {
     return layout;
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

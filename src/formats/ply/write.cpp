@@ -59,7 +59,7 @@ class Output {
 /// read them.
 bool are_codes(const std::vector<glm::vec3>& colors) {
     const auto is_code = [](float light) {
-        return std::bit_cast<std::uint32_t>(linear_from_srgb8(srgb8_from_linear(light))) ==
+        return std::bit_cast<std::uint32_t>(imaging::linear_from_srgb8(imaging::srgb8_from_linear(light))) ==
                std::bit_cast<std::uint32_t>(light);
     };
     return std::all_of(colors.begin(), colors.end(),
@@ -91,7 +91,7 @@ void write_vertex(Output& out, const Mesh& mesh, std::size_t i, bool byte_colors
     if (!mesh.normals.empty()) numbers(mesh.normals[i]);
     if (!mesh.colors.empty() && !byte_colors) numbers(mesh.colors[i]);
     if (!mesh.colors.empty() && byte_colors)
-        for (int k = 0; k < 3; ++k) out.byte(srgb8_from_linear(mesh.colors[i][k]));
+        for (int k = 0; k < 3; ++k) out.byte(imaging::srgb8_from_linear(mesh.colors[i][k]));
     if (!mesh.uvs.empty()) numbers(mesh.uvs[i]);
     out.end_row();
 }

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -122,7 +122,7 @@ class TrackReader {
                            target.spec->name != "animation" && target.key != "name" &&
                            target.key != target.spec->selector;
         if (!moves) {
-            problems_.error(track.where, in_quotes(track.path) + " does not move",
+            problems_.error(track.where, scene::in_quotes(track.path) + " does not move",
                             "what moves is the camera, objects, lights, materials and settings");
             return false;
         }
@@ -156,15 +156,15 @@ class TrackReader {
 
     /// Checks that the values can be interpolated as requested.
     bool check_form(Track& track, TableReader& table) {
-        if (track.timeline.interpolation == Interpolation::step) return true;
+        if (track.timeline.interpolation == scene::Interpolation::step) return true;
         if (!has_values_between(track.type)) {
             if (table.has("interpolation")) {
                 table.error(table.position_of("interpolation"),
-                            in_quotes(track.path) + " has no values in between",
+                            scene::in_quotes(track.path) + " has no values in between",
                             "leave \"interpolation\" out, or write \"step\"");
                 return false;
             }
-            track.timeline.interpolation = Interpolation::step;
+            track.timeline.interpolation = scene::Interpolation::step;
             return true;
         }
         for (const TreeValue& value : track.values) {
@@ -216,11 +216,11 @@ Tracks read_tracks(const TreeValue& root, Problems& problems) {
 
 TreeValue value_at(const Track& track, double frame) {
     const double within = track.timeline.within(frame);
-    if (track.timeline.interpolation == Interpolation::step)
+    if (track.timeline.interpolation == scene::Interpolation::step)
         return track.values[track.timeline.keyframe(within)];
     std::vector<const TreeValue*> all;
     for (const TreeValue& value : track.values) all.push_back(&value);
     return blend(track, within, all);
 }
 
-} // namespace glint
+} // namespace glint::formats

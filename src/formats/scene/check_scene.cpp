@@ -15,7 +15,11 @@
 #include <string>
 #include <utility>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+using scene::ShapeBox;
+
 namespace {
 
 constexpr std::size_t enough_candidates = 2000;
@@ -95,10 +99,11 @@ class SceneCheck {
 
     void check_geometry(const Object& object, const ObjectPositions& positions) {
         if (!positions.good) return;
-        if (auto fault = std::visit([](const auto& shape) { return shape_fault(shape); }, object.shape))
+        if (auto fault =
+                std::visit([](const auto& shape) { return scene::shape_fault(shape); }, object.shape))
             return problems_.error(positions.shape, std::move(fault->message), std::move(fault->hint));
         if (std::holds_alternative<MeshShape>(object.shape)) return;
-        const ShapeBox around = std::visit([](const auto& shape) { return box(shape); }, object.shape);
+        const ShapeBox around = std::visit([](const auto& shape) { return scene::box(shape); }, object.shape);
         if (!within_limits(around, Mat4{1}))
             report_limit(positions.shape, object, "reaches");
         else if (!within_limits(around, object.transform))
@@ -124,7 +129,7 @@ class SceneCheck {
     /// Bounds of a mesh, computed once for all its instances.
     const ShapeBox& box_of(const Mesh& data, const MeshShape& mesh) {
         const auto [entry, is_new] = boxes_.try_emplace(&data);
-        if (is_new) entry->second = box(mesh);
+        if (is_new) entry->second = scene::box(mesh);
         return entry->second;
     }
 
@@ -136,7 +141,7 @@ class SceneCheck {
     void check_energy() {
         if (description_.whitted.energy != Energy::balanced) return;
         for (std::size_t i = 0; i < description_.materials.size(); ++i)
-            if (auto fault = balance_fault(description_.materials[i]))
+            if (auto fault = scene::balance_fault(description_.materials[i]))
                 problems_.error(scene_.materials[i], std::move(fault->message), std::move(fault->hint));
     }
 
@@ -159,4 +164,4 @@ void check_mesh_extents(const ReadScene& scene, Problems& problems) {
     SceneCheck(scene, problems).check_meshes();
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -7,7 +7,7 @@
 
 #include <charconv>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 // "#rgb" doubles each digit.
@@ -37,7 +37,7 @@ std::optional<std::uint32_t> gray_percent(std::string_view name) {
 
 std::optional<std::uint32_t> color_codes(std::string_view text) {
     if (text.starts_with('#')) return hex_color(text.substr(1));
-    const std::string name = lower_case(text);
+    const std::string name = scene::lower_case(text);
     for (const NamedColor& color : css_colors())
         if (color.name == name) return color.rgb;
 
@@ -53,7 +53,7 @@ std::optional<std::uint32_t> color_codes(std::string_view text) {
 Vec3 linear_color(std::uint32_t rgb, ColorValues values) {
     const auto linear = [&](int shift) {
         const double value = static_cast<double>(rgb >> shift & 0xffu) / 255.0;
-        return values == ColorValues::srgb ? linear_from_srgb(value) : value;
+        return values == ColorValues::srgb ? imaging::linear_from_srgb(value) : value;
     };
     return {linear(16), linear(8), linear(0)};
 }
@@ -66,4 +66,4 @@ std::vector<std::string> color_names() {
     return names;
 }
 
-} // namespace glint
+} // namespace glint::formats

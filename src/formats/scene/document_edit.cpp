@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -177,4 +177,4 @@ bool same_value(const TreeValue& a, const TreeValue& b) {
     });
 }
 
-} // namespace glint
+} // namespace glint::formats

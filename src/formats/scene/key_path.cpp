@@ -6,7 +6,10 @@
 
 #include <optional>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -115,7 +118,7 @@ class Finder {
         const std::string_view number = path.name.substr(split + transform_part.size());
         TreeEntry* entry = object.find("transform");
         const std::size_t count = entry ? entry->value.items.size() : 0;
-        const auto index = parse_number<std::size_t>(number);
+        const auto index = scene::parse_number<std::size_t>(number);
         if (!index || *index >= count)
             return fail("no entry " + in_quotes(number) + " of the transform",
                         count == 0 ? "the object has no transform"
@@ -148,7 +151,7 @@ class Finder {
             const TreeEntry* entry = items[i].find("name");
             if (entry && entry->value.kind == Kind::text && entry->value.text == name) return i;
         }
-        const auto number = parse_number<std::size_t>(name);
+        const auto number = scene::parse_number<std::size_t>(name);
         return number && *number < items.size() ? number : std::nullopt;
     }
 
@@ -167,13 +170,13 @@ class Finder {
         const std::string_view wanted = unquoted(path.name);
         const std::string what = count == 0                     ? "no " + std::string(spec.name)
                                  : spec.form == TableForm::list ? std::to_string(count) + ", numbered from 0"
-                                                                : listed(names);
+                                                                : scene::listed(names);
         return fail("no " + std::string(spec.name) + " " + in_quotes(wanted),
                     problems_.suggestion(wanted, names, "the scene has " + what));
     }
 
     std::string suggest(std::string_view word, const std::vector<std::string>& names) const {
-        return problems_.suggestion(word, names, "expected one of " + listed(names));
+        return problems_.suggestion(word, names, "expected one of " + scene::listed(names));
     }
 
     TreeValue& root_;
@@ -224,4 +227,4 @@ void apply_overrides(TreeValue& root, const SceneSource& source, Problems& probl
     }
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 /// Removes surrounding white space.
 std::string_view trimmed(std::string_view text);
@@ -38,4 +38,4 @@ TreeValue read_value(std::string_view text, const SourcePos& where);
 /// Values that are not TOML are text. Reports invalid paths; throws Error(usage) if '=' is missing.
 void apply_overrides(TreeValue& root, const SceneSource& source, Problems& problems);
 
-} // namespace glint
+} // namespace glint::formats

@@ -4,7 +4,10 @@
 
 #include "scene/keys/bind.h"
 
-namespace glint {
+namespace glint::formats {
+
+namespace keys = scene::keys;
+
 namespace {
 
 constexpr NumberRange frame_number{.low = -1e6, .high = 1e6};
@@ -129,4 +132,4 @@ std::vector<std::string> key_names(const TableSpec& table, std::string_view type
 
 std::vector<std::string> choice_names(const KeySpec& key) { return {key.choices.begin(), key.choices.end()}; }
 
-} // namespace glint
+} // namespace glint::formats

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// The top of the file.
 struct FileTop {
@@ -37,7 +37,7 @@ struct AnimationTable {
 struct AnimateTable {
     std::string key;
     std::vector<double> frames;
-    Interpolation interpolation = Interpolation::linear;
+    scene::Interpolation interpolation = scene::Interpolation::linear;
     bool loop = false;
 };
 
@@ -56,4 +56,4 @@ std::vector<std::string> key_names(const TableSpec& table, std::string_view type
 /// The choices of a key.
 std::vector<std::string> choice_names(const KeySpec& key);
 
-} // namespace glint
+} // namespace glint::formats

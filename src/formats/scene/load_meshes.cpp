@@ -10,7 +10,10 @@
 #include <set>
 #include <system_error>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +137,4 @@ void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems,
     MeshLoader(policy, problems, cache, warnings).run(scene, files);
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// How file names in a scene are resolved.
 struct FilePolicy {
@@ -32,4 +32,4 @@ std::string mesh_path(const std::string& scene_file, const std::string& file, co
 void load_meshes(ReadScene& scene, const FilePolicy& policy, Problems& problems, MeshCache& cache,
                  std::vector<Diagnostic>& warnings, std::vector<std::string>& files);
 
-} // namespace glint
+} // namespace glint::formats

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <string>
 
-namespace glint {
+namespace glint::formats {
 
 class OpenScene {
   public:
@@ -36,4 +36,4 @@ class OpenScene {
     mutable MeshCache meshes_;
 };
 
-} // namespace glint
+} // namespace glint::formats

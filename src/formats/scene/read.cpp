@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <utility>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -21,7 +24,7 @@ void read_camera(TableReader table, CameraDescription& camera) {
         return table.error(table.position_of("look_at"), "\"look_at\" is where the \"eye\" is",
                            "the camera looks from one to the other");
     const char* view = table.has("look_at") ? "look_at" : "direction";
-    if (auto fault = view_fault(camera))
+    if (auto fault = scene::view_fault(camera))
         table.error(table.position_of(table.has("up") ? "up" : view), std::move(fault->message),
                     std::move(fault->hint));
 }
@@ -30,7 +33,7 @@ void read_material(TableReader table, Material& material, Problems& problems) {
     table.read(material);
     if (material.reflectivity > 1 && table.has("reflectivity"))
         problems.warning(table.position_of("reflectivity"),
-                         "\"reflectivity\" " + show(material.reflectivity) + " is above 1",
+                         "\"reflectivity\" " + scene::show(material.reflectivity) + " is above 1",
                          "the mirror image is brighter than what it shows");
 }
 
@@ -101,7 +104,7 @@ class SceneReader {
         for (const std::string& key : key_names(*find_table(""), {})) names.push_back(key);
         const bool table = entry.value.kind == Kind::table || entry.value.kind == Kind::list;
         problems_.error(entry.where, (table ? "unknown table " : "unknown key ") + in_quotes(entry.key),
-                        problems_.suggestion(entry.key, names, "expected one of " + listed(names)));
+                        problems_.suggestion(entry.key, names, "expected one of " + scene::listed(names)));
     }
 
     void check_form(const TreeEntry& entry, const TableSpec& spec) {
@@ -241,4 +244,4 @@ void patch_scene(const TreeValue& root, SceneDescription& description, Problems&
     description = SceneReader(root, problems, true).run(std::move(description)).description;
 }
 
-} // namespace glint
+} // namespace glint::formats

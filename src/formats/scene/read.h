@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Source positions of the parts of an object.
 struct ObjectPositions {
@@ -45,4 +45,4 @@ void check_mesh_extents(const ReadScene& scene, Problems& problems);
 /// Applies settings, camera and materials of the tree to an existing description.
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
 
-} // namespace glint
+} // namespace glint::formats

@@ -16,9 +16,9 @@ namespace {
 std::string code(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string choices_text(const KeySpec& key) {
-    std::vector<std::string> words = choice_names(key);
+    std::vector<std::string> words = formats::choice_names(key);
     for (std::string& word : words) word = code('"' + word + '"');
-    return listed(words);
+    return scene::listed(words);
 }
 
 struct TypeText {
@@ -67,7 +67,7 @@ std::string value_cell(const KeySpec& key) {
 }
 
 std::string default_cell(const KeySpec& key) {
-    if (const std::string text = default_text(key); !text.empty()) return code(text);
+    if (const std::string text = formats::default_text(key); !text.empty()) return code(text);
     if (!key.alternative.empty() && key.required) return "*required: this or* " + code(key.alternative);
     return key.required ? "*required*" : "";
 }
@@ -75,7 +75,7 @@ std::string default_cell(const KeySpec& key) {
 std::string help_cell(const KeySpec& key, const TableSpec& table) {
     std::string text;
     if (!key.types.empty())
-        text = "(" + std::string(table.selector) + " " + listed({key.types.begin(), key.types.end()}) +
+        text = "(" + std::string(table.selector) + " " + scene::listed({key.types.begin(), key.types.end()}) +
                (key.help.empty() ? ")" : ") ");
     return text + std::string(key.help);
 }
@@ -127,7 +127,7 @@ std::string section(const TableSpec& table) {
 std::string object_section() {
     std::string text = "\n## Every object\n\nObjects of all shapes have these keys besides their own.\n" +
                        std::string(table_head);
-    const TableSpec& table = *find_table("sphere");
+    const TableSpec& table = *formats::find_table("sphere");
     for (const KeySpec& key : table.keys)
         if (common_to_objects(key, table)) text += row(key, table);
     return text;
@@ -136,9 +136,9 @@ std::string object_section() {
 } // namespace
 
 std::string scene_key_reference() {
-    std::string text(embedded_text("formats/scene/reference_page.md"));
+    std::string text(formats::embedded_text("formats/scene/reference_page.md"));
     bool objects_opened = false;
-    for (const TableSpec& table : table_specs()) {
+    for (const TableSpec& table : formats::table_specs()) {
         // Common keys of objects precede the first object.
         if (table.object && !objects_opened) text += object_section();
         objects_opened = objects_opened || table.object;

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -85,7 +88,7 @@ class ValueReader {
 
     Read number(const TreeValue& value) {
         if (!value.is_number()) return wrong_type(value, "a number");
-        if (auto fault = number_fault(key_, value.number))
+        if (auto fault = scene::number_fault(key_, value.number))
             return fail(value.where, std::move(fault->message), std::move(fault->hint));
         return value.number;
     }
@@ -122,7 +125,7 @@ class ValueReader {
         const auto names = choice_names(key_);
         std::string hint = context_.problems.suggestion(value.text, names);
         hint += (hint.empty() ? "expected " : " Expected ") + std::string(names.size() > 1 ? "one of " : "") +
-                listed(names);
+                scene::listed(names);
         return fail(value.where, "unknown " + std::string(key_.key) + " " + in_quotes(value.text),
                     std::move(hint));
     }
@@ -199,8 +202,8 @@ class ValueReader {
             if (!number(item)) return std::nullopt;
             if (!all.empty() && item.number <= all.back())
                 return fail(item.where,
-                            label_of(key_) + " must ascend, found " + show(item.number) + " after " +
-                                show(all.back()),
+                            label_of(key_) + " must ascend, found " + scene::show(item.number) + " after " +
+                                scene::show(all.back()),
                             "sort the keyframes by their frames");
             all.push_back(item.number);
         }
@@ -229,10 +232,10 @@ void TableReader::check_known() {
             error(entry.where,
                   "key " + in_quotes(entry.key) + " does not belong to " + label_ + " with " +
                       std::string(spec_.selector) + " = " + in_quotes(type_),
-                  "its keys are " + listed(names));
+                  "its keys are " + scene::listed(names));
         else
             error(entry.where, "unknown key " + in_quotes(entry.key) + " in " + label_,
-                  context_.problems.suggestion(entry.key, names, "its keys are " + listed(names)));
+                  context_.problems.suggestion(entry.key, names, "its keys are " + scene::listed(names)));
     }
 }
 
@@ -276,7 +279,7 @@ std::optional<KeyValue> TableReader::value(const KeySpec& key) {
     if (!entry) return std::nullopt;
     auto read = ValueReader(*this, key, context_).read(entry->value);
     if (!read) return std::nullopt;
-    if (auto fault = value_fault(key, *read)) {
+    if (auto fault = scene::value_fault(key, *read)) {
         error(entry->value.where, std::move(fault->message), std::move(fault->hint));
         return std::nullopt;
     }
@@ -298,4 +301,4 @@ std::string selected_type(const TreeValue& table, const TableSpec& spec) {
     return std::find(types.begin(), types.end(), entry->value.text) != types.end() ? entry->value.text : "";
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Context of reading.
 struct ReadContext {
@@ -68,4 +68,4 @@ std::string selected_type(const TreeValue& table, const TableSpec& spec);
 /// The matrix of a list of transform entries, the first applied first.
 Mat4 read_transform(const TreeValue& list, const ReadContext& context);
 
-} // namespace glint
+} // namespace glint::formats

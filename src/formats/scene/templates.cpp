@@ -14,7 +14,7 @@ constexpr std::string_view extension = ".toml";
 
 std::vector<std::string> template_names() {
     std::vector<std::string> names;
-    for (const EmbeddedFile* file = embedded_files; file->name != nullptr; ++file) {
+    for (const formats::EmbeddedFile* file = formats::embedded_files; file->name != nullptr; ++file) {
         std::string_view name = file->name;
         if (!name.starts_with(folder)) continue;
         name.remove_prefix(folder.size());
@@ -25,10 +25,11 @@ std::vector<std::string> template_names() {
 }
 
 std::string template_text(const std::string& name) {
-    const std::string_view text = embedded_text(std::string(folder) + name + std::string(extension));
+    const std::string_view text = formats::embedded_text(std::string(folder) + name + std::string(extension));
     if (!text.empty()) return std::string(text);
-    throw Error(ErrorKind::usage, "unknown template " + in_quotes(name),
-                did_you_mean(name, template_names(), "expected one of " + listed(template_names())));
+    throw Error(
+        ErrorKind::usage, "unknown template " + scene::in_quotes(name),
+        scene::did_you_mean(name, template_names(), "expected one of " + scene::listed(template_names())));
 }
 
 } // namespace glint

@@ -25,7 +25,7 @@
 // clang-format on
 #include <toml++/toml.h>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 constexpr int deepest_key = 16; ///< parts of a dotted key
@@ -106,8 +106,8 @@ SourcePos position_of_byte(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, byte);
     const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t start = before.rfind('\n') + 1; // npos + 1 is 0
-    const auto wide =
-        std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(), continues_utf8);
+    const auto wide = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(),
+                                    scene::continues_utf8);
     return {0, static_cast<int>(lines) + 1, static_cast<int>(byte - start) + 1 - static_cast<int>(wide)};
 }
 
@@ -209,4 +209,4 @@ std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos
     return tree;
 }
 
-} // namespace glint
+} // namespace glint::formats

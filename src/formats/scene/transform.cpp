@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 // Rodrigues' formula; exact for quarter turns about the axes.
@@ -72,4 +72,4 @@ Mat4 read_transform(const TreeValue& list, const ReadContext& context) {
     return whole;
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 constexpr std::size_t longest_list = 1000;
@@ -15,7 +15,7 @@ constexpr std::size_t max_excerpt = 240;
 // Length of the UTF-8 character that starts with this byte, if well formed.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
     std::size_t end = at + 1;
-    while (end < text.size() && continues_utf8(text[end])) ++end;
+    while (end < text.size() && scene::continues_utf8(text[end])) ++end;
     return end - at;
 }
 
@@ -52,7 +52,7 @@ SceneSource::SceneSource(std::string_view text, std::string name, std::vector<st
     line_starts_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i) {
         if (text_[i] == '\n') line_starts_.push_back(i + 1);
-        if (continues_utf8(text_[i])) continuations_.push_back(static_cast<std::uint32_t>(i));
+        if (scene::continues_utf8(text_[i])) continuations_.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
@@ -143,7 +143,7 @@ void Problems::warning(const SourcePos& pos, std::string message, std::string hi
 std::string Problems::suggestion(std::string_view word, const std::vector<std::string>& candidates,
                                  std::string otherwise) const {
     constexpr std::size_t enough = 100;
-    return errors_.size() < enough ? did_you_mean(word, candidates, std::move(otherwise)) : otherwise;
+    return errors_.size() < enough ? scene::did_you_mean(word, candidates, std::move(otherwise)) : otherwise;
 }
 
 std::vector<Diagnostic> Problems::in_order(std::vector<Problem> list) {
@@ -168,4 +168,4 @@ void Problems::throw_if_any() const {
 
 std::vector<Diagnostic> Problems::warnings() const { return in_order(warnings_); }
 
-} // namespace glint
+} // namespace glint::formats

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Source position of a value: in the file (origin 0), or in an override (origin 1, 2, …; without line).
 struct SourcePos {
@@ -123,4 +123,4 @@ TreeValue parse_tree(const SceneSource& source);
 /// the value in the text, which a comment may follow.
 std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos& where);
 
-} // namespace glint
+} // namespace glint::formats

@@ -8,7 +8,8 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::formats {
+
 namespace {
 
 /// A value in TOML.
@@ -48,7 +49,9 @@ struct Written {
         return list(texts);
     }
 
-    static std::string list(const std::vector<std::string>& values) { return "[" + listed(values) + "]"; }
+    static std::string list(const std::vector<std::string>& values) {
+        return "[" + scene::listed(values) + "]";
+    }
 };
 
 bool is_bare_key(std::string_view key) {
@@ -85,8 +88,21 @@ std::string object_text(const Object& object) {
 
 } // namespace
 
+std::string toml_text(const KeySpec& key, const KeyValue& value) { return std::visit(Written{key}, value); }
+
+std::string default_text(const KeySpec& key) {
+    if (!key.initial) return {};
+    const KeyValue value = key.initial();
+    const auto* text = std::get_if<std::string>(&value);
+    return text && text->empty() ? "" : toml_text(key, value);
+}
+
+} // namespace glint::formats
+
+namespace glint {
+
 std::string scene_value(double value) {
-    std::string text = show(value);
+    std::string text = scene::show(value);
     // Without a decimal point TOML reads an integer, which has no −0 and is limited to 2^63.
     const bool integer = text.find_first_not_of("-0123456789") == std::string::npos;
     if (integer && ((value == 0 && std::signbit(value)) || std::abs(value) >= 1e18)) text += ".0";
@@ -112,33 +128,24 @@ std::string scene_value(std::string_view value) {
     return text + '"';
 }
 
-std::string toml_text(const KeySpec& key, const KeyValue& value) { return std::visit(Written{key}, value); }
-
-std::string default_text(const KeySpec& key) {
-    if (!key.initial) return {};
-    const KeyValue value = key.initial();
-    const auto* text = std::get_if<std::string>(&value);
-    return text && text->empty() ? "" : toml_text(key, value);
-}
-
 std::string scene_text(const SceneDescription& description) {
     std::string text;
     const auto add = [&](const std::string& table) {
         if (!table.empty()) text += (text.empty() ? "" : "\n") + table;
     };
     if (description.camera) add(camera_text(*description.camera));
-    add(table_text(description_table("render"), KeyOwner(description.render)));
-    add(table_text(description_table("whitted"), KeyOwner(description.whitted)));
+    add(formats::table_text(description_table("render"), KeyOwner(description.render)));
+    add(formats::table_text(description_table("whitted"), KeyOwner(description.whitted)));
     for (const Material& material : description.materials)
-        add(table_text(description_table("material"), KeyOwner(material), material.name));
-    for (const Object& object : description.objects) add(object_text(object));
+        add(formats::table_text(description_table("material"), KeyOwner(material), material.name));
+    for (const Object& object : description.objects) add(formats::object_text(object));
     for (const Light& light : description.lights)
-        add(table_text(description_table("light"), KeyOwner(light)));
+        add(formats::table_text(description_table("light"), KeyOwner(light)));
     return text;
 }
 
 std::string camera_text(const CameraDescription& camera) {
-    return table_text(description_table("camera"), KeyOwner(camera));
+    return formats::table_text(description_table("camera"), KeyOwner(camera));
 }
 
 } // namespace glint

@@ -10,14 +10,14 @@
 #include <span>
 #include <variant>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Measures camera samples. Holds scratch memory: one for each thread.
 using Estimator = std::variant<Whitted, WhittedWavefront, AovEstimator>;
 
 /// The estimator for what a picture shows: for light the scene's integrator, which traces one ray after
 /// another if the kernel is Kernel::scalar. It refers to the scene.
-inline Estimator make_estimator(const SceneData& scene, Aov show, const CancelFlag* cancel,
+inline Estimator make_estimator(const scene::SceneData& scene, Aov show, const CancelFlag* cancel,
                                 const KernelChoice& kernel) {
     trace::row_of(kernel.target); // throws where the machine lacks it
     if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
@@ -38,4 +38,4 @@ inline RayCounts ray_counts(const Estimator& estimator) {
     return std::visit([](const auto& e) -> RayCounts { return e.counts(); }, estimator);
 }
 
-} // namespace glint
+} // namespace glint::rendering

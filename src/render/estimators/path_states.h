@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace glint {
+namespace glint::rendering {
 
 inline constexpr std::size_t shading_numbers = [] {
     std::size_t count = 0;
@@ -72,4 +72,4 @@ struct Wave {
     }
 };
 
-} // namespace glint
+} // namespace glint::rendering

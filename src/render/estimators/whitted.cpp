@@ -7,8 +7,9 @@
 
 #include <optional>
 
-namespace glint {
+namespace glint::rendering {
 
+using scene::SceneData;
 using trace::Hit;
 using trace::PrimKind;
 namespace {
@@ -35,8 +36,8 @@ mat3 at_corners(const std::vector<vec3>& vectors, const uvec3& corner) {
 
 /// Colour and shading normal, where the mesh has them by vertex. A cloud of spheres has a colour for each.
 void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord& s) {
-    const ObjectData& object = scene.objects[hit.object];
-    const MeshAttributes& attributes = scene.attributes[static_cast<std::size_t>(object.attributes)];
+    const scene::ObjectData& object = scene.objects[hit.object];
+    const scene::MeshAttributes& attributes = scene.attributes[static_cast<std::size_t>(object.attributes)];
     if (hit.kind == PrimKind::quadric) {
         s.color = attributes.mesh->colors[hit.prim];
         return;
@@ -45,7 +46,7 @@ void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord&
     if (attributes.colored) s.color = interpolated(at_corners(attributes.mesh->colors, corner), hit.u, hit.v);
     if (attributes.normals == nullptr) return;
     mat3 normals = at_corners(*attributes.normals, corner);
-    if (object.normal_matrix != no_normal_matrix)
+    if (object.normal_matrix != scene::no_normal_matrix)
         normals = transformed_normals(scene.normal_matrices[static_cast<std::size_t>(object.normal_matrix)],
                                       normals);
     s.n = shading_normal(interpolated(normals, hit.u, hit.v), s.n_g);
@@ -54,7 +55,7 @@ void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord&
 } // namespace
 
 SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
-    const ObjectData& object = scene.objects[hit.object];
+    const scene::ObjectData& object = scene.objects[hit.object];
     SurfacePoint point = scene.world.surface(ray, hit);
     if (hit.on_edge) step_off_edge(scene, ray, hit, point);
     SurfaceInteraction at;
@@ -63,13 +64,13 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
     at.entering = enters(point.n, ray.direction);
     at.surface =
         surface_record(point, ray.direction, at.material->color, object.lit_as_stored, object.turned);
-    if (object.attributes != no_attributes) interpolate_vertices(scene, hit, at.surface);
+    if (object.attributes != scene::no_attributes) interpolate_vertices(scene, hit, at.surface);
     return at;
 }
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
-    : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
       kernel_(kernel) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
@@ -256,4 +257,4 @@ void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms)
     if (recorder_ != nullptr) recorder_->absorb(left_over);
 }
 
-} // namespace glint
+} // namespace glint::rendering

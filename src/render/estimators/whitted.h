@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 class RayRecorder;
 struct RayTree;
@@ -28,7 +28,7 @@ struct SurfaceInteraction {
 
 /// The surface at a hit of a ray (unit direction): off the edge that it may lie on, with colour and shading
 /// normal of the mesh's vertices.
-SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const trace::Hit& hit);
+SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit);
 
 /// The rays that go on from a surface.
 struct Bounce {
@@ -48,9 +48,9 @@ class Whitted {
     };
 
     /// `settings` stand for those of the scene's description.
-    Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel = nullptr,
-            const KernelChoice& kernel = {});
-    explicit Whitted(const SceneData& scene) : Whitted(scene, scene.description.whitted) {}
+    Whitted(const scene::SceneData& scene, const WhittedSettings& settings,
+            const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
+    explicit Whitted(const scene::SceneData& scene) : Whitted(scene, scene.description.whitted) {}
 
     /// `out` has an element for each sample. Terms are always set. Incomplete if `cancel` was set.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
@@ -87,7 +87,7 @@ class Whitted {
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
     const CancelFlag* cancel_;
@@ -98,4 +98,4 @@ class Whitted {
     RayRecorder* recorder_ = nullptr;
 };
 
-} // namespace glint
+} // namespace glint::rendering

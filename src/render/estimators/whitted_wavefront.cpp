@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::rendering {
 
 using trace::row_of;
 using trace::SurfaceRows;
@@ -35,9 +35,9 @@ SurfaceRows surface_rows(PathStates& s, std::size_t first) {
 
 } // namespace
 
-WhittedWavefront::WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
+WhittedWavefront::WhittedWavefront(const scene::SceneData& scene, const WhittedSettings& settings,
                                    const CancelFlag* cancel, const KernelChoice& kernel)
-    : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
       kernel_(kernel), shade_(shade_kernels[row_of(kernel.target)]),
       single_(scene, settings, cancel, kernel) {
     background_.emission = scene.background;
@@ -98,7 +98,7 @@ void WhittedWavefront::find_hits(Wave wave) {
 
 void WhittedWavefront::choose_materials(Wave wave) {
     PathStates& s = *states_;
-    const ObjectData* objects = scene_.objects.data();
+    const scene::ObjectData* objects = scene_.objects.data();
     const MaterialRecord* materials = scene_.materials.data();
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
         const MaterialRecord* nothing = s.interiors[i] == nullptr ? &background_ : &darkness_;
@@ -119,7 +119,7 @@ void WhittedWavefront::locate_surfaces(Wave wave) {
 
 /// True for objects whose surfaces have more than shape and material: vertex attributes, lit as stored.
 bool WhittedWavefront::needs_attributes(std::uint32_t object) const {
-    return scene_.objects[object].attributes != no_attributes || scene_.objects[object].lit_as_stored;
+    return scene_.objects[object].attributes != scene::no_attributes || scene_.objects[object].lit_as_stored;
 }
 
 void WhittedWavefront::put_surface(std::size_t i) {
@@ -263,4 +263,4 @@ void WhittedWavefront::put_terms(const Terms& terms, std::size_t i) {
     for (std::size_t t = 0; t < term_count; ++t) put(terms.value[t], states_->terms[t], i);
 }
 
-} // namespace glint
+} // namespace glint::rendering

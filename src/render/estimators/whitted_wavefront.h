@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 struct ShadeKernels;
 
@@ -19,7 +19,7 @@ struct ShadeKernels;
 class WhittedWavefront {
   public:
     /// `settings` stand for those of the scene's description.
-    WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
+    WhittedWavefront(const scene::SceneData& scene, const WhittedSettings& settings,
                      const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
 
     /// `out` has an element for each sample; its terms are set if `terms`. Unchanged if `cancel` was set.
@@ -51,7 +51,7 @@ class WhittedWavefront {
     Terms terms_at(std::size_t i) const;
     void put_terms(const Terms& terms, std::size_t i);
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
     const CancelFlag* cancel_;
@@ -66,4 +66,4 @@ class WhittedWavefront {
     trace::World::Scratch scratch_;
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -17,7 +17,7 @@
 #include <limits>
 #include <utility>
 
-namespace glint::keys {
+namespace glint::scene::keys {
 
 inline constexpr double float_limit = std::numeric_limits<float>::max();
 
@@ -234,4 +234,4 @@ KeyRow scale(std::string_view key) {
     return bound<Vec3, member>(key, KeyType::scale);
 }
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

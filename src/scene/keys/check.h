@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace glint {
+namespace glint::scene {
 
 /// What is wrong with a value, and what is expected instead (may be empty).
 struct KeyFault {
@@ -29,4 +29,4 @@ std::optional<KeyFault> view_fault(const CameraDescription& camera);
 /// With energy = "balanced".
 std::optional<KeyFault> balance_fault(const Material& material);
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline dvec3 apex(const ConeShape& s) { return s.base + glm::normalize(s.axis) * s.height; }
 
@@ -14,7 +14,7 @@ inline double support(const ConeShape& s, const dvec3& d) {
 }
 
 inline void bake(const ConeShape& s, ShapeBaker& out) {
-    out.quadric(make_cone(s.base, glm::normalize(s.axis), s.height, s.radius));
+    out.quadric(geometry::make_cone(s.base, glm::normalize(s.axis), s.height, s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const CylinderShape&) { return true; }
 
@@ -12,7 +12,7 @@ inline double support(const CylinderShape& s, const dvec3& d) {
 }
 
 inline void bake(const CylinderShape& s, ShapeBaker& out) {
-    out.quadric(make_cylinder(s.base, glm::normalize(s.axis), s.height, s.radius));
+    out.quadric(geometry::make_cylinder(s.base, glm::normalize(s.axis), s.height, s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

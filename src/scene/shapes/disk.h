@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const DiskShape&) { return false; }
 
@@ -11,7 +11,7 @@ inline double support(const DiskShape& s, const dvec3& d) {
 }
 
 inline void bake(const DiskShape& s, ShapeBaker& out) {
-    out.quadric(make_disk(s.center, glm::normalize(s.normal), s.radius));
+    out.quadric(geometry::make_disk(s.center, glm::normalize(s.normal), s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

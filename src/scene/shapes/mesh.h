@@ -3,7 +3,7 @@
 
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 /// Baking finds out whether a mesh is closed.
 inline bool has_inside(const MeshShape&) { return true; }
@@ -37,4 +37,4 @@ inline ShapeBox box(const MeshShape& s) {
 inline void bake(const MeshShape&, ShapeBaker& out) { out.mesh(); }
 inline void bake(const InstanceShape& s, ShapeBaker& out) { out.instance(s.mesh); }
 
-} // namespace glint
+} // namespace glint::scene

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 /// A box in double around a shape, in the shape's own space.
 struct ShapeBox {
@@ -82,4 +82,4 @@ class ShapeBaker {
     MeshBaker& meshes_;
 };
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const SphereShape&) { return true; }
 
@@ -9,6 +9,8 @@ inline double support(const SphereShape& s, const dvec3& d) {
     return glm::dot(d, s.center) + s.radius * glm::length(d);
 }
 
-inline void bake(const SphereShape& s, ShapeBaker& out) { out.quadric(make_sphere(s.center, s.radius)); }
+inline void bake(const SphereShape& s, ShapeBaker& out) {
+    out.quadric(geometry::make_sphere(s.center, s.radius));
+}
 
-} // namespace glint
+} // namespace glint::scene

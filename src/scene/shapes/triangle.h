@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const TriangleShape&) { return false; }
 
@@ -26,4 +26,4 @@ inline void bake(const TriangleShape& s, ShapeBaker& out) {
     out.triangles({s.vertices.begin(), s.vertices.end()}, {{0, 1, 2}}, false);
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -8,13 +8,14 @@ namespace {
 
 bool search(const MeshTree& tree, const Ray& ray, bool any, TriangleRecord& record) {
     if (!is_traceable(ray)) return false;
-    const ShearedRay sheared(ray);
+    const geometry::ShearedRay sheared(ray);
     float limit = limit_below(ray.tmax);
     walk(tree, ray, ray.tmin, limit, [&](LeafCode leaf) {
         for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
             std::uint32_t number;
             TriangleHit hit;
-            if (!intersect_triangle(sheared, leaf_triangle(tree, leaf, i, number), ray.tmin, limit, hit))
+            if (!geometry::intersect_triangle(sheared, leaf_triangle(tree, leaf, i, number), ray.tmin, limit,
+                                              hit))
                 continue;
             if (hit.t == limit && number > record.triangle) continue;
             limit = hit.t;

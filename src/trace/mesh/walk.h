@@ -15,12 +15,12 @@ namespace glint::trace {
 inline float limit_below(float tmax) { return next_float(tmax, -1.0f); }
 
 /// The vertices and the index of triangle i of a leaf.
-inline TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::uint32_t i,
-                                      std::uint32_t& number) {
+inline geometry::TriangleVertices leaf_triangle(const MeshTree& tree, LeafCode leaf, std::uint32_t i,
+                                                std::uint32_t& number) {
     const std::uint32_t* words = tree.leaf_words.data() + leaf.word();
     const std::uint32_t n = leaf.vertices();
     const std::uint32_t corners = words[i / 2] >> (16 * (i % 2));
-    TriangleVertices vertices;
+    geometry::TriangleVertices vertices;
     for (std::uint32_t k = 0; k < 3; ++k)
         for (std::uint32_t axis = 0; axis < 3; ++axis)
             vertices[k][axis] = std::bit_cast<float>(words[4 + axis * n + (corners >> (3 * k) & 7u)]);

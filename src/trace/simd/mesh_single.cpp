@@ -102,7 +102,7 @@ StackEntry push_sorted(const WideNode& node, std::uint32_t met, const float* ent
     return nearest;
 }
 
-LeafRay leaf_ray_of(const Ray& ray, const ShearedRay& sheared) {
+LeafRay leaf_ray_of(const Ray& ray, const geometry::ShearedRay& sheared) {
     const float limit = next_float(ray.tmax, -1.0f);
     return {sheared.ox, sheared.oy, sheared.oz, sheared.sx, sheared.sy,   sheared.sz,
             ray.tmin,   limit,      0.0f,       0.0f,       invalid_index};
@@ -115,7 +115,7 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
     alignas(32) float entries[8];
     std::uint32_t met = box_ray.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
     if (met == 0) return false;
-    const ShearedRay sheared(ray);
+    const geometry::ShearedRay sheared(ray);
     LeafRay leaf_ray = leaf_ray_of(ray, sheared);
     StackEntry stack[stack_size];
     std::size_t size = 0;

@@ -28,7 +28,7 @@ struct Points {
 HWY_INLINE Vec at(const Lines& line, real64 t) { return line.origin + line.direction * t; }
 
 HWY_INLINE Points on_plane(const PlanePrim& plane_prim, const Lines& line) {
-    const Plane& plane = plane_prim.plane;
+    const geometry::Plane& plane = plane_prim.plane;
     real64 t;
     line_meets_plane(line.origin, line.direction, plane.normal, plane.offset, t);
     const Vec p = at(line, t);

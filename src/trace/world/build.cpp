@@ -31,7 +31,7 @@ WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
     return all;
 }
 
-void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
+void build_triangles(WorldData& world, BuildQuality quality, parallel::TaskPool& pool) {
     std::size_t triangles = 0;
     std::size_t positions = 0;
     for (const auto& mesh : world.meshes) {
@@ -59,7 +59,7 @@ BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) 
             gradient = glm::transpose(affine.linear) * gradient;
             shift = affine.translation[axis];
         }
-        const Interval range = extent(quadric.shape, gradient);
+        const geometry::Interval range = geometry::extent(quadric.shape, gradient);
         constexpr float infinity = std::numeric_limits<float>::infinity();
         box.lo[axis] = std::nextafter(static_cast<float>(range.low + shift), -infinity);
         box.hi[axis] = std::nextafter(static_cast<float>(range.high + shift), infinity);
@@ -67,7 +67,7 @@ BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) 
     return box;
 }
 
-void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
+void build_quadrics(WorldData& world, const WorldInput& input, parallel::TaskPool& pool) {
     std::vector<Quadric> quadrics;
     for (const auto& q : input.quadrics) quadrics.push_back({q.affine, q.object, q.prim, 0, q.shape});
     // Group by kind, so that leaves mostly contain one kind.
@@ -144,7 +144,7 @@ void count(WorldData& world, const WorldInput& input) {
 
 World::World() : data_(std::make_shared<WorldData>()) {}
 
-World::World(WorldInput input, TaskPool& pool) {
+World::World(WorldInput input, parallel::TaskPool& pool) {
     auto world = std::make_shared<WorldData>();
     add_instances(*world, input, pool);
     world->meshes = std::move(input.meshes);

@@ -30,7 +30,7 @@ struct Quadric {
 struct PlanePrim {
     std::uint32_t object = 0;
     std::uint32_t surface = 0; ///< index into WorldData::surfaces
-    Plane plane;
+    geometry::Plane plane;
     double squared = 1;      ///< normal · normal
     dvec3 unit{0.0, 0.0, 1}; ///< the normal of unit length
 };
@@ -49,7 +49,7 @@ struct Affine {
     dmat3 inverse{1.0};
     dvec3 translation{0};
 
-    Line to_local(const Line& line) const {
+    geometry::Line to_local(const geometry::Line& line) const {
         return {inverse * (line.origin - translation), inverse * line.direction};
     }
 };
@@ -89,11 +89,12 @@ struct WorldData {
 
 /// Moves shared meshes and instances from the input and builds their trees. An instance that its tree does
 /// not accept is baked and added to input.meshes.
-void add_instances(WorldData& world, WorldInput& input, TaskPool& pool);
+void add_instances(WorldData& world, WorldInput& input, parallel::TaskPool& pool);
 
 /// The part of a line inside a quadric, transformed to local space if needed; false if there is none.
-inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric, SolidSpan& span) {
-    const Line local =
+inline bool intersect(const WorldData& world, const geometry::Line& line, const Quadric& quadric,
+                      SolidSpan& span) {
+    const geometry::Line local =
         quadric.affine < 0 ? line : world.affines[static_cast<std::size_t>(quadric.affine)].to_local(line);
     return intersect(local, quadric.shape, span);
 }
@@ -140,8 +141,8 @@ inline const WorldInput::Triangles& mesh_of(const WorldData& world, std::uint32_
                              [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
 }
 
-inline TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
-    TriangleVertices vertices;
+inline geometry::TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
+    geometry::TriangleVertices vertices;
     for (int i = 0; i < 3; ++i) {
         const vec3& p = positions[corners[i]];
         vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
@@ -149,13 +150,13 @@ inline TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3
     return vertices;
 }
 
-inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
+inline geometry::TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
     return vertices_of(mesh.positions, mesh.triangles[prim]);
 }
 
 /// Triangle of an instance in the mesh's space.
-inline TriangleVertices vertices_of(const WorldData& world, const InstanceData& instance,
-                                    std::uint32_t prim) {
+inline geometry::TriangleVertices vertices_of(const WorldData& world, const InstanceData& instance,
+                                              std::uint32_t prim) {
     const WorldInput::SharedMesh& mesh = world.shared_meshes[instance.mesh].source;
     return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
 }
@@ -182,7 +183,7 @@ inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
     return plain ? number : invalid_index;
 }
 
-inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
+inline geometry::Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
 
 /// Sink that keeps the least hit.
 struct Closest {
@@ -212,15 +213,15 @@ class TriangleTester {
     bool leaf(const MeshTree& tree, LeafCode leaf) {
         for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
             std::uint32_t number;
-            const TriangleVertices vertices = leaf_triangle(tree, leaf, i, number);
+            const geometry::TriangleVertices vertices = leaf_triangle(tree, leaf, i, number);
             if (triangle(vertices, number)) return true;
         }
         return false;
     }
 
-    bool triangle(const TriangleVertices& vertices, std::uint32_t number) {
+    bool triangle(const geometry::TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
-        if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
+        if (!geometry::intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
         const Hit found = instance_ == invalid_index
                               ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
                               : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
@@ -229,7 +230,7 @@ class TriangleTester {
 
   private:
     const WorldData& world_;
-    ShearedRay sheared_;
+    geometry::ShearedRay sheared_;
     float tmin_;
     Sink& sink_;
     std::uint32_t instance_;
@@ -271,7 +272,7 @@ class QuadricTester {
     }
 
     const WorldData& world_;
-    Line line_;
+    geometry::Line line_;
     float tmin_;
     Sink& sink_;
 };

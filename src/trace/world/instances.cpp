@@ -43,7 +43,7 @@ double slack_of(const MeshInstance& at, const dmat3& inverse) {
 
 } // namespace
 
-void add_instances(WorldData& world, WorldInput& input, TaskPool& pool) {
+void add_instances(WorldData& world, WorldInput& input, parallel::TaskPool& pool) {
     for (WorldInput::SharedMesh& mesh : input.shared_meshes) {
         if (mesh.positions == nullptr || mesh.triangles == nullptr)
             throw std::invalid_argument("a shared mesh has no vertices or no triangles");

@@ -6,7 +6,7 @@ namespace glint::trace {
 
 namespace {
 
-vec3 corner(const TriangleVertices& vertices, std::size_t i) {
+vec3 corner(const geometry::TriangleVertices& vertices, std::size_t i) {
     return {vertices[i][0], vertices[i][1], vertices[i][2]};
 }
 
@@ -16,12 +16,12 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
     const std::uint32_t instance = instance_of(world, hit.object);
     if (instance == invalid_index) {
         const WorldInput::Triangles& mesh = mesh_of(world, hit.object);
-        const TriangleVertices at = vertices_of(mesh, hit.prim);
+        const geometry::TriangleVertices at = vertices_of(mesh, hit.prim);
         return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(ray.direction),
                                 mesh.flip);
     }
     const InstanceData& data = world.instances[instance];
-    const TriangleVertices at = vertices_of(world, data, hit.prim);
+    const geometry::TriangleVertices at = vertices_of(world, data, hit.prim);
     const Ray local = world.instance_tree.to_local(instance, ray);
     return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(local.direction),
                             data.linear, world.instance_tree.inverse(instance),
@@ -30,7 +30,7 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
 
 SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {
     const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
-    const Line line = exact_line(ray);
+    const geometry::Line line = exact_line(ray);
     const bool leaving = hit.u != 0.0f;
     const double size = size_of_quadric(quadric.shape);
     dvec3 p;
@@ -40,14 +40,14 @@ SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hi
         return rounded_point(p, n, surface_error * size);
     }
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
-    const Line local = affine.to_local(line);
+    const geometry::Line local = affine.to_local(line);
     point_on_line(quadric.shape, leaving, local.origin, local.direction, p, n);
     return point_in_world(p, n, affine.linear, affine.inverse, affine.translation, size);
 }
 
 SurfacePoint plane_point(const WorldData& world, const Ray& ray, const Hit& hit) {
-    const Plane& plane = world.planes[world.surfaces[surface_number(world, hit)].index].plane;
-    const Line line = exact_line(ray);
+    const geometry::Plane& plane = world.planes[world.surfaces[surface_number(world, hit)].index].plane;
+    const geometry::Line line = exact_line(ray);
     return plane_surface(line.origin, line.direction, plane.normal, plane.offset);
 }
 

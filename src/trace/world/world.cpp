@@ -78,9 +78,10 @@ struct Repeated {
 /// Kernels do not report hits on edges; only hits with a weight of (nearly) 0 can be on one.
 bool may_be_on_edge(const Hit& hit) { return hit.u == 0.0f || hit.v == 0.0f || !(hit.u + hit.v < 0.99999f); }
 
-bool is_on_edge(const TriangleVertices& vertices, const Ray& ray, float t) {
+bool is_on_edge(const geometry::TriangleVertices& vertices, const Ray& ray, float t) {
     TriangleHit again;
-    return intersect_triangle(ShearedRay(ray), vertices, ray.tmin, t, again) && again.on_edge;
+    return geometry::intersect_triangle(geometry::ShearedRay(ray), vertices, ray.tmin, t, again) &&
+           again.on_edge;
 }
 
 } // namespace

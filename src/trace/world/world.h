@@ -111,7 +111,7 @@ class World {
     /// Builds the trees; the result does not depend on the number of threads. Throws std::invalid_argument
     /// for an index out of range and for a quadric without finite bounds. Triangles with a vertex that is not
     /// finite are never hit.
-    World(WorldInput input, TaskPool& pool);
+    World(WorldInput input, parallel::TaskPool& pool);
 
     /// The least (t, object, prim) with tmin < t < tmax; kind `none` if there is none.
     Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;
