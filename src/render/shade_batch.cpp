@@ -19,6 +19,7 @@ namespace glint::rendering {
 using trace::kernel_targets;
 namespace HWY_NAMESPACE {
 
+namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = glint::HWY_NAMESPACE::lanes;
 namespace {
 

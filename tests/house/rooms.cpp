@@ -145,6 +145,11 @@ std::string against_own(const Source& source, const std::string& owner, const st
 
 } // namespace
 
+std::string namespace_of(const std::string& room) {
+    if (room == "errors" || room == "math") return "glint";
+    return "glint::" + (room == "render" ? "rendering" : room); // glint::render() is a public function
+}
+
 std::string room_of_public_header(const std::string& name) {
     static const std::map<std::string, std::string> owners = {
         {"glint/error.h", "errors"},

@@ -18,6 +18,9 @@ struct Room {
 /// The rooms, lowest floor first. docs/design.md shows the same table.
 const std::vector<Room>& rooms();
 
+/// The namespace of the names that a room's headers declare. docs/design.md says the same.
+std::string namespace_of(const std::string& room);
+
 /// The room a public header belongs to: "glint/scene.h" → "scene"; empty for an unknown one.
 std::string room_of_public_header(const std::string& name);
 

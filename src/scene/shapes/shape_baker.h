@@ -35,19 +35,6 @@ inline void raise_support(double& most, const dvec3& d, const dvec3& p) {
     if (std::isfinite(along)) most = std::max(most, along);
 }
 
-/// The box that support() gives.
-template <class S>
-ShapeBox box(const S& s) {
-    ShapeBox box;
-    for (int axis = 0; axis < 3; ++axis) {
-        dvec3 d(0);
-        d[axis] = 1;
-        box.lo[axis] = -support(s, -d);
-        box.hi[axis] = support(s, d);
-    }
-    return box;
-}
-
 /// What is wrong with a shape though each of its keys is good: nothing, for most.
 template <class S>
 std::optional<KeyFault> shape_fault(const S&) {

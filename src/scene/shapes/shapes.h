@@ -18,3 +18,20 @@
 #include "scene/shapes/rectangle.h"
 #include "scene/shapes/sphere.h"
 #include "scene/shapes/triangle.h"
+
+namespace glint::scene {
+
+/// The box that support() gives.
+template <class S>
+ShapeBox box(const S& s) {
+    ShapeBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        dvec3 d(0);
+        d[axis] = 1;
+        box.lo[axis] = -support(s, -d);
+        box.hi[axis] = support(s, d);
+    }
+    return box;
+}
+
+} // namespace glint::scene
