@@ -1,6 +1,6 @@
 // Every kernel gives the bits of the scalar one on every SIMD target.
 
-#include "trace/mesh/tree.h"
+#include "trace/mesh/scalar.h"
 
 #include "math/random.shared.h"
 

@@ -1,6 +1,6 @@
 // Trees over triangles: complete, conservative, compact, and independent of the number of threads.
 
-#include "trace/mesh/tree.h"
+#include "trace/mesh/scalar.h"
 
 #include "bvh/tree.h"
 #include "geometry/triangle.h"

@@ -68,10 +68,6 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
 void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles,
            parallel::TaskPool& pool);
 
-/// Scalar single-ray queries: the reference for all kernels.
-TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray);
-bool occluded_scalar(const MeshTree& tree, const Ray& ray);
-
 /// Single-ray queries with the chosen kernel.
 TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});
 bool occluded(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});

@@ -1,5 +1,6 @@
 // Runtime dispatch: detects the SIMD targets of the machine and calls the kernels.
 
+#include "trace/mesh/scalar.h"
 #include "trace/simd/kernel_table.h"
 
 #include <stdexcept>

@@ -7,6 +7,7 @@
 // Ray Stream Traversal", 2014). The result is the least (t, triangle), so it depends on neither traversal
 // order, kernel nor vector width.
 
+#include "trace/mesh/scalar.h"
 #include "trace/simd/flags.h"
 #include "trace/simd/kernel_table.h"
 

@@ -2,6 +2,7 @@
 // to be conservative and may use fused multiply-adds; the triangle test performs the operations of
 // geometry/triangle.h.
 
+#include "trace/mesh/scalar.h"
 #include "trace/simd/kernel_table.h"
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)

@@ -7,7 +7,7 @@
 #include "geometry/triangle.h"
 #include "math/index.h"
 #include "math/offset.shared.h"
-#include "trace/mesh/walk.h"
+#include "trace/mesh/scalar.h"
 #include "trace/world/instance_tree.h"
 #include "trace/world/world.h"
 

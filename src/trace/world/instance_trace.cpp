@@ -3,7 +3,7 @@
 // meet its box at once.
 
 #include "math/offset.shared.h"
-#include "trace/mesh/walk.h"
+#include "trace/mesh/scalar.h"
 #include "trace/world/instance_tree.h"
 
 #include <type_traits>

@@ -1,6 +1,5 @@
 #pragma once
-// Scalar traversal of a MeshTree with a callback for leaves, for queries that the kernels do not offer and as
-// their reference. Private to this room.
+// One ray through a MeshTree, in plain C++: traversal with a callback for leaves, and the closest triangle.
 
 #include "bvh/traverse.h"
 #include "geometry/triangle.h"
@@ -60,6 +59,41 @@ void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, 
             stack[slot] = {boxes.child[child], t};
         }
     }
+}
+
+// ── The scalar kernel: reference for tests, and for machines without SIMD
+
+inline bool search(const MeshTree& tree, const Ray& ray, bool any, TriangleRecord& record) {
+    if (!is_traceable(ray)) return false;
+    const geometry::ShearedRay sheared(ray);
+    float limit = limit_below(ray.tmax);
+    walk(tree, ray, ray.tmin, limit, [&](LeafCode leaf) {
+        for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
+            std::uint32_t number;
+            TriangleHit hit;
+            if (!geometry::intersect_triangle(sheared, leaf_triangle(tree, leaf, i, number), ray.tmin, limit,
+                                              hit))
+                continue;
+            if (hit.t == limit && number > record.triangle) continue;
+            limit = hit.t;
+            record = {hit.t, hit.u, hit.v, number};
+            if (any) return true;
+        }
+        return false;
+    });
+    return record.triangle != invalid_index;
+}
+
+/// Single-ray queries: the reference for all kernels.
+inline TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray) {
+    TriangleRecord record;
+    search(tree, ray, false, record);
+    return record;
+}
+
+inline bool occluded_scalar(const MeshTree& tree, const Ray& ray) {
+    TriangleRecord record;
+    return search(tree, ray, true, record);
 }
 
 } // namespace glint::trace
