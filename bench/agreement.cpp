@@ -23,7 +23,7 @@ bool close(const Hit& a, const Hit& b) {
 } // namespace
 
 Answers answers_of(const Job& job, const Peer& peer) {
-    Answers answers = job.room;
+    Answers answers = job.empty_answers;
     for (std::size_t batch = 0; batch < job.batches; ++batch) job.run(peer, batch, answers);
     return answers;
 }

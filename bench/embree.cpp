@@ -4,7 +4,6 @@
 #include "peer.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace glint::bench {
 namespace {

@@ -1,7 +1,6 @@
 // Rendering a frame with camera, shadow and mirror rays.
 
-#include "frame.h"
-
+#include "jobs.h"
 #include "rays.h"
 
 #include <algorithm>
@@ -88,7 +87,7 @@ Job frame_job(const Model& model, const tracing::Mesh& reference, const JobOptio
     const int size = options.size;
     const auto side = static_cast<std::size_t>(size / tile_side);
     Job job{"frame", 0, side * side, {}, {}};
-    job.room.image.resize(side * side * tile_pixels);
+    job.empty_answers.image.resize(side * side * tile_pixels);
     job.run = [&model, size](const Peer& peer, std::size_t number, Answers& answers) {
         Tile(model, size, number).render(peer, answers.image.data() + number * tile_pixels);
     };

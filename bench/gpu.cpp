@@ -1,4 +1,4 @@
-// glint-bench-gpu: tables of the speed of a graphics card.
+// glint-bench-gpu: tracing and rendering rates of a graphics card.
 
 #include "gpu_frames.h"
 #include "gpu_rays.h"
@@ -16,9 +16,9 @@ namespace {
 constexpr const char* description =
     R"(Rays and pictures on a graphics card, as Markdown on standard output.
 
-Rays: of a knot of 70,000 triangles that is made for it, and of the meshes that are named; a file FILE.cam beside
-FILE.ply gives the camera. Pictures: the scenes of a folder, the meshes, and a field of knots with ten million
-triangles, one ray a pixel. Times are those of the device's own clock, medians.)";
+Rays: through a generated knot of 70,000 triangles and the given meshes; a file FILE.cam beside FILE.ply gives
+the camera. Pictures: the scenes of a folder, the meshes, and a field of knots with ten million triangles, one
+ray a pixel. Times are medians of the device's clock.)";
 
 struct Options {
     std::vector<std::string> files;
@@ -75,7 +75,7 @@ std::vector<Model> models_of(const Options& options, const std::string& folder) 
     return models;
 }
 
-void print_rays(const Options& options, const GpuContext& context, GpuRenderer& renderer,
+void print_rays(const Options& options, const gpu::GpuContext& context, GpuRenderer& renderer,
                 const std::vector<Model>& models) {
     std::cout << fmt::format(
         "\nRays, {0} × {0} pixels (docs/performance.md has the sets; frame: a picture of the renderer with a "
@@ -124,7 +124,7 @@ void print_frames(const Options& options, GpuRenderer& renderer, const std::vect
 
 int run(const Options& options) {
     frame_size(options); // report an invalid size before minutes of work
-    const GpuContext context(options.device);
+    const gpu::GpuContext context(options.device);
     GpuRenderer renderer(options.device);
     std::cout << context.device().name << "; " << context.device().driver << "\n" << std::flush;
     const TemporaryFolder folder;
@@ -137,7 +137,7 @@ int run(const Options& options) {
 } // namespace
 } // namespace glint::bench
 
-int main(int count, char** words) {
+int main(int argc, char** argv) {
     using namespace glint;
     bench::Options options;
     CLI::App app(bench::description, "glint-bench-gpu");
@@ -154,7 +154,7 @@ int main(int count, char** words) {
     app.add_option("--size", options.size, "of the pictures")->capture_default_str();
     app.add_option("--triangles", options.triangles, "of the field")->capture_default_str();
     try {
-        app.parse(count, words);
+        app.parse(argc, argv);
         if (options.rays_size % 8 != 0) throw CLI::ValidationError("--rays-size", "is no multiple of 8");
     } catch (const CLI::ParseError& error) {
         return app.exit(error);

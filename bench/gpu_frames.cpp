@@ -2,7 +2,8 @@
 
 #include "gpu_frames.h"
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/scene_files.h"
 #include "gpu_rays.h"
 #include "math/bounds.h"
 #include "rounds.h"

@@ -10,6 +10,10 @@
 #include <cmath>
 
 namespace glint::bench {
+
+using gpu::GpuHit;
+using gpu::GpuRays;
+
 namespace {
 
 /// Traversal steps of all traced rays.
@@ -19,7 +23,7 @@ struct Steps {
 };
 
 std::vector<GpuHit> trace(GpuRays& device, std::span<const Ray> rays, bool any, Steps* steps) {
-    std::vector<GpuRay> sent;
+    std::vector<gpu::GpuRay> sent;
     sent.reserve(rays.size());
     for (const Ray& ray : rays) sent.push_back({origin_of(ray), direction_of(ray), ray.tmax});
     std::vector<GpuHit> hits = device.trace(sent, any);
@@ -113,7 +117,7 @@ SceneDescription scene_of(const Model& model, int size) {
     return scene;
 }
 
-std::vector<GpuSetResult> measure_gpu_rays(const GpuContext& context, GpuRenderer& renderer,
+std::vector<GpuSetResult> measure_gpu_rays(const gpu::GpuContext& context, GpuRenderer& renderer,
                                            const Model& model, const JobOptions& options, int rounds) {
     const tracing::Mesh mesh = build_ours(model, tracing::BuildQuality::high, 0);
     const Peer cpu = our_peer(mesh);
@@ -122,7 +126,8 @@ std::vector<GpuSetResult> measure_gpu_rays(const GpuContext& context, GpuRendere
     GpuRays counted(context, scene.data(), true);
     // Batches as large as a buffer of the device allows.
     JobOptions whole = options;
-    whole.batch = std::min<std::size_t>(context.device().max_buffer / sizeof(GpuRay), std::size_t{1} << 22);
+    whole.batch =
+        std::min<std::size_t>(context.device().max_buffer / sizeof(gpu::GpuRay), std::size_t{1} << 22);
     std::vector<GpuSetResult> results;
     for (const std::string set : {"primary", "shadow", "ao", "bounce"})
         results.push_back(measure_set(make_job(set, model, mesh, whole), timed, counted, cpu, rounds));

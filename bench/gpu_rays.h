@@ -22,7 +22,7 @@ struct GpuSetResult {
 
 /// Measures primary, shadow, ao and bounce with the rays of the CPU, and `frame` as a rendered picture with a
 /// shadow ray and a mirror ray for each hit. options.batch is ignored.
-std::vector<GpuSetResult> measure_gpu_rays(const GpuContext& context, GpuRenderer& renderer,
+std::vector<GpuSetResult> measure_gpu_rays(const gpu::GpuContext& context, GpuRenderer& renderer,
                                            const Model& model, const JobOptions& options, int rounds);
 
 /// The model as a scene: the mesh, partly a mirror, and its light.

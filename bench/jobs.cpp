@@ -2,7 +2,6 @@
 
 #include "jobs.h"
 
-#include "frame.h"
 #include "math/random.shared.h"
 #include "rays.h"
 
@@ -51,9 +50,9 @@ Job ray_job(const std::string& name, std::vector<Ray> made, bool any, RayHint hi
     const auto rays = std::make_shared<const std::vector<Ray>>(std::move(made));
     Job job{name, rays->size(), (rays->size() + batch - 1) / batch, {}, {}};
     if (any)
-        job.room.blocked.resize(rays->size());
+        job.empty_answers.blocked.resize(rays->size());
     else
-        job.room.hits.resize(rays->size());
+        job.empty_answers.hits.resize(rays->size());
     job.run = [=](const Peer& peer, std::size_t number, Answers& answers) {
         const std::size_t first = number * batch;
         const std::size_t count = std::min(batch, rays->size() - first);

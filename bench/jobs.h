@@ -24,7 +24,7 @@ struct Job {
     std::string name;
     std::uint64_t rays = 0;
     std::size_t batches = 0;
-    Answers room; ///< empty results of the right sizes
+    Answers empty_answers; ///< empty results of the right sizes
     std::function<void(const Peer& peer, std::size_t batch, Answers& answers)> run;
 };
 
@@ -38,5 +38,8 @@ inline constexpr const char* job_names[] = {"primary", "shadow", "ao", "bounce",
 /// Makes a job; secondary rays are computed with `reference`, one at a time. `model` must outlive the job.
 Job make_job(const std::string& name, const Model& model, const tracing::Mesh& reference,
              const JobOptions& options);
+
+/// The job `frame`: pictures traced and shaded in tiles of 64 pixels, as a renderer does.
+Job frame_job(const Model& model, const tracing::Mesh& reference, const JobOptions& options);
 
 } // namespace glint::bench

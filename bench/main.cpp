@@ -11,12 +11,13 @@
 namespace glint::bench {
 namespace {
 
-SetResult measure_set(const Job& job, const std::vector<Peer>& peers, const std::vector<Peer>& other_ways,
+SetResult measure_set(const Job& job, const std::vector<Peer>& peers, const std::vector<Peer>& other_variants,
                       const Options& options) {
     SetResult result{job.name, job.rays, peers, time_rounds(job, peers, options.rounds), {}, 0, {}};
     if (options.threads > 1) result.threads = time_threads(job, peers.front(), options.rounds);
     const Answers ours = answers_of(job, peers.front());
-    for (const Peer& way : other_ways) result.our_differences += different_bits(ours, answers_of(job, way));
+    for (const Peer& peer : other_variants)
+        result.our_differences += different_bits(ours, answers_of(job, peer));
     for (const Peer& peer : peers)
         result.peer_differences.push_back(different_answers(ours, answers_of(job, peer)));
     return result;
@@ -52,11 +53,11 @@ ModelResult measure(const Model& model, const Options& options) {
         if (group == Group::robust && !options.robust) continue;
         for (Peer& peer : embree_peers(model, group, options.isa)) peers.push_back(std::move(peer));
     }
-    const std::vector<Peer> other_ways = our_other_ways(model, mesh);
+    const std::vector<Peer> other_variants = our_other_variants(model, mesh);
     for (const std::string& set : options.sets) {
         std::cerr << "  " << set << '\n';
         result.sets.push_back(
-            measure_set(make_job(set, model, mesh, options.jobs), peers, other_ways, options));
+            measure_set(make_job(set, model, mesh, options.jobs), peers, other_variants, options));
     }
     if (options.builds) {
         std::cerr << "  builds\n";
@@ -83,11 +84,11 @@ int run(const Options& options) {
 } // namespace
 } // namespace glint::bench
 
-int main(int count, char** words) {
+int main(int argc, char** argv) {
     try {
-        if (count == 4 && std::string_view(words[1]) == "--build-only")
-            return glint::bench::build_and_report(words[2], words[3]) ? 0 : 2;
-        const glint::bench::Request request = glint::bench::parse_command_line(count, words);
+        if (argc == 4 && std::string_view(argv[1]) == "--build-only")
+            return glint::bench::build_and_report(argv[2], argv[3]) ? 0 : 2;
+        const glint::bench::Request request = glint::bench::parse_command_line(argc, argv);
         return request.exit_status ? *request.exit_status : glint::bench::run(request.options);
     } catch (const std::exception& error) {
         std::cerr << "glint-bench: " << error.what() << '\n';

@@ -2,9 +2,9 @@
 
 #include "model.h"
 
-#include "glint/formats.h"
-#include "make.h"
+#include "glint/mesh_files.h"
 #include "math/bounds.h"
+#include "request.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +31,11 @@ CameraFile read_camera(const std::string& path) {
             in >> camera.fov;
             continue;
         }
-        vec3* place = word == "eye"      ? &camera.eye
-                      : word == "target" ? &camera.target
-                      : word == "up"     ? &camera.up
-                                         : nullptr;
-        if (place == nullptr || !(in >> place->x >> place->y >> place->z))
+        vec3* vector = word == "eye"      ? &camera.eye
+                       : word == "target" ? &camera.target
+                       : word == "up"     ? &camera.up
+                                          : nullptr;
+        if (vector == nullptr || !(in >> vector->x >> vector->y >> vector->z))
             throw Error(ErrorKind::input, path + ": '" + word + "' is not understood",
                         "expected eye X Y Z, target X Y Z, up X Y Z, fov DEGREES");
     }
@@ -52,7 +52,7 @@ Camera looking(const vec3& eye, const vec3& forward, const vec3& up, float fov) 
     return camera;
 }
 
-/// A camera from above and in front, as close as shows all of the mesh.
+/// A camera from above and in front, as close as possible with the whole mesh in view.
 Camera framing(const Mesh& mesh, const Bounds& bounds) {
     const vec3 extent = bounds.extent();
     // Flat models such as landscapes have z up; scans have y up.

@@ -26,7 +26,7 @@ constexpr int picture_size = 512;
 /// A modification of a ray.
 struct RayChange {
     const char* name;
-    void (*spoil)(Ray& ray);
+    void (*apply)(Ray& ray);
 };
 
 template <int power>
@@ -83,17 +83,17 @@ int run(const std::vector<std::string>& files) {
     const Peer peer = our_peer(mesh);
     const std::vector<Ray> plain = find_first_hits(model, mesh, picture_size).rays;
     fmt::print(
-        "Rays through a picture of {0} × {0} pixels of {1}, spoilt; CPU time in units of that of the rays "
-        "as they were, medians of {2} rounds:\n\n"
+        "Modified rays through a picture of {0} × {0} pixels of {1}; CPU time relative to that of the "
+        "original rays, medians of {2} rounds:\n\n"
         "| rays | closest, coherent | closest, incoherent | any, coherent | any, incoherent | one in 64 is "
         "|\n"
         "|---|---:|---:|---:|---:|---:|\n",
         picture_size, model.name, rounds);
     for (const RayChange& change : changes) {
         std::vector<Ray> all = plain;
-        for (Ray& ray : all) change.spoil(ray);
+        for (Ray& ray : all) change.apply(ray);
         std::vector<Ray> some = plain;
-        for (std::size_t i = 0; i < some.size(); i += 64) change.spoil(some[i]);
+        for (std::size_t i = 0; i < some.size(); i += 64) change.apply(some[i]);
         fmt::print("| {} ", change.name);
         for (const bool any : {false, true})
             for (const RayHint hint : {RayHint::coherent, RayHint::incoherent})
@@ -106,8 +106,8 @@ int run(const std::vector<std::string>& files) {
 } // namespace
 } // namespace glint::bench
 
-int main(int count, char** words) {
-    const std::vector<std::string> arguments(words + 1, words + count);
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
     if (arguments.size() > 1 || (!arguments.empty() && arguments[0].starts_with('-'))) {
         std::cerr << "usage: glint-bench-odd-rays [MESH.ply]   (without one: a knot of 70,000 triangles)\n";
         return !arguments.empty() && (arguments[0] == "--help" || arguments[0] == "-h") ? 0 : 2;

@@ -27,6 +27,6 @@ struct Request {
     Options options;
     std::optional<int> exit_status;
 };
-Request parse_command_line(int count, const char* const* words);
+Request parse_command_line(int argc, const char* const* argv);
 
 } // namespace glint::bench

@@ -5,7 +5,7 @@
 namespace glint::bench {
 namespace {
 
-Peer way(const std::string& name, const tracing::Mesh& mesh, const tracing::KernelChoice& choice) {
+Peer variant(const std::string& name, const tracing::Mesh& mesh, const tracing::KernelChoice& choice) {
     return {name, Group::ours,
             [=](std::span<const Ray> rays, std::span<Hit> hits, RayHint hint) {
                 mesh.closest(rays, hits, hint, choice);
@@ -25,23 +25,23 @@ tracing::Mesh build_ours(const Model& model, tracing::BuildQuality quality, int 
 }
 
 Peer our_peer(const tracing::Mesh& mesh, tracing::SimdTarget target) {
-    return way("glint", mesh, {tracing::Kernel::automatic, target});
+    return variant("glint", mesh, {tracing::Kernel::automatic, target});
 }
 
-std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh) {
+std::vector<Peer> our_other_variants(const Model& model, const tracing::Mesh& mesh) {
     using tracing::Kernel;
     using tracing::SimdTarget;
-    std::vector<Peer> ways;
-    ways.push_back(way("glint, scalar", mesh, {Kernel::scalar, SimdTarget::best}));
+    std::vector<Peer> variants;
+    variants.push_back(variant("glint, scalar", mesh, {Kernel::scalar, SimdTarget::best}));
     for (const SimdTarget target :
          {SimdTarget::plain, SimdTarget::sse4, SimdTarget::avx2, SimdTarget::avx512}) {
         if (!is_available(target)) continue;
-        ways.push_back(way("glint, single", mesh, {Kernel::single, target}));
-        ways.push_back(way("glint, packets", mesh, {Kernel::packets, target}));
-        ways.push_back(way("glint, streams", mesh, {Kernel::streams, target}));
+        variants.push_back(variant("glint, single", mesh, {Kernel::single, target}));
+        variants.push_back(variant("glint, packets", mesh, {Kernel::packets, target}));
+        variants.push_back(variant("glint, streams", mesh, {Kernel::streams, target}));
     }
-    ways.push_back(way("glint, fast", build_ours(model, tracing::BuildQuality::fast, 1), {}));
-    return ways;
+    variants.push_back(variant("glint, fast", build_ours(model, tracing::BuildQuality::fast, 1), {}));
+    return variants;
 }
 
 } // namespace glint::bench

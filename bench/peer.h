@@ -35,7 +35,7 @@ Peer our_peer(const tracing::Mesh& mesh, tracing::SimdTarget target = tracing::S
 
 /// glint's other kernels, available SIMD targets and the other build quality: compared bit by bit, not
 /// measured.
-std::vector<Peer> our_other_ways(const Model& model, const tracing::Mesh& mesh);
+std::vector<Peer> our_other_variants(const Model& model, const tracing::Mesh& mesh);
 
 /// Embree with single rays, packets of eight and streams; empty without Embree. `isa` is the maximum
 /// instruction set, empty for no limit. `model` must outlive the peers.

@@ -4,9 +4,10 @@
 
 #include "rounds.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 #include "render/camera_sampler.h"
 #include "render/estimators/whitted.h"
+#include "render/ray_recorder.h"
 
 #include <fmt/format.h>
 
@@ -37,52 +38,52 @@ struct Batch {
 /// The batches of one block: the rays of each depth, and the shadow rays to each light.
 class Square {
   public:
-    explicit Square(const SceneData& scene) : scene_(scene) {}
+    explicit Square(const scene::SceneData& scene) : scene_(scene) {}
 
-    void add(const RayTree& tree) {
-        for (const RayNode& node : tree.nodes) {
+    void add(const rendering::RayTree& tree) {
+        for (const rendering::RayNode& node : tree.nodes) {
             glint::Ray ray;
             ray.origin = node.origin;
             ray.direction = node.direction;
             batches_[{node.depth, -1}].rays.push_back(ray);
-            for (std::size_t i = 0; i < node.shadows.size(); ++i)
-                if (node.shadows[i].asked) add(node.depth, static_cast<int>(i), node.shadows[i]);
+            for (std::size_t i = 0; i < node.lights.size(); ++i)
+                if (node.lights[i].asked) add(node.depth, static_cast<int>(i), node.lights[i]);
         }
     }
     void move_to(std::vector<Batch>& all) {
-        for (auto& [place, batch] : batches_) all.push_back(std::move(batch));
+        for (auto& [key, batch] : batches_) all.push_back(std::move(batch));
         batches_.clear();
     }
 
   private:
-    void add(int depth, int light, const ShadowNode& shadow) {
+    void add(int depth, int light, const rendering::LightNode& node) {
         glint::Ray ray;
-        ray.origin = shadow.origin;
-        ray.direction = shadow.direction;
+        ray.origin = node.shadow_origin;
+        ray.direction = node.shadow_direction;
         if (scene_.lights[static_cast<std::size_t>(light)].kind != light_directional) ray.tmax = 1.0f;
         Batch& batch = batches_[{depth, light}];
         batch.any = true;
         batch.rays.push_back(ray);
     }
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     std::map<std::pair<int, int>, Batch> batches_; ///< by depth and light
 };
 
-std::vector<Batch> batches_of(const SceneData& scene) {
+std::vector<Batch> batches_of(const scene::SceneData& scene) {
     const RenderSettings& settings = scene.description.render;
-    const CameraSampler sampler(scene.description);
-    Whitted tracer(scene);
+    const rendering::CameraSampler sampler(scene.description);
+    rendering::Whitted tracer(scene);
     Square square(scene);
     std::vector<Batch> all;
     for (int y = 0; y < settings.height; y += block)
         for (int x = 0; x < settings.width; x += block) {
             for (std::uint32_t i = 0; i < block * block; ++i) {
-                const int px = x + morton_x(i);
-                const int py = y + morton_y(i);
+                const int px = x + rendering::morton_x(i);
+                const int py = y + rendering::morton_y(i);
                 if (px >= settings.width || py >= settings.height) continue;
-                const CameraSample sample = sampler.centre({px, py});
-                RayTree tree;
+                const rendering::CameraSample sample = sampler.centre({px, py});
+                rendering::RayTree tree;
                 tracer.trace(sample, &tree);
                 square.add(tree);
             }
@@ -157,8 +158,8 @@ void run(const std::string& file, int rounds) {
 } // namespace
 } // namespace glint::bench
 
-int main(int count, char** words) {
-    const std::vector<std::string> arguments(words + 1, words + count);
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
     if (arguments.empty() || arguments.size() > 2 || arguments[0].starts_with('-')) {
         std::cerr
             << "usage: glint-bench-picture-rays SCENE [ROUNDS]   (one sample a pixel; the median of 5)\n";

@@ -5,7 +5,7 @@
 #include "rounds.h"
 #include "temporary_folder.h"
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <fmt/format.h>
 
@@ -62,8 +62,8 @@ int run(std::vector<std::string> files) {
 } // namespace
 } // namespace glint::bench
 
-int main(int count, char** words) {
-    const std::vector<std::string> arguments(words + 1, words + count);
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
     try {
         if (arguments.size() == 2 && arguments[0] == "--once") {
             glint::bench::read_twice(arguments[1]);

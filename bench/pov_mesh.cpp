@@ -1,7 +1,7 @@
 // glint-pov-mesh IN.ply OUT.ply OUT.inc: writes a mesh with z up, size 24, and centred in the report's room
 // as PLY for glint and as `room_mesh` for POV-Ray. Drops normals and colours.
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "math/bounds.h"
 
 #include <algorithm>
@@ -40,13 +40,13 @@ void run(const std::string& in, const std::string& ply, const std::string& inc) 
 
 } // namespace
 
-int main(int count, char** words) {
-    if (count != 4) {
+int main(int argc, char** argv) {
+    if (argc != 4) {
         std::cerr << "usage: glint-pov-mesh IN.ply OUT.ply OUT.inc\n";
         return 2;
     }
     try {
-        run(words[1], words[2], words[3]);
+        run(argv[1], argv[2], argv[3]);
     } catch (const std::exception& error) {
         std::cerr << "glint-pov-mesh: " << error.what() << '\n';
         return 3;

@@ -25,16 +25,16 @@ std::string read_all(int descriptor) {
 } // namespace
 
 std::string run_self(const std::vector<std::string>& arguments) {
-    std::vector<std::string> words{program_invocation_short_name};
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> all_arguments{program_invocation_short_name};
+    all_arguments.insert(all_arguments.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
+    for (std::string& word : all_arguments) pointers.push_back(word.data());
     pointers.push_back(nullptr);
 
     std::array<int, 2> ends;
-    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a process of its own");
+    if (pipe(ends.data()) != 0) throw std::runtime_error("cannot create a pipe");
     const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no process of its own");
+    if (child < 0) throw std::runtime_error("cannot start a child process");
     if (child == 0) {
         dup2(ends[1], STDOUT_FILENO);
         close(ends[0]);
@@ -47,7 +47,7 @@ std::string run_self(const std::vector<std::string>& arguments) {
     int status = 0;
     waitpid(child, &status, 0);
     if (status != 0) {
-        std::string message = "this failed: " + std::string(program_invocation_short_name);
+        std::string message = "child process failed: " + std::string(program_invocation_short_name);
         for (const std::string& word : arguments) message += " " + word;
         throw std::runtime_error(message);
     }

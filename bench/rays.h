@@ -6,7 +6,7 @@
 
 namespace glint::bench {
 
-/// Origin for secondary rays, offset to the side of the surface from which it was seen.
+/// Origin for secondary rays, offset to the side of the surface that the camera ray came from.
 struct Start {
     vec3 origin{0.0f};
     vec3 normal{0.0f}; ///< unit, facing the incoming ray

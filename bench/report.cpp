@@ -6,9 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 namespace glint::bench {
@@ -21,9 +19,9 @@ std::string row(const std::vector<std::string>& cells) {
 }
 
 /// The header row and its separator; numbers are right-aligned.
-std::string head(const std::vector<std::string>& names, std::size_t words) {
+std::string head(const std::vector<std::string>& names, std::size_t text_columns) {
     std::string line = row(names) + "|";
-    for (std::size_t i = 0; i < names.size(); ++i) line += i < words ? "---|" : "---:|";
+    for (std::size_t i = 0; i < names.size(); ++i) line += i < text_columns ? "---|" : "---:|";
     return line + "\n";
 }
 
@@ -87,13 +85,13 @@ std::string agreement_table(const Report& report) {
     std::string text = head({"mesh", "set", "glint's ways, bits", "Embree, answers", "robust, answers"}, 2);
     for (const ModelResult& model : report.models)
         for (const SetResult& set : model.sets) {
-            std::uint64_t most[2] = {0, 0};
+            std::uint64_t max_differences[2] = {0, 0};
             for (std::size_t i = 1; i < set.peers.size(); ++i) {
-                std::uint64_t& place = most[set.peers[i].group == Group::robust ? 1 : 0];
-                place = std::max(place, set.peer_differences[i]);
+                std::uint64_t& max = max_differences[set.peers[i].group == Group::robust ? 1 : 0];
+                max = std::max(max, set.peer_differences[i]);
             }
             text += row({model.name, set.set, fmt::format("{}", set.our_differences),
-                         fmt::format("{}", most[0]), fmt::format("{}", most[1])});
+                         fmt::format("{}", max_differences[0]), fmt::format("{}", max_differences[1])});
         }
     return text;
 }

@@ -41,7 +41,7 @@ struct Report {
 std::string tables(const Report& report);
 std::string json(const Report& report);
 
-/// One line: the processor, its cores, and how busy the machine is.
+/// One line with the processor, its cores, the load average and the compiler.
 std::string machine();
 
 /// Whether the results of all peers agree well enough.

@@ -13,9 +13,9 @@ struct Timing {
     double wall = 0; ///< seconds
 };
 
-/// One peer runs the whole job `repeats` times on as many threads as there are result buffers in `rooms`,
-/// each as large as job.room.
-Timing time_once(const Job& job, const Peer& peer, std::vector<Answers>& rooms, std::size_t repeats = 1);
+/// One peer runs the whole job `repeats` times on as many threads as there are result buffers in `results`,
+/// each as large as job.empty_answers.
+Timing time_once(const Job& job, const Peer& peer, std::vector<Answers>& results, std::size_t repeats = 1);
 
 /// seconds[peer][round].
 using Timings = std::vector<std::vector<Timing>>;

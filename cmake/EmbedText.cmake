@@ -4,7 +4,8 @@
 # then {nullptr, nullptr}. One string a file, so that a line of which a driver complains can be named. The
 # preprocessor directives named by WITHOUT are left out of the texts.
 set(text "// Made by cmake/EmbedText.cmake from the files it names.\n#include \"${HEADER}\"\n\n")
-string(APPEND text "namespace glint {\n\nconst ${VARIABLE}[] = {\n")
+string(REGEX REPLACE "/.*" "" room "${HEADER}")
+string(APPEND text "namespace glint::${room} {\n\nconst ${VARIABLE}[] = {\n")
 foreach(file IN LISTS FILES)
     file(READ "${ROOT}/${file}" code)
     if(WITHOUT)
@@ -12,5 +13,5 @@ foreach(file IN LISTS FILES)
     endif()
     string(APPEND text "    {\"${file}\", R\"embedded(${code})embedded\"},\n")
 endforeach()
-string(APPEND text "    {nullptr, nullptr}};\n\n} // namespace glint\n")
+string(APPEND text "    {nullptr, nullptr}};\n\n} // namespace glint::${room}\n")
 file(WRITE "${OUTPUT}" "${text}")

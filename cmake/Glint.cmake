@@ -19,7 +19,7 @@ target_compile_options(glint_flags INTERFACE
 # clang's, and wrong ones.
 target_compile_options(glint_flags INTERFACE
     $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-vectorize>>)
-# In a unity build g++ takes the sources for headers, in which a type of one's own would be a fault.
+# In a unity build g++ takes the sources for headers, where types in unnamed namespaces would be a fault.
 target_compile_options(glint_flags INTERFACE
     "$<BUILD_INTERFACE:$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>>")
 target_include_directories(glint_flags INTERFACE
@@ -55,9 +55,6 @@ function(glint_test name)
     add_executable(${name} ${TEST_SOURCES})
     target_link_libraries(${name} PRIVATE glint_flags ${TEST_DEPS} ${TEST_LIBS} GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE GLINT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    if(GLINT_JOIN_TESTS)
-        set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
-    endif()
     gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${name})
 endfunction()
 

@@ -12,9 +12,8 @@
 namespace glint::cli {
 namespace {
 
-/// None unless all of `text` is a number.
 template <typename Number>
-std::optional<Number> parse_number(const std::string& text) {
+std::optional<Number> parse_number(std::string_view text) {
     Number number{};
     const char* end = text.data() + text.size();
     const auto [stop, fault] = std::from_chars(text.data(), end, number);
@@ -33,6 +32,8 @@ std::string range(std::int64_t min, std::int64_t max) {
 
 } // namespace
 
+std::optional<std::int64_t> whole_number(std::string_view text) { return parse_number<std::int64_t>(text); }
+
 Arguments::Arguments(const Command& command, std::map<std::string, std::vector<std::string>> values,
                      std::vector<std::string> operands)
     : command_(&command), values_(std::move(values)), operands_(std::move(operands)) {}
@@ -50,11 +51,19 @@ std::vector<std::string> Arguments::all(const std::string& key) const {
     return found == values_.end() ? std::vector<std::string>() : found->second;
 }
 
+std::size_t Arguments::choice(const std::string& name) const {
+    const auto is_option = [&](const Option& option) { return key(option) == name; };
+    const auto option = std::find_if(command_->options.begin(), command_->options.end(), is_option);
+    const std::vector<std::string> all = choices(*option);
+    const auto given = text(name);
+    return given ? static_cast<std::size_t>(std::find(all.begin(), all.end(), *given) - all.begin()) : 0;
+}
+
 std::optional<std::int64_t> Arguments::integer(const std::string& key, std::int64_t min,
                                                std::int64_t max) const {
     const auto given = text(key);
     if (!given) return std::nullopt;
-    const auto value = parse_number<std::int64_t>(*given);
+    const auto value = whole_number(*given);
     if (!value || *value < min || *value > max) refuse(key, *given, "a whole number " + range(min, max));
     return value;
 }
@@ -77,7 +86,7 @@ std::optional<std::vector<std::int64_t>> Arguments::integers(const std::string& 
     if (parts.size() != count) refuse(key, *given, expected);
     std::vector<std::int64_t> numbers;
     for (const std::string& part : parts) {
-        const auto value = parse_number<std::int64_t>(part);
+        const auto value = whole_number(part);
         if (!value || *value < min || *value > max) refuse(key, *given, expected);
         numbers.push_back(*value);
     }

@@ -4,10 +4,12 @@
 
 #include "options.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint::cli {
@@ -26,6 +28,8 @@ class Arguments {
     std::optional<std::string> text(const std::string& key) const;
     /// All its values, in order.
     std::vector<std::string> all(const std::string& key) const;
+    /// The index of its value among choices(); 0 if it was not given.
+    std::size_t choice(const std::string& key) const;
     /// A whole number in [min, max].
     std::optional<std::int64_t> integer(const std::string& key, std::int64_t min, std::int64_t max) const;
     /// A number ≥ 0; may be "inf".
@@ -40,6 +44,9 @@ class Arguments {
     std::map<std::string, std::vector<std::string>> values_;
     std::vector<std::string> operands_;
 };
+
+/// None unless all of the text is a number.
+std::optional<std::int64_t> whole_number(std::string_view text);
 
 /// Parses the arguments after the command's name. Unknown options get a "did you mean". The number of
 /// operands is checked unless --help is given.

@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "outputs.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,9 @@
 #include "scene_input.h"
 
 #include "glint/explain.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 #include "glint/limits.h"
+#include "glint/scene_files.h"
 
 #include <fmt/format.h>
 

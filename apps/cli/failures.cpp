@@ -11,23 +11,14 @@
 namespace glint::cli {
 namespace {
 
+/// Nothing is cancelled in a way that ends here.
 int code_of(ErrorKind kind) {
-    switch (kind) {
-    case ErrorKind::usage:
-        return exit_code::usage;
-    case ErrorKind::input:
-        return exit_code::input;
-    case ErrorKind::output:
-        return exit_code::output;
-    case ErrorKind::resource:
-        return exit_code::resource;
-    case ErrorKind::device:
-        return exit_code::device;
-    case ErrorKind::cancelled: // nothing that can be cancelled this way is asked to be
-    case ErrorKind::internal:
-        break;
-    }
-    return exit_code::internal;
+    return kind == ErrorKind::usage      ? exit_code::usage
+           : kind == ErrorKind::input    ? exit_code::input
+           : kind == ErrorKind::output   ? exit_code::output
+           : kind == ErrorKind::resource ? exit_code::resource
+           : kind == ErrorKind::device   ? exit_code::device
+                                         : exit_code::internal;
 }
 
 } // namespace

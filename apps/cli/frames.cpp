@@ -5,19 +5,17 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <cstdlib>
 
 namespace glint::cli {
 namespace {
 
 constexpr int max_frame_number = 1'000'000;
 
-std::optional<int> whole_number(std::string_view text) {
-    int number = 0;
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = !text.empty() && end.ec == std::errc{} && end.ptr == text.data() + text.size();
-    return whole && number >= -max_frame_number && number <= max_frame_number ? std::optional(number)
-                                                                              : std::nullopt;
+std::optional<int> frame_number(std::string_view text) {
+    const auto number = whole_number(text);
+    return number && std::abs(*number) <= max_frame_number ? std::optional(static_cast<int>(*number))
+                                                           : std::nullopt;
 }
 
 /// A file name, split at its %d.
@@ -47,7 +45,7 @@ Pattern parse_pattern(const std::string& text) {
         if (!number || (!digits.empty() && (digits[0] != '0' || digits.size() != 2)))
             refuse(fmt::format("has \"{}\", which is no frame's number",
                                text.substr(i, end == std::string::npos ? end : end - i + 1)));
-        if (pattern.numbered) refuse("has two places for the frame's number");
+        if (pattern.numbered) refuse("has the frame's number twice");
         pattern.numbered = true;
         pattern.width = digits.empty() ? 0 : static_cast<std::size_t>(digits[1] - '0');
         i = end;
@@ -75,11 +73,11 @@ std::optional<FrameRange> frame_range(const Arguments& arguments) {
     const std::size_t colon = given->find(':');
     const std::string range = given->substr(0, colon);
     const std::size_t dots = range.find("..");
-    const auto first = whole_number(std::string_view(range).substr(0, dots));
+    const auto first = frame_number(std::string_view(range).substr(0, dots));
     const auto last =
-        dots == std::string::npos ? first : whole_number(std::string_view(range).substr(dots + 2));
+        dots == std::string::npos ? first : frame_number(std::string_view(range).substr(dots + 2));
     const auto step =
-        colon == std::string::npos ? 1 : whole_number(std::string_view(*given).substr(colon + 1));
+        colon == std::string::npos ? 1 : frame_number(std::string_view(*given).substr(colon + 1));
     if (!first || !last || !step) refuse("is no range of frames");
     if (*last < *first) refuse("ends before it begins");
     if (*step < 1) refuse("needs a step of at least 1");

@@ -3,7 +3,7 @@
 
 #include "arguments.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>

@@ -6,12 +6,14 @@
 #include "text.h"
 
 #include "glint/keys.h"
-#include "glint/names.h"
 #include "glint/render.h"
+#include "glint/scene.h"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace glint::cli {
 namespace {
@@ -22,28 +24,23 @@ std::string row(const char* label, const std::string& text) {
 
 std::string point(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
-/// "2 planes, 1 mesh", in the order of the alternatives of Shape.
-std::string kinds(const SceneDescription& description) {
-    std::array<std::size_t, shape_names.size()> counts{};
-    for (const Object& object : description.objects) ++counts[object.shape.index()];
+/// "2 planes, 1 mesh": how many items there are of each kind. `kind_of` gives the index of an item's kind.
+template <class Item, class Names>
+std::string counts_text(const std::vector<Item>& items, std::size_t (*kind_of)(const Item&),
+                        const Names& names, const Names& plurals) {
     std::string text;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        if (counts[i] == 0) continue;
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]),
-                            counts[i] > 1 ? shape_plurals[i] : shape_names[i]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto is_one = [&](const Item& item) { return kind_of(item) == i; };
+        const auto count = static_cast<std::uint64_t>(std::count_if(items.begin(), items.end(), is_one));
+        if (count > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(count),
+                                count > 1 ? plurals[i] : names[i]);
     }
     return text.empty() ? "none" : text;
 }
 
-std::string light_kinds(const SceneDescription& description) {
-    std::array<std::size_t, light_names.size()> counts{};
-    for (const Light& light : description.lights) ++counts[light.kind.index()];
-    std::string text;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] > 0)
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[i]), light_names[i]);
-    return text.empty() ? "none" : text;
-}
+std::size_t shape_index(const Object& object) { return object.shape.index(); }
+std::size_t light_index(const Light& light) { return light.kind.index(); }
 
 /// A value with six digits.
 std::string shown(const KeySpec& key, const KeyValue& value) {
@@ -76,8 +73,8 @@ std::string geometry_rows(const SceneStats& stats) {
 
 std::string info_text(const std::string& file, const SceneDescription& description, const Scene& scene) {
     std::string text = file + "\n";
-    text += row("objects", kinds(description));
-    text += row("lights", light_kinds(description));
+    text += row("objects", counts_text(description.objects, shape_index, shape_names, shape_plurals));
+    text += row("lights", counts_text(description.lights, light_index, light_names, light_names));
     text += geometry_rows(scene.stats());
     const CameraDescription& camera = scene.camera();
     text += row("camera",

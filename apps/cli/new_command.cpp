@@ -2,7 +2,8 @@
 #include "commands.h"
 #include "outputs.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
+#include "glint/write_file.h"
 
 #include <fmt/format.h>
 

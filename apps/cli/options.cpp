@@ -1,10 +1,18 @@
 #include "options.h"
 
+#include "glint/kernels.h"
+#include "glint/scene.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
 namespace glint::cli {
 namespace {
+
+const std::string integrators = fmt::to_string(fmt::join(enum_names<Integrator>, "|"));
+const std::string kernels = fmt::to_string(fmt::join(kernel_names, "|"));
 
 // Options of more than one command.
 constexpr Option size{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true};
@@ -22,12 +30,13 @@ constexpr Option quiet{'q', "quiet", "", "print errors only", false, true};
 constexpr Option verbose{'v', "verbose", "", "say more", true};
 constexpr Option help{'h', "help", "", "this help", true};
 
-constexpr std::array render_options{
+// The choices of kernels, SIMD targets, views and integrators are in the order of the enumerations.
+const std::array render_options{
     Option{'o', "output", "FILE", ".png, .exr, .pfm, or - for PNG on stdout; default: STEM.png", false, true},
     size,
     spp,
     max_depth,
-    Option{0, "integrator", "whitted", "the light model"},
+    Option{0, "integrator", integrators.c_str(), "the light model"},
     seed,
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
     Option{0, "frames", "A..B[:STEP]", "or all, of what moves: one file each, -o frame-%04d.png"},
@@ -44,7 +53,7 @@ constexpr std::array render_options{
     threads,
     Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
     Option{0, "backend", "cpu|gpu|auto", "where to render; default: cpu"},
-    Option{0, "kernel", "auto|scalar|single|packet|stream", "of the tracing: only the time changes"},
+    Option{0, "kernel", kernels.c_str(), "of the tracing: only the time changes"},
     Option{0, "simd", "auto|plain|sse4|avx2|avx512", "vectors of the tracing; auto: the machine's widest"},
     Option{0, "progress", "auto|plain|json|none", "on stderr; auto: a bar on a terminal, else plain"},
     color,
@@ -65,7 +74,7 @@ constexpr std::array view_options{
     Option{0, "theme", "dark|light", "colours of the window"},
     Option{0, "scale", "S", "of texts and buttons; default: what the screen asks for"},
     Option{0, "ui-stats", "", "print how long the window took to draw, at its end"},
-    Option{0, "ui-debug", "", "print what OpenGL complains of"},
+    Option{0, "ui-debug", "", "print the debug messages of OpenGL"},
     Option{0, "ui-map", "FILE", "keep writing where the widgets are, for scripts"},
     Option{'h', "help", "", "this help"},
 };
@@ -96,7 +105,7 @@ constexpr std::array explain_options{
     Option{0, "pixel", "X,Y", "which; 0,0 is top left"},
     frame,
     Option{0, "format", "text|json|svg|html", "default: text; html shows the whole picture"},
-    Option{0, "grid", "WxH", "html: places that can be asked; default: 160x90"},
+    Option{0, "grid", "WxH", "html: pixels that can be asked; default: 160x90"},
     Option{0, "backend", "cpu|gpu|auto", "gpu: tell how far a card's pixel is from the CPU's"},
     Option{'o', "output", "FILE", "where to; default: stdout"},
     size,
@@ -131,7 +140,7 @@ constexpr std::array new_options{
     help,
 };
 
-constexpr std::array command_table{
+const std::array command_table{
     Command{"render", "FILE [-o OUT]", "render a scene or a mesh to a picture", Operands::scene,
             render_options, ""},
     Command{"view", "[FILE]", "show a scene or a mesh in a window", Operands::maybe_scene, view_options,
@@ -179,6 +188,13 @@ std::vector<std::string> spellings(const Option& option) {
     std::vector<std::string> all;
     if (option.letter) all.push_back(std::string("-") + option.letter);
     if (*option.name) all.push_back(std::string("--") + option.name);
+    return all;
+}
+
+std::vector<std::string> spellings(const Command& command) {
+    std::vector<std::string> all;
+    for (const Option& option : command.options)
+        for (std::string& name : spellings(option)) all.push_back(std::move(name));
     return all;
 }
 

@@ -13,7 +13,7 @@ struct Option {
     char letter = 0;       ///< 'o' for -o; 0: none
     const char* name = ""; ///< without dashes; empty: the letter alone
     const char* value =
-        ""; ///< empty: a flag; lower case: the choices ("srgb|raw"); else a placeholder ("FILE")
+        ""; ///< empty: a flag; lower case: the choices ("srgb|raw"); else what it stands for ("FILE")
     const char* help = ""; ///< short, for --help
     bool joined = false;   ///< shares the line of the option before it in --help
     bool common = false;   ///< shown by `glint --help` too
@@ -44,6 +44,8 @@ std::string key(const Option& option);
 std::string spelling(const Option& option);
 /// Every spelling: {"-o", "--output"}.
 std::vector<std::string> spellings(const Option& option);
+/// Those of all its options.
+std::vector<std::string> spellings(const Command& command);
 /// The values that an option allows; empty: any.
 std::vector<std::string> choices(const Option& option);
 /// "a|b" with separator '|': {"a", "b"}.

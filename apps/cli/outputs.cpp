@@ -2,7 +2,8 @@
 
 #include "console.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
+#include "glint/write_file.h"
 
 #include <fmt/format.h>
 
@@ -17,11 +18,6 @@
 
 namespace glint::cli {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr bool has_exr = GLINT_EXR;
-
-} // namespace
 
 PictureFormat output_format(const std::string& path) {
     const std::optional<PictureFormat> format = picture_format(path);
@@ -29,7 +25,7 @@ PictureFormat output_format(const std::string& path) {
         throw Error(ErrorKind::usage,
                     fmt::format("\"{}\" names no kind of picture that can be written", path),
                     "expected a name that ends in .png, .exr or .pfm, or - for PNG on stdout");
-    if (format == PictureFormat::exr && !has_exr)
+    if (format == PictureFormat::exr && !GLINT_EXR)
         throw Error(ErrorKind::output,
                     fmt::format("cannot write \"{}\": this glint was built without OpenEXR", path),
                     "use .png or .pfm");

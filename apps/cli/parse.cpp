@@ -12,13 +12,6 @@
 namespace glint::cli {
 namespace {
 
-std::vector<std::string> all_spellings(const Command& command) {
-    std::vector<std::string> all;
-    for (const Option& option : command.options)
-        for (std::string& name : spellings(option)) all.push_back(std::move(name));
-    return all;
-}
-
 std::string help_hint(const Command& command) { return fmt::format("see glint {} --help", command.name); }
 
 /// The argument as it was typed: CLI11 reports an unknown "-size" as "-ize".
@@ -45,7 +38,7 @@ std::string as_typed(const std::string& rest, const std::vector<std::string>& ar
 }
 
 void check_value(const Command& command, const Option& option, const std::string& value) {
-    const std::vector<std::string> names = all_spellings(command);
+    const std::vector<std::string> names = spellings(command);
     if (std::find(names.begin(), names.end(), value) != names.end() || value.empty())
         throw Error(ErrorKind::usage, fmt::format("{} needs a value: {}", spelling(option), option.value),
                     value.empty() ? "" : fmt::format("\"{}\" after it is an option", value));

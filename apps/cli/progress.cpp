@@ -14,17 +14,10 @@ constexpr int bar_width = 30;
 
 /// Seconds between two updates.
 double interval(ProgressStyle style) {
-    switch (style) {
-    case ProgressStyle::bar:
-        return 0.1;
-    case ProgressStyle::plain:
-        return 10;
-    case ProgressStyle::json:
-        return 1;
-    case ProgressStyle::none:
-        break;
-    }
-    return INFINITY;
+    return style == ProgressStyle::bar     ? 0.1
+           : style == ProgressStyle::plain ? 10
+           : style == ProgressStyle::json  ? 1
+                                           : INFINITY;
 }
 
 } // namespace

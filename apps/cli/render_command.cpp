@@ -19,15 +19,10 @@
 namespace glint::cli {
 namespace {
 
-class Stopwatch {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+/// Seconds of a monotonic clock.
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 PictureOptions picture_options(const RenderRequest& request, const Scene& scene, Picture& picture,
                                const RenderRecord& record) {
@@ -87,9 +82,9 @@ class Renderer {
 
     /// Reads the scene and reports its notes and warnings.
     LoadedScene read() {
-        const Stopwatch loading;
+        const double loading_start = now();
         LoadedScene loaded = load_scene(request_.scene, request_.load);
-        load_seconds_ = loading.seconds();
+        load_seconds_ = now() - loading_start;
         apply_flags(arguments_, loaded.description);
         require_possible(request_, loaded.description.render);
         report(loaded, console_);
@@ -100,12 +95,12 @@ class Renderer {
     bool picture(const SceneDescription& description, RenderRecord record, const std::string& task) {
         record.load_seconds = load_seconds_;
         console_.status("building the tree");
-        const Stopwatch building;
+        const double building_start = now();
         BuildSceneOptions how;
         how.threads = request_.render.threads;
         const Scene scene = last_ ? update_scene(*last_, description, how) : build_scene(description, how);
         last_ = scene;
-        record.build_seconds = building.seconds();
+        record.build_seconds = now() - building_start;
         warn(scene);
 
         Picture picture = render_with_progress(scene, record, task);
@@ -117,9 +112,9 @@ class Renderer {
         // PNG shows AOVs as colours; the other formats hold their values.
         if (output_format(record.output) == PictureFormat::png)
             picture.image = visible(picture.image, request_.render.show, scene);
-        const Stopwatch writing;
+        const double writing_start = now();
         write_picture(record.output, picture.image, picture_options(request_, scene, picture, record));
-        record.write_seconds = writing.seconds();
+        record.write_seconds = now() - writing_start;
         if (request_.stats) stats_.push_back(stats_json(record, scene, picture));
         print_details(console_, scene, record, picture.stats);
         console_.line(closing_line(record, scene, picture));
@@ -194,7 +189,7 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
     // Errors of late frames are reported before the first one is rendered.
     for (const int frame : frames) scene_at(loaded, frame);
 
-    const Stopwatch rendering;
+    const double rendering_start = now();
     std::size_t done = 0;
     for (const int frame : frames) {
         SceneDescription description = scene_at(loaded, frame);
@@ -209,7 +204,7 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
     }
     renderer.write_stats();
     if (done == frames.size()) {
-        console.line(fmt::format("{} in {}", counted(done, "frame"), duration(rendering.seconds())));
+        console.line(fmt::format("{} in {}", counted(done, "frame"), duration(now() - rendering_start)));
         return exit_code::done;
     }
     console.error(fmt::format("stopped in frame {}; {}", frames[done],

@@ -5,7 +5,7 @@
 #include "text.h"
 
 #include "glint/limits.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ void require_format(const Arguments& arguments, const std::string& output) {
     if (format != PictureFormat::exr) refuse("layers", ".exr");
 }
 
-/// Two results in one place would destroy each other, and a picture on a terminal its settings.
+/// Two results in one file would destroy each other, and a picture on a terminal its settings.
 void require_apart(const RenderRequest& request) {
     if (request.stats == request.output)
         throw Error(ErrorKind::usage,
@@ -54,21 +54,11 @@ void require_frame_names(const RenderRequest& request) {
                 "put %04d into the name, where the frame's number goes: -o frame-%04d.png");
 }
 
-Kernel kernel(const Arguments& arguments) {
-    const std::string name = arguments.text("kernel").value_or(kernel_names.front());
-    const auto found = std::find(kernel_names.begin(), kernel_names.end(), name);
-    return static_cast<Kernel>(found - kernel_names.begin());
-}
-
 SimdTarget simd_target(const Arguments& arguments) {
-    const std::string name = arguments.text("simd").value_or("auto");
-    const SimdTarget target = name == "plain"    ? SimdTarget::plain
-                              : name == "sse4"   ? SimdTarget::sse4
-                              : name == "avx2"   ? SimdTarget::avx2
-                              : name == "avx512" ? SimdTarget::avx512
-                                                 : SimdTarget::best;
+    const auto target = static_cast<SimdTarget>(arguments.choice("simd"));
     if (!is_available(target))
-        throw Error(ErrorKind::usage, "--simd " + name + ": this machine or this build has no such vectors",
+        throw Error(ErrorKind::usage,
+                    "--simd " + *arguments.text("simd") + ": this machine or this build has no such vectors",
                     "leave --simd away for the widest there are");
     return target;
 }
@@ -104,7 +94,7 @@ RenderOptions render_options(const Arguments& arguments) {
         const auto at = [&](std::size_t i) { return static_cast<int>((*crop)[i]); };
         options.crop = Rect{at(0), at(1), at(2), at(3)};
     }
-    options.kernel = {kernel(arguments), simd_target(arguments)};
+    options.kernel = {static_cast<Kernel>(arguments.choice("kernel")), simd_target(arguments)};
     options.show = aov(arguments);
     options.terms = arguments.has("layers");
     options.coverage = arguments.has("alpha");
@@ -153,7 +143,7 @@ RenderRequest read_render_request(const Arguments& arguments) {
     request.load = load_options(arguments);
     request.render = render_options(arguments);
     require_light(arguments, request.render.show);
-    request.view = arguments.text("view") == "raw" ? View::raw : View::srgb;
+    request.view = static_cast<View>(arguments.choice("view"));
     request.bits = arguments.text("bits") == "16" ? 16 : 8;
     request.keep_partial = arguments.has("keep-partial");
     // Wrong flags are told before a large scene is read.
@@ -178,8 +168,8 @@ void apply_flags(const Arguments& arguments, SceneDescription& scene) {
         scene.render.seed = static_cast<std::uint64_t>(*seed);
     if (const auto depth = arguments.integer("max-depth", 0, 1000))
         scene.whitted.max_depth = static_cast<int>(*depth);
-    if (const auto integrator = arguments.text("integrator"))
-        scene.render.integrator = *value_named<Integrator>(*integrator);
+    if (arguments.has("integrator"))
+        scene.render.integrator = static_cast<Integrator>(arguments.choice("integrator"));
 }
 
 void require_possible(const RenderRequest& request, const RenderSettings& settings) {

@@ -4,8 +4,9 @@
 #include "arguments.h"
 #include "frames.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 #include "glint/render.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@ namespace glint::cli {
 /// What the command line asks for, beyond the scene itself.
 struct RenderRequest {
     std::string scene;
-    std::string output;               ///< a name with a place for the frame's number where there are several
+    std::string output;               ///< a pattern of frame_name() for several frames
     std::optional<FrameRange> frames; ///< none: the scene as it stands
     std::optional<std::string> stats;
     LoadOptions load;

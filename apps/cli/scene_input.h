@@ -4,8 +4,8 @@
 #include "arguments.h"
 #include "console.h"
 
-#include "glint/formats.h"
 #include "glint/scene.h"
+#include "glint/scene_files.h"
 
 #include <string>
 

@@ -1,17 +1,9 @@
-// The table of actions: one row each, in the order of the enumeration.
+// The rows of the table of keys, and what the actions do.
 #include "actions.h"
 
-#include "activity.h"
-#include "camera_driver.h"
-#include "file_saver.h"
-#include "messages.h"
-#include "pixel_inspector.h"
-#include "playback.h"
-#include "side_panel.h"
-#include "workbench.h"
+#include "app.h"
 
-#include "glint/document.h"
-
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <array>
@@ -19,114 +11,140 @@
 namespace glint::viewer {
 namespace {
 
-using Targets = ActionTargets;
-
 /// Movement for one press of a key.
 constexpr double key_turn = 0.06;
 constexpr double key_move = 0.05;
+/// Of the field of view.
+constexpr double fov_factor = 0.94;
 
-struct Command {
-    Action action;
-    bool needs_scene;
-    void (*run)(Targets&);
+void switch_theme(App& app) {
+    app.state.theme = app.state.theme == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
+}
+
+void narrow_fov(App& app) {
+    app.editor.move([](CameraControl& c) { c.set_fov(c.camera().fov * fov_factor); });
+}
+
+void widen_fov(App& app) {
+    app.editor.move([](CameraControl& c) { c.set_fov(c.camera().fov / fov_factor); });
+}
+
+void compare(App& app) {
+    if (!app.editor.has_kept())
+        return app.messages.show("Nothing to compare with: keep these settings with K first");
+    app.state.compare = static_cast<CompareMode>((static_cast<int>(app.state.compare) + 1) % 3);
+}
+
+/// `step` on in the list of AOVs, around its end.
+void show_next(App& app, int step) {
+    app.state.show = static_cast<Aov>((static_cast<int>(app.state.show) + step + aov_count) % aov_count);
+    app.messages.show(std::string("Showing: ") + aov_name(app.state.show));
+}
+
+void switch_backend(App& app) {
+    app.state.gpu = !app.state.gpu;
+    app.messages.show(app.state.gpu ? "Drawn by the GPU" : "Drawn by the CPU");
+}
+
+void clear_pixel(App& app) {
+    if (!app.messages.close_help()) app.inspector.clear();
+}
+
+constexpr KeyPress key(int code) { return {code, 0, false, false}; }
+constexpr KeyPress shift(int code) { return {code, 0, false, true}; }
+constexpr KeyPress ctrl(int code) { return {code, 0, true, false}; }
+/// A character, on whichever key it is.
+constexpr KeyPress character(char32_t c) { return {0, c, false, false}; }
+
+constexpr std::array table{
+    Shortcut{character(U'?'), "?", "this list", false, toggle_help},
+    Shortcut{key(GLFW_KEY_F1), "", "", false, toggle_help},
+    Shortcut{key(GLFW_KEY_TAB), "Tab", "hide or show the panel", false, [](App& a) { a.panel.toggle(); }},
+    Shortcut{character(U'l'), "L", "dark or light", false, switch_theme},
+    Shortcut{key(GLFW_KEY_HOME), "Home, R", "the camera of the file", true, reset_camera},
+    Shortcut{character(U'r'), "", "", true, reset_camera},
+    Shortcut{key(GLFW_KEY_LEFT), "Arrows", "orbit", true,
+             [](App& a) { move_camera(a.editor, {.turn_right = -key_turn}); }},
+    Shortcut{key(GLFW_KEY_RIGHT), "", "", true,
+             [](App& a) { move_camera(a.editor, {.turn_right = key_turn}); }},
+    Shortcut{key(GLFW_KEY_UP), "", "", true, [](App& a) { move_camera(a.editor, {.turn_up = key_turn}); }},
+    Shortcut{key(GLFW_KEY_DOWN), "", "", true, [](App& a) { move_camera(a.editor, {.turn_up = -key_turn}); }},
+    Shortcut{shift(GLFW_KEY_LEFT), "Shift + arrows", "pan", true,
+             [](App& a) { move_camera(a.editor, {.move_right = -key_move}); }},
+    Shortcut{shift(GLFW_KEY_RIGHT), "", "", true,
+             [](App& a) { move_camera(a.editor, {.move_right = key_move}); }},
+    Shortcut{shift(GLFW_KEY_UP), "", "", true, [](App& a) { move_camera(a.editor, {.move_up = key_move}); }},
+    Shortcut{shift(GLFW_KEY_DOWN), "", "", true,
+             [](App& a) { move_camera(a.editor, {.move_up = -key_move}); }},
+    Shortcut{character(U'+'), "+  \u2212", "zoom", true,
+             [](App& a) { move_camera(a.editor, {.nearer = 1}); }},
+    Shortcut{character(U'='), "", "", true, [](App& a) { move_camera(a.editor, {.nearer = 1}); }},
+    Shortcut{character(U'-'), "", "", true, [](App& a) { move_camera(a.editor, {.nearer = -1}); }},
+    Shortcut{character(U'['), "[  ]", "field of view", true, narrow_fov},
+    Shortcut{character(U']'), "", "", true, widen_fov},
+    Shortcut{character(U't'), "T", "turntable", true, toggle_turntable},
+    Shortcut{key(GLFW_KEY_SPACE), "Space", "play or stop the animation", false,
+             [](App& a) { a.playback.toggle(); }},
+    Shortcut{character(U','), ",  .", "one frame back or on", false, [](App& a) { a.playback.step(-1); }},
+    Shortcut{character(U'.'), "", "", false, [](App& a) { a.playback.step(1); }},
+    Shortcut{character(U'k'), "K", "keep these settings as A, to compare with", true, keep},
+    Shortcut{character(U'c'), "C", "compare: wipe, side by side, off", false, compare},
+    Shortcut{character(U'v'), "V  Shift + V", "show the next or previous quantity", false,
+             [](App& a) { show_next(a, 1); }},
+    Shortcut{character(U'V'), "", "", false, [](App& a) { show_next(a, -1); }},
+    Shortcut{character(U'f'), "F", "show the final picture", false,
+             [](App& a) { a.state.show = Aov::final; }},
+    Shortcut{character(U'g'), "G", "draw on the graphics card or on the CPU", false, switch_backend},
+    Shortcut{ctrl(GLFW_KEY_Z), "Ctrl + Z, Y", "undo, redo", false, undo},
+    Shortcut{ctrl(GLFW_KEY_Y), "", "", false, redo},
+    Shortcut{{GLFW_KEY_Z, 0, true, true}, "", "", false, redo},
+    Shortcut{key(GLFW_KEY_F5), "F5", "read the file again", false,
+             [](App& a) { a.editor.session().reload(); }},
+    Shortcut{ctrl(GLFW_KEY_S), "Ctrl + S", "save the scene", true, save_scene},
+    Shortcut{ctrl(GLFW_KEY_P), "Ctrl + P", "save the picture", true, save_picture},
+    Shortcut{ctrl(GLFW_KEY_C), "Ctrl + C", "copy the camera as TOML", true, copy_camera},
+    Shortcut{key(GLFW_KEY_F12), "F12", "save what the window shows", false,
+             [](App& a) { a.saver.save_window(); }},
+    Shortcut{key(GLFW_KEY_ESCAPE), "Esc", "let go of the pixel; close this list", false, clear_pixel},
+    Shortcut{ctrl(GLFW_KEY_Q), "Ctrl + Q", "close the window", false, [](App& a) { a.window.close(); }},
 };
 
-void keep(Targets& t) {
-    t.bench.keep();
-    t.messages.show("Kept as A: change a setting, then compare with C");
-}
-
-void compare(Targets& t) {
-    if (!t.bench.has_kept())
-        return t.messages.show("Nothing to compare with: keep these settings with K first");
-    t.state.compare = static_cast<CompareMode>((static_cast<int>(t.state.compare) + 1) % 3);
-}
-
-/// `step` on in the list of quantities, around its end.
-void next_quantity(Targets& t, int step) {
-    t.state.show = static_cast<Aov>((static_cast<int>(t.state.show) + step + aov_count) % aov_count);
-    t.messages.show(std::string("Showing: ") + aov_name(t.state.show));
-}
-
-void switch_backend(Targets& t) {
-    t.state.gpu = !t.state.gpu;
-    t.messages.show(t.state.gpu ? "Drawn by the GPU" : "Drawn by the CPU");
-}
-
-void switch_theme(Targets& t) {
-    t.state.theme = t.state.theme == ThemeChoice::dark ? ThemeChoice::light : ThemeChoice::dark;
-}
-
-void undo(Targets& t) {
-    t.bench.undo();
-    t.activity.scene_changed();
-}
-
-void redo(Targets& t) {
-    t.bench.redo();
-    t.activity.scene_changed();
-}
-
-void copy_camera(Targets& t) {
-    ImGui::SetClipboardText(camera_text(t.bench.session().camera().camera()).c_str());
-    t.messages.show("The camera is copied");
-}
-
-void clear_pixel(Targets& t) {
-    if (!t.messages.close_help()) t.inspector.clear();
-}
-
-constexpr std::array commands{
-    Command{Action::help, false, [](Targets& t) { t.messages.toggle_help(); }},
-    Command{Action::panel, false, [](Targets& t) { t.panel.toggle(); }},
-    Command{Action::theme, false, switch_theme},
-    Command{Action::reset_camera, true, [](Targets& t) { t.camera.reset(); }},
-    Command{Action::turn_left, true, [](Targets& t) { t.camera.move({.turn_right = -key_turn}); }},
-    Command{Action::turn_right, true, [](Targets& t) { t.camera.move({.turn_right = key_turn}); }},
-    Command{Action::turn_up, true, [](Targets& t) { t.camera.move({.turn_up = key_turn}); }},
-    Command{Action::turn_down, true, [](Targets& t) { t.camera.move({.turn_up = -key_turn}); }},
-    Command{Action::move_left, true, [](Targets& t) { t.camera.move({.move_right = -key_move}); }},
-    Command{Action::move_right, true, [](Targets& t) { t.camera.move({.move_right = key_move}); }},
-    Command{Action::move_up, true, [](Targets& t) { t.camera.move({.move_up = key_move}); }},
-    Command{Action::move_down, true, [](Targets& t) { t.camera.move({.move_up = -key_move}); }},
-    Command{Action::nearer, true, [](Targets& t) { t.camera.move({.nearer = 1}); }},
-    Command{Action::farther, true, [](Targets& t) { t.camera.move({.nearer = -1}); }},
-    Command{Action::narrower, true, [](Targets& t) { t.camera.narrow(); }},
-    Command{Action::wider, true, [](Targets& t) { t.camera.widen(); }},
-    Command{Action::turntable, true, [](Targets& t) { t.state.turntable = !t.state.turntable; }},
-    Command{Action::play, false, [](Targets& t) { t.playback.toggle(); }},
-    Command{Action::next_frame, false, [](Targets& t) { t.playback.step(1); }},
-    Command{Action::previous_frame, false, [](Targets& t) { t.playback.step(-1); }},
-    Command{Action::keep, true, keep},
-    Command{Action::compare, false, compare},
-    Command{Action::next_quantity, false, [](Targets& t) { next_quantity(t, 1); }},
-    Command{Action::previous_quantity, false, [](Targets& t) { next_quantity(t, -1); }},
-    Command{Action::final_quantity, false, [](Targets& t) { t.state.show = Aov::final; }},
-    Command{Action::backend, false, switch_backend},
-    Command{Action::undo, false, undo},
-    Command{Action::redo, false, redo},
-    Command{Action::reload, false, [](Targets& t) { t.bench.session().reload(); }},
-    Command{Action::save_scene, true, [](Targets& t) { t.saver.save_scene(); }},
-    Command{Action::save_picture, true, [](Targets& t) { t.saver.save_picture(); }},
-    Command{Action::save_window, false, [](Targets& t) { t.saver.save_window(); }},
-    Command{Action::copy_camera, true, copy_camera},
-    Command{Action::clear_pixel, false, clear_pixel},
-    Command{Action::quit, false, [](Targets& t) { t.window.close(); }},
+constexpr std::array gesture_table{
+    Gesture{"Click", "explain the pixel"},
+    Gesture{"Drag", "orbit"},
+    Gesture{"Shift + drag, right drag", "pan"},
+    Gesture{"Ctrl + drag, wheel", "zoom"},
+    Gesture{"Hold W A S D, Q E", "fly: ahead, left, back, right, down, up"},
+    Gesture{"Ctrl + click on a slider", "type the number"},
+    Gesture{"Drop a file", "open it"},
 };
-
-constexpr bool is_complete() {
-    for (std::size_t i = 0; i < commands.size(); ++i)
-        if (commands[i].action != static_cast<Action>(i)) return false;
-    return commands.size() == action_count;
-}
-static_assert(is_complete(), "one row for each action, in their order");
 
 } // namespace
 
-void perform(Action action, ActionTargets& targets) {
-    const Command& command = commands[static_cast<std::size_t>(action)];
-    if (command.needs_scene && targets.bench.description() == nullptr) return;
-    command.run(targets);
+std::span<const Shortcut> shortcuts() { return table; }
+
+std::span<const Gesture> gestures() { return gesture_table; }
+
+void toggle_help(App& app) { app.messages.toggle_help(); }
+
+void keep(App& app) {
+    app.editor.keep();
+    app.messages.show("Kept as A: change a setting, then compare with C");
 }
+
+void reset_camera(App& app) {
+    app.editor.move([](CameraControl& c) { c.reset(); });
+}
+
+void copy_camera(App& app) {
+    ImGui::SetClipboardText(camera_text(app.editor.session().camera().camera()).c_str());
+    app.messages.show("The camera is copied");
+}
+
+void toggle_turntable(App& app) { app.state.turntable = !app.state.turntable; }
+void save_picture(App& app) { app.saver.save_picture(); }
+void save_scene(App& app) { app.saver.save_scene(); }
+void undo(App& app) { app.editor.undo(); }
+void redo(App& app) { app.editor.redo(); }
 
 } // namespace glint::viewer

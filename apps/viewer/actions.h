@@ -1,37 +1,43 @@
 #pragma once
-// What the actions of keys and buttons do.
+// The table of keys: what each does, for the keyboard, the list that `?` shows, and docs/viewer.md.
 
-#include "shortcuts.h"
+#include "window.h"
+
+#include <span>
 
 namespace glint::viewer {
 
-class CameraDriver;
-class FileSaver;
-class Messages;
-class PixelInspector;
-class Playback;
-class SidePanel;
-class Activity;
-class Window;
-class Workbench;
-struct ViewState;
+class App;
 
-/// The parts of the window that actions work on.
-struct ActionTargets {
-    Window& window;
-    Workbench& bench;
-    ViewState& state;
-    Activity& activity;
-    Messages& messages;
-    SidePanel& panel;
-    Playback& playback;
-    CameraDriver& camera;
-    PixelInspector& inspector;
-    FileSaver& saver;
+using Action = void (*)(App&);
+
+struct Shortcut {
+    KeyPress key;
+    const char* keys; ///< for the list; empty: an alternative to the row before, not listed
+    const char* help;
+    bool needs_scene;
+    Action action;
 };
 
-/// Performs an action, unless it needs a scene and there is none. Changes of the view state have yet to be
-/// passed on to the session: see apply().
-void perform(Action action, ActionTargets& targets);
+/// In the order of the list.
+std::span<const Shortcut> shortcuts();
+
+/// What the mouse and held keys do; listed, but handled by Navigation.
+struct Gesture {
+    const char* keys;
+    const char* help;
+};
+std::span<const Gesture> gestures();
+
+// Actions that have buttons too; all but the first only where there is a scene.
+void toggle_help(App& app);
+void keep(App& app);
+void reset_camera(App& app);
+void copy_camera(App& app);
+void toggle_turntable(App& app);
+void save_picture(App& app);
+void save_scene(App& app);
+void undo(App& app);
+void redo(App& app);
 
 } // namespace glint::viewer

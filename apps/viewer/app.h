@@ -3,10 +3,8 @@
 // know each other by those interfaces only.
 
 #include "actions.h"
-#include "activity.h"
 #include "arguments.h"
 #include "backend_switch.h"
-#include "camera_driver.h"
 #include "file_saver.h"
 #include "frame_pacing.h"
 #include "layout.h"
@@ -15,12 +13,12 @@
 #include "pixel_inspector.h"
 #include "playback.h"
 #include "presenter.h"
+#include "scene_editor.h"
+#include "session/times.h"
 #include "side_panel.h"
-#include "statistics.h"
 #include "view_state.h"
 #include "widgets.h"
 #include "window.h"
-#include "workbench.h"
 
 #include <string>
 
@@ -33,8 +31,23 @@ class App {
 
     /// Returns once the window is closed.
     void run();
-    /// What --ui-stats prints.
-    std::string statistics() const { return statistics_.text(); }
+
+    // The parts: actions work on them.
+    const Arguments arguments;
+    Window window;
+    BackendSwitch backend;
+    Ui ui;
+    ViewState state;
+    Messages messages;
+    SceneEditor editor;
+    Presenter presenter;
+    PixelInspector inspector;
+    SidePanel panel;
+    Playback playback;
+    Navigation navigation;
+    FileSaver saver;
+    FramePacing pacing;
+    Statistics statistics;
 
   private:
     void open(const std::string& file);
@@ -47,32 +60,12 @@ class App {
     // A frame, in the order of its calls.
     void draw_frame(double seconds);
     void update_theme(const WindowSize& size);
-    void draw_widgets(const WindowSize& size, double seconds);
     void draw_panels();
     void draw_over_picture(const WindowSize& size);
     void move_camera(double seconds);
     void report_state();
-    void report_scene(UiMap& map) const;
     void draw_pictures();
 
-    Arguments arguments_;
-    Window window_;
-    BackendSwitch backend_;
-    Ui ui_;
-    ViewState state_;
-    Activity activity_;
-    Messages messages_;
-    Workbench bench_;
-    Presenter presenter_;
-    PixelInspector inspector_;
-    SidePanel panel_;
-    Playback playback_;
-    CameraDriver camera_;
-    Navigation navigation_;
-    FileSaver saver_;
-    ActionTargets targets_;
-    FramePacing pacing_;
-    Statistics statistics_;
     Layout layout_; ///< of the current frame
 };
 

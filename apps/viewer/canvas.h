@@ -5,8 +5,8 @@
 #include "ui_map.h"
 #include "window.h"
 
-#include "glint/formats.h"
 #include "glint/gpu.h"
+#include "glint/picture_files.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,12 +1,11 @@
 // Writes the files, under names that do not exist yet.
 #include "file_saver.h"
 
-#include "activity.h"
 #include "messages.h"
 #include "presenter.h"
-#include "workbench.h"
+#include "scene_editor.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <fmt/format.h>
 
@@ -24,15 +23,14 @@ std::string free_name(const std::string& stem, const std::string& extension) {
 
 /// The file's path without its extension.
 std::string stem_of(const std::string& file) {
-    return (std::filesystem::path(file).parent_path() / std::filesystem::path(file).stem()).string();
+    return std::filesystem::path(file).replace_extension().string();
 }
 
 } // namespace
 
 void FileSaver::save_scene() {
     messages_.guarded([&] {
-        last_file_ = bench_.save();
-        activity_.scene_changed();
+        last_file_ = editor_.save();
         messages_.show("Saved " + last_file_);
     });
 }
@@ -50,8 +48,8 @@ void FileSaver::finish_frame() {
 void FileSaver::write_finished_picture() {
     picture_wanted_ = false;
     messages_.guarded([&] {
-        const std::string file = free_name(stem_of(bench_.file()), ".png");
-        write_picture(file, image_of(*bench_.frame()),
+        const std::string file = free_name(stem_of(editor_.file()), ".png");
+        write_picture(file, image_of(*editor_.frame()),
                       {.view = state_.view, .alpha = {}, .layers = {}, .metadata = {}});
         last_file_ = file;
         messages_.show("Saved " + file);
@@ -61,7 +59,7 @@ void FileSaver::write_finished_picture() {
 void FileSaver::write_screenshot() {
     window_wanted_ = false;
     messages_.guarded([&] {
-        const std::string stem = bench_.file().empty() ? "glint" : stem_of(bench_.file());
+        const std::string stem = editor_.file().empty() ? "glint" : stem_of(editor_.file());
         const std::string file = free_name(stem + "-window", ".png");
         write_picture(file, window_.screenshot(),
                       {.view = View::raw, .alpha = {}, .layers = {}, .metadata = {}});

@@ -8,18 +8,16 @@
 
 namespace glint::viewer {
 
-class Activity;
 class Messages;
 class Presenter;
 class Window;
-class Workbench;
+class SceneEditor;
 
 class FileSaver {
   public:
-    FileSaver(const Window& window, Workbench& bench, const ViewState& state, Activity& activity,
-              Messages& messages, const Presenter& presenter)
-        : window_(window), bench_(bench), state_(state), activity_(activity), messages_(messages),
-          presenter_(presenter) {}
+    FileSaver(const Window& window, SceneEditor& editor, const ViewState& state, Messages& messages,
+              const Presenter& presenter)
+        : window_(window), editor_(editor), state_(state), messages_(messages), presenter_(presenter) {}
 
     void save_scene();
     /// Saves the picture as PNG beside the scene as soon as it is finished.
@@ -37,9 +35,8 @@ class FileSaver {
     void write_screenshot();
 
     const Window& window_;
-    Workbench& bench_;
+    SceneEditor& editor_;
     const ViewState& state_;
-    Activity& activity_;
     Messages& messages_;
     const Presenter& presenter_;
     bool picture_wanted_ = false;

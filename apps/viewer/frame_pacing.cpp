@@ -1,7 +1,7 @@
 // The rules by which frames are drawn.
 #include "frame_pacing.h"
 
-#include "activity.h"
+#include "session/clock.h"
 
 #include <algorithm>
 

@@ -1,4 +1,65 @@
-// The program `glint-view`.
-#include "run.h"
+// The program `glint-view`: runs the window and maps errors to exit codes.
+#include "app.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace glint::viewer {
+namespace {
+
+/// Those of glint.
+int exit_code(ErrorKind kind) {
+    return kind == ErrorKind::usage      ? 2
+           : kind == ErrorKind::input    ? 3
+           : kind == ErrorKind::output   ? 4
+           : kind == ErrorKind::resource ? 5
+           : kind == ErrorKind::device   ? 7
+                                         : 70;
+}
+
+/// Ends the program without waiting for its threads: a driver that compiles a shader takes seconds and cannot
+/// be interrupted. Files are written on this thread, so all of them are complete.
+[[noreturn]] void exit_now() {
+    std::cout.flush();
+    std::_Exit(0);
+}
+
+int open(const std::vector<std::string>& words) {
+    std::string text;
+    const std::optional<Arguments> arguments = parse_arguments(words, text);
+    if (arguments) {
+        App app(*arguments);
+        app.run();
+        if (arguments->statistics) std::cout << app.statistics.text();
+        exit_now();
+    }
+    std::cout << text;
+    return 0;
+}
+
+int run(const std::vector<std::string>& words) noexcept {
+    try {
+        return open(words);
+    } catch (const Error& error) {
+        // Without a display one line is enough.
+        for (const Diagnostic& diagnostic : error.diagnostics())
+            std::cerr << (error.kind() == ErrorKind::device
+                              ? "error: " + diagnostic.message + "; " + diagnostic.hint
+                              : to_string(diagnostic))
+                      << "\n";
+        return exit_code(error.kind());
+    } catch (const std::bad_alloc&) {
+        std::cerr << "error: out of memory\n";
+        return 5;
+    } catch (const std::exception& defect) {
+        std::cerr << "error: " << defect.what() << " (a defect of glint-view: please report it)\n";
+        return 70;
+    }
+}
+
+} // namespace
+} // namespace glint::viewer
 
 int main(int argc, char** argv) { return glint::viewer::run({argv + 1, argv + argc}); }

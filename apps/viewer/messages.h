@@ -12,7 +12,7 @@
 namespace glint::viewer {
 
 struct Ui;
-class Workbench;
+class SceneEditor;
 
 class Messages {
   public:
@@ -34,12 +34,12 @@ class Messages {
     /// False if the list of keys was not open.
     bool close_help();
 
-    /// Draws over the picture's space. The file's errors and progress come from the workbench, on which
+    /// Draws over the picture's space. The file's errors and progress come from the scene editor, on which
     /// Cancel acts.
-    void draw(Ui& ui, const Area& space, const WindowSize& window, Workbench& bench);
+    void draw(Ui& ui, const Area& space, const WindowSize& window, SceneEditor& editor);
 
   private:
-    void draw_progress(Ui& ui, const Area& space, Workbench& bench);
+    void draw_progress(Ui& ui, const Area& space, SceneEditor& editor);
 
     std::string notice_;
     double notice_until_ = 0;

@@ -1,12 +1,43 @@
 // Reads the mouse from Dear ImGui and held keys from the window.
 #include "navigation.h"
 
+#include "scene_editor.h"
+
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <utility>
 
 namespace glint::viewer {
+namespace {
+
+constexpr double two_pi = 6.2831853;
+/// Dragging over this many heights of the picture makes a full turn.
+constexpr double heights_per_turn = 2.5;
+/// In target distances per second.
+constexpr double flight_speed = 0.6;
+constexpr double turns_per_minute = 4;
+
+} // namespace
+
+/// The scene follows the hand, so the eye moves the other way.
+void move_camera(SceneEditor& editor, const Movement& m) {
+    constexpr double radians = two_pi / heights_per_turn;
+    const bool orbits = m.turn_right != 0 || m.turn_up != 0;
+    if (orbits) editor.session().pick_orbit_target();
+    editor.move([&](CameraControl& c) {
+        if (orbits) c.orbit(-m.turn_right * radians, -m.turn_up * radians);
+        if (m.move_right != 0 || m.move_up != 0) c.pan(-m.move_right, -m.move_up);
+        if (m.nearer != 0) c.zoom(m.nearer);
+        if (m.fly_right != 0 || m.fly_up != 0 || m.fly_ahead != 0)
+            c.fly(m.fly_right * flight_speed, m.fly_up * flight_speed, m.fly_ahead * flight_speed);
+    });
+}
+
+void turn_camera(SceneEditor& editor, double seconds) {
+    editor.session().pick_orbit_target();
+    editor.move([&](CameraControl& c) { c.turn(seconds, turns_per_minute); });
+}
 
 /// 1, 0 or −1 from two opposite keys.
 double Navigation::axis(const Window& window, int plus, int minus) const {

@@ -1,5 +1,5 @@
 #pragma once
-// Turns the mouse and held keys into movements of the camera.
+// Moves the camera as mouse, held keys and turntable ask.
 
 #include "ui_map.h"
 #include "window.h"
@@ -10,6 +10,8 @@
 #include <span>
 
 namespace glint::viewer {
+
+class SceneEditor;
 
 /// Movements asked for since the last frame. Distances are fractions of the picture's height.
 struct Movement {
@@ -22,10 +24,7 @@ struct Movement {
     double fly_right = 0;
     double fly_up = 0;
 
-    bool is_none() const {
-        return turn_right == 0 && turn_up == 0 && move_right == 0 && move_up == 0 && nearer == 0 &&
-               fly_ahead == 0 && fly_right == 0 && fly_up == 0;
-    }
+    friend bool operator==(const Movement&, const Movement&) = default;
 };
 
 /// A position in one of several pictures.
@@ -34,6 +33,10 @@ struct PicturePosition {
     double u = 0;            ///< 0 left, 1 right
     double v = 0;            ///< 0 top, 1 bottom
 };
+
+void move_camera(SceneEditor& editor, const Movement& movement);
+/// Turns it as on a turntable for that time.
+void turn_camera(SceneEditor& editor, double seconds);
 
 class Navigation {
   public:

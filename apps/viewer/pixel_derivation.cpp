@@ -1,7 +1,7 @@
 // Values and steps of the light model for one ray or light.
 #include "pixel_derivation.h"
 
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -10,8 +10,6 @@
 
 namespace glint::viewer {
 namespace {
-
-std::string list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
 /// A name and its value.
 void value_row(Ui& ui, const char* name, const std::string& value) {
@@ -86,8 +84,9 @@ void surface(Ui& ui, const ExplainedRay& ray) {
     value_row(ui, "normal", number_text(ray.shading_normal));
     if (ray.shading_normal != ray.geometric_normal)
         value_row(ui, "true normal", number_text(ray.geometric_normal));
-    if (!ray.inside.empty()) value_row(ui, "inside", list(ray.inside));
-    if (!ray.passed_over.empty()) value_row(ui, "passed over", list(ray.passed_over));
+    if (!ray.inside.empty()) value_row(ui, "inside", fmt::to_string(fmt::join(ray.inside, ", ")));
+    if (!ray.passed_over.empty())
+        value_row(ui, "passed over", fmt::to_string(fmt::join(ray.passed_over, ", ")));
     if (ray.gain > 1)
         quiet_text(ui, fmt::format("gain {:.3g}: more light leaves this surface than arrives", ray.gain));
 }
@@ -99,8 +98,7 @@ std::string number_text(const glm::vec3& values) { return quantity_text(values, 
 void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& light) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
-    const ImVec4 color(to_screen(light.x), to_screen(light.y), to_screen(light.z), 1);
-    draw.AddRectFilled(corner, end, ImGui::GetColorU32(color), 0.15f * size.y);
+    draw.AddRectFilled(corner, end, ImGui::GetColorU32(screen_color(Vec3(light))), 0.15f * size.y);
     draw.AddRect(corner, end, ImGui::GetColorU32(ImGuiCol_Border), 0.15f * size.y);
 }
 

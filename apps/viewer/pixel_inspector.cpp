@@ -1,12 +1,12 @@
 // Follows the explanation of a pixel and draws it.
 #include "pixel_inspector.h"
 
-#include "activity.h"
 #include "messages.h"
-#include "overlay.h"
-#include "workbench.h"
+#include "scene_editor.h"
+#include "session/clock.h"
 
 #include "glint/explain.h"
+#include "glint/explanation_files.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -24,10 +24,18 @@ const ExplainedSample& selected_sample(const Explanation& explanation, const Pix
     return explanation.samples[static_cast<std::size_t>(choice.sample)];
 }
 
+/// A circle around the explained pixel.
+void draw_mark(const Ui& ui, const ImVec2& at) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const float radius = 7 * ui.theme.scale;
+    draw.AddCircle(at, radius + 1, IM_COL32(0, 0, 0, 160), 24, 4);
+    draw.AddCircle(at, radius + 1, ImGui::GetColorU32(color_of(ui.theme.accent)), 24, 2);
+}
+
 } // namespace
 
 void PixelInspector::explain(const ViewPixel& pixel) {
-    bench_.session().explain(pixel.slot, pixel.x, pixel.y);
+    editor_.session().explain(pixel.slot, pixel.x, pixel.y);
     inspected_ = Inspected();
     inspected_->pixel = pixel;
 }
@@ -35,7 +43,7 @@ void PixelInspector::explain(const ViewPixel& pixel) {
 void PixelInspector::clear() {
     inspected_.reset();
     picked_ = {};
-    bench_.session().stop_explaining();
+    editor_.session().stop_explaining();
 }
 
 bool PixelInspector::is_waiting() const {
@@ -50,8 +58,8 @@ bool PixelInspector::is_slow() const {
 
 void PixelInspector::update() {
     if (!inspected_) return;
-    const std::shared_ptr<const PixelAnswer> answer = bench_.explained();
-    const bool explaining = bench_.is_explaining();
+    const std::shared_ptr<const PixelAnswer> answer = editor_.explained();
+    const bool explaining = editor_.is_explaining();
     if (!explaining) inspected_->busy_since = 0;
     if (explaining && inspected_->busy_since == 0) inspected_->busy_since = now();
     // The view of the pixel is gone.
@@ -68,6 +76,7 @@ void PixelInspector::take(std::shared_ptr<const PixelAnswer> answer) {
     inspected_->answer_time = inspected_->answer ? now() : 0;
     inspected_->answer = std::move(answer);
     inspected_->lines_sample = -1;
+    inspected_->command_time = -1;
     inspected_->gpu.reset();
     const Explanation& explanation = inspected_->answer->explanation;
     PixelChoice& choice = inspected_->choice;
@@ -81,7 +90,7 @@ void PixelInspector::update_picked() {
     const PixelChoice& choice = inspected_->choice;
     const ExplainedRay& ray = selected_sample(inspected_->answer->explanation, choice)
                                   .rays[static_cast<std::size_t>(choice.selected.ray)];
-    const SceneDescription& scene = *bench_.description();
+    const SceneDescription& scene = *editor_.description();
     Picked hit;
     // The reference view may have had other objects.
     if (ray.hit && ray.object < scene.objects.size() && object_label(scene, ray.object) == ray.label)
@@ -92,7 +101,7 @@ void PixelInspector::update_picked() {
 
 /// With the same camera and size as when the pixel was clicked?
 bool PixelInspector::is_seen_from_here() const {
-    const Session& session = bench_.session();
+    const Session& session = editor_.session();
     const PixelQuestion& asked = inspected_->answer->question;
     return asked.width == session.width() && asked.height == session.height() &&
            same_view(asked.camera, session.camera().camera());
@@ -102,15 +111,14 @@ bool PixelInspector::is_seen_from_here() const {
 
 /// Which device the numbers are from; once the GPU's picture is finished, how far its pixel differs.
 std::string PixelInspector::device_remark() {
-    const auto frame = bench_.frame(inspected_->pixel.slot);
+    const auto frame = editor_.frame(inspected_->pixel.slot);
     if (!frame || frame->device.empty()) return "";
     const PixelQuestion& asked = inspected_->answer->question;
     const bool is_same_picture = frame->on_device && frame->width == asked.width &&
                                  frame->height == asked.height && same_view(frame->camera, asked.camera);
     const std::string cpu = "Computed on the CPU";
     if (!is_same_picture) return cpu + "; the GPU draws";
-    const double settled = now() - std::max(inspected_->answer_time, activity_.last_change());
-    if (!frame->reached.finished || bench_.status().busy || settled < settle_seconds) {
+    if (!frame->reached.finished || !editor_.is_settled(inspected_->answer_time)) {
         inspected_->gpu.reset();
         return cpu + "; the GPU's picture is not finished";
     }
@@ -124,15 +132,14 @@ std::string PixelInspector::device_remark() {
 /// Cached: it parses the scene file, which is too slow for every frame.
 const std::string& PixelInspector::command_line() {
     Inspected& i = *inspected_;
-    if (i.command_answer != i.answer || i.command_time != activity_.last_change())
-        i.command = explain_command(bench_.shown_file(i.pixel.slot), i.answer->question).line;
-    i.command_answer = i.answer;
-    i.command_time = activity_.last_change();
+    if (i.command_time != editor_.last_change())
+        i.command = explain_command(editor_.shown_file(i.pixel.slot), i.answer->question).line;
+    i.command_time = editor_.last_change();
     return i.command;
 }
 
 void PixelInspector::copy_command() {
-    const ShownFile shown = bench_.shown_file(inspected_->pixel.slot);
+    const ShownFile shown = editor_.shown_file(inspected_->pixel.slot);
     ExplainCommand command = explain_command(shown, inspected_->answer->question);
     check(command, shown);
     ImGui::SetClipboardText(command.line.c_str());
@@ -163,19 +170,21 @@ void PixelInspector::draw_tab(Ui& ui) {
         pixel_panel(ui, inspected_->answer->explanation, inspected_->choice, remarks);
     if (request == PixelRequest::copy_command) copy_command();
     if (request == PixelRequest::explain_here) {
-        const Session& session = bench_.session();
+        const Session& session = editor_.session();
         const PixelQuestion& asked = inspected_->answer->question;
         return explain(
             {pixel.slot, std::min(asked.x, session.width() - 1), std::min(asked.y, session.height() - 1)});
     }
     update_picked();
-    report_panel(ui.map, remarks);
+    ui.map.state("pixel.command", remarks.command);
+    ui.map.state("pixel.elsewhere", remarks.is_elsewhere);
+    ui.map.state("pixel.devices", remarks.devices);
 }
 
 void PixelInspector::update_lines() {
     if (inspected_->lines_sample == inspected_->choice.sample) return;
     const ExplainedSample& sample = selected_sample(inspected_->answer->explanation, inspected_->choice);
-    inspected_->lines = ray_lines(sample, bench_.extent());
+    inspected_->lines = ray_lines(sample, editor_.extent());
     inspected_->lines_sample = inspected_->choice.sample;
 }
 
@@ -189,16 +198,18 @@ void PixelInspector::draw_rays(Ui& ui) {
     const Area part = presenter_.visible_part(slot);
     const int width = explanation.width;
     const int height = explanation.height;
-    const Projection projection(bench_.session().camera().camera(), width, height);
+    const Projection projection(editor_.session().camera().camera(), width, height);
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.PushClipRect({part.x, part.y}, {part.x + part.width, part.y + part.height});
     visible_lines_ =
-        viewer::draw_rays(area, projection, width, height, inspected_->lines, inspected_->choice.selected);
+        draw_lines(area, projection, width, height, inspected_->lines, inspected_->choice.selected);
     // The mark stays on what was clicked when the camera moves.
     const ExplainedRay& first = selected_sample(explanation, inspected_->choice).rays.front();
     const Vec3 clicked =
-        first.hit ? Vec3(first.position) : Vec3(first.origin) + Vec3(first.direction) * bench_.extent();
-    if (const auto at = projection.point(clicked)) draw_mark(ui, area, at->x / width, at->y / height);
+        first.hit ? Vec3(first.position) : Vec3(first.origin) + Vec3(first.direction) * editor_.extent();
+    if (const auto at = projection.point(clicked))
+        draw_mark(ui, {area.x + static_cast<float>(at->x / width) * area.width,
+                       area.y + static_cast<float>(at->y / height) * area.height});
     draw.PopClipRect();
 }
 
@@ -207,7 +218,7 @@ void PixelInspector::draw_rays(Ui& ui) {
 void PixelInspector::report(UiMap& map) const {
     map.state("rays_drawn", static_cast<double>(visible_lines_));
     if (!inspected_) return;
-    map.state("explaining", bench_.is_explaining());
+    map.state("explaining", editor_.is_explaining());
     map.state("pixel.picture", inspected_->pixel.slot == ViewSlot::reference ? "A" : "B");
     map.state("pixel.x", static_cast<double>(inspected_->pixel.x));
     map.state("pixel.y", static_cast<double>(inspected_->pixel.y));
@@ -215,12 +226,6 @@ void PixelInspector::report(UiMap& map) const {
     if (!inspected_->answer) return;
     const glm::vec3& color = inspected_->answer->explanation.color;
     map.state("pixel.color", fmt::format("{:.9g} {:.9g} {:.9g}", color.x, color.y, color.z));
-}
-
-void PixelInspector::report_panel(UiMap& map, const PixelRemarks& remarks) const {
-    map.state("pixel.command", remarks.command);
-    map.state("pixel.elsewhere", remarks.is_elsewhere);
-    map.state("pixel.devices", remarks.devices);
 }
 
 } // namespace glint::viewer

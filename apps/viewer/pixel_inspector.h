@@ -18,8 +18,8 @@ class Messages;
 
 class PixelInspector {
   public:
-    PixelInspector(Workbench& bench, Activity& activity, Messages& messages, const Presenter& presenter)
-        : bench_(bench), activity_(activity), messages_(messages), presenter_(presenter) {}
+    PixelInspector(SceneEditor& editor, Messages& messages, const Presenter& presenter)
+        : editor_(editor), messages_(messages), presenter_(presenter) {}
 
     /// Explains a pixel as it is seen now, instead of the one before.
     void explain(const ViewPixel& pixel);
@@ -48,9 +48,8 @@ class PixelInspector {
         PixelChoice choice;
         std::vector<RayLine> lines;
         int lines_sample = -1; ///< the sample that `lines` show
-        std::string command;   ///< the command line for `command_answer`, at `command_time`
+        std::string command;   ///< the command line for `answer`, as of `command_time`
         double command_time = -1;
-        std::shared_ptr<const PixelAnswer> command_answer;
         std::optional<OtherPixel> gpu; ///< the same pixel in the GPU's frame `gpu_frame`
         std::uint64_t gpu_frame = 0;
     };
@@ -63,10 +62,8 @@ class PixelInspector {
     std::string device_remark();
     const std::string& command_line();
     void copy_command();
-    void report_panel(UiMap& map, const PixelRemarks& remarks) const;
 
-    Workbench& bench_;
-    Activity& activity_;
+    SceneEditor& editor_;
     Messages& messages_;
     const Presenter& presenter_;
     std::optional<Inspected> inspected_;

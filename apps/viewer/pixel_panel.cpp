@@ -55,9 +55,8 @@ class RayTreeView {
         if (ImGui::Selectable("##row", id == selected_)) selected_ = id;
         ui_.map.item(name);
         ImDrawList& draw = *ImGui::GetWindowDrawList();
-        const Tint tint = line_tint(kind);
         const float x = start.x + static_cast<float>(std::min(depth, 12)) * 0.9f * size;
-        const ImU32 color = ImGui::GetColorU32(ImVec4(tint.red, tint.green, tint.blue, 1));
+        const ImU32 color = ImGui::GetColorU32(color_of(style_of(kind).tint));
         // Rays are bars, shadow rays are dots.
         if (id.light < 0)
             draw.AddRectFilled({x, start.y + 0.1f * size}, {x + 0.28f * size, start.y + 0.95f * size}, color,
@@ -81,17 +80,15 @@ class RayTreeView {
 void draw_legend() {
     const float size = ImGui::GetFontSize();
     for (int i = 0; i < line_kind_count; ++i) {
-        const auto kind = static_cast<LineKind>(i);
-        const Tint tint = line_tint(kind);
-        const ImVec4 color(tint.red, tint.green, tint.blue, 1);
-        const float needed = ImGui::CalcTextSize(line_name(kind)).x + 1.4f * size;
+        const LineStyle& style = style_of(static_cast<LineKind>(i));
+        const float needed = ImGui::CalcTextSize(style.name).x + 1.4f * size;
         if (i > 0) ImGui::SameLine(0, 0.7f * size);
         if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
         const ImVec2 start = ImGui::GetCursorScreenPos();
         ImGui::GetWindowDrawList()->AddCircleFilled({start.x + 0.3f * size, start.y + 0.55f * size},
-                                                    0.22f * size, ImGui::GetColorU32(color));
+                                                    0.22f * size, ImGui::GetColorU32(color_of(style.tint)));
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.75f * size);
-        ImGui::TextDisabled("%s", line_name(kind));
+        ImGui::TextDisabled("%s", style.name);
     }
 }
 

@@ -5,14 +5,12 @@
 
 namespace glint::viewer {
 
-class Activity;
 class Messages;
-class Workbench;
+class SceneEditor;
 
 class Playback {
   public:
-    Playback(Workbench& bench, Activity& activity, Messages& messages)
-        : bench_(bench), activity_(activity), messages_(messages) {}
+    Playback(SceneEditor& editor, Messages& messages) : editor_(editor), messages_(messages) {}
 
     bool is_playing() const { return playing_; }
     /// Plays, or stops at a whole frame, which `glint render --frame` can render.
@@ -28,8 +26,7 @@ class Playback {
   private:
     void show(double frame);
 
-    Workbench& bench_;
-    Activity& activity_;
+    SceneEditor& editor_;
     Messages& messages_;
     bool playing_ = false;
 };

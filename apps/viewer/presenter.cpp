@@ -1,10 +1,8 @@
 // Layout, textures and the wipe line.
 #include "presenter.h"
 
-#include "activity.h"
 #include "layout.h"
-#include "overlay.h"
-#include "workbench.h"
+#include "scene_editor.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -23,28 +21,34 @@ void draw_arrowhead(ImDrawList& draw, const ImVec2& middle, float grip, float si
                            IM_COL32(40, 40, 40, 255));
 }
 
+/// A small label in an upper corner of the picture.
+void draw_label(Ui& ui, const Area& area, const std::string& text, bool at_right) {
+    const float gap = 10 * ui.theme.scale;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float x = at_right ? area.x + area.width - gap - size.x - gap : area.x + gap;
+    const float y = area.y + gap;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.AddRectFilled({x, y}, {x + size.x + gap, y + size.y + gap / 2}, IM_COL32(0, 0, 0, 150),
+                       4 * ui.theme.scale);
+    draw.AddText({x + gap / 2, y + gap / 4}, IM_COL32(255, 255, 255, 235), text.c_str());
+}
+
 } // namespace
 
-Presenter::Presenter(const Window& window, Workbench& bench, const ViewState& state, Activity& activity,
-                     std::optional<int> width, std::optional<int> height)
-    : window_(window), bench_(bench), state_(state), activity_(activity), width_(width), height_(height) {}
-
-bool Presenter::is_comparing() const { return state_.compare != CompareMode::off && bench_.has_kept(); }
+bool Presenter::is_comparing() const { return state_.compare != CompareMode::off && editor_.has_kept(); }
 
 bool Presenter::is_finished() const {
-    const auto frame = bench_.frame();
+    const auto frame = editor_.frame();
     // Of another quantity it may be the last picture before a shader that is still being compiled.
-    return frame && frame->reached.finished && frame->show == state_.show && !bench_.status().busy &&
-           activity_.seconds_since_change() > settle_seconds && frame->width == bench_.session().width() &&
-           frame->height == bench_.session().height();
+    return frame && frame->reached.finished && frame->show == state_.show && editor_.is_settled() &&
+           frame->width == editor_.session().width() && frame->height == editor_.session().height();
 }
 
 // ── Layout ─────────────────────────────────────────────────────────────────────────────────────────────────
 
 void Presenter::lay_out(const Area& space, float scale) {
-    const SceneDescription& scene = *bench_.description();
-    const double width = width_.value_or(scene.render.width);
-    const double height = height_.value_or(scene.render.height);
+    const RenderSettings& render = editor_.description()->render;
+    const auto [width, height] = size_.value_or(std::pair(render.width, render.height));
     const float ratio = window_.size().pixels_per_unit();
     Area rest = space;
     if (is_side_by_side()) {
@@ -54,13 +58,13 @@ void Presenter::lay_out(const Area& space, float scale) {
         rest.x += rest.width + gap;
     }
     areas_[ViewSlot::main] = fit(rest, width, height, ratio);
-    Session& session = bench_.session();
+    Session& session = editor_.session();
     const auto pixels = [ratio](float units) { return static_cast<int>(std::lround(units * ratio)); };
-    const int pixel_width = width_.value_or(pixels(areas_[ViewSlot::main].width));
-    const int pixel_height = height_.value_or(pixels(areas_[ViewSlot::main].height));
-    if (pixel_width == session.width() && pixel_height == session.height()) return;
-    session.resize(pixel_width, pixel_height);
-    activity_.scene_changed();
+    const Area& main = areas_[ViewSlot::main];
+    const std::pair wanted = size_.value_or(std::pair(pixels(main.width), pixels(main.height)));
+    if (wanted == std::pair(session.width(), session.height())) return;
+    session.resize(wanted.first, wanted.second);
+    editor_.note_change();
 }
 
 const Area& Presenter::area(ViewSlot slot) const {
@@ -85,12 +89,12 @@ std::span<const Area> Presenter::mouse_areas() const {
 
 ViewPixel Presenter::pixel_at(const PicturePosition& position) const {
     ViewPixel pixel;
-    if (is_comparing() && bench_.frame(ViewSlot::reference)) {
+    if (is_comparing() && editor_.frame(ViewSlot::reference)) {
         const bool in_reference =
             state_.compare == CompareMode::side_by_side ? position.picture == 1 : position.u < wipe_;
         if (in_reference) pixel.slot = ViewSlot::reference;
     }
-    const Session& session = bench_.session();
+    const Session& session = editor_.session();
     pixel.x = std::clamp(static_cast<int>(position.u * session.width()), 0, session.width() - 1);
     pixel.y = std::clamp(static_cast<int>(position.v * session.height()), 0, session.height() - 1);
     return pixel;
@@ -102,7 +106,7 @@ ViewPixel Presenter::pixel_at(const PicturePosition& position) const {
 bool Presenter::update_textures() {
     bool is_new = false;
     for (const ViewSlot slot : view_slots) {
-        const auto frame = bench_.frame(slot);
+        const auto frame = editor_.frame(slot);
         if (!frame) canvas_.drop(slot);
         if (!frame || shown_numbers_[slot] == frame->number) continue;
         if (frame->on_device)
@@ -117,9 +121,9 @@ bool Presenter::update_textures() {
 
 bool Presenter::draw() {
     const bool is_new = update_textures();
-    if (!bench_.frame()) return is_new;
+    if (!editor_.frame()) return is_new;
     const WindowSize size = window_.size();
-    if (!is_comparing() || !bench_.frame(ViewSlot::reference)) {
+    if (!is_comparing() || !editor_.frame(ViewSlot::reference)) {
         canvas_.draw(ViewSlot::main, areas_[ViewSlot::main], areas_[ViewSlot::main], state_.view, size);
         return is_new;
     }
@@ -131,7 +135,7 @@ bool Presenter::draw() {
 // ── Comparison ─────────────────────────────────────────────────────────────────────────────────────────────
 
 void Presenter::draw_comparison(Ui& ui) {
-    bench_.compare(is_comparing());
+    editor_.compare(is_comparing());
     if (!is_comparing()) return;
     if (is_side_by_side()) {
         ui.map.area("reference", areas_[ViewSlot::reference]);
@@ -177,14 +181,14 @@ void Presenter::report(UiMap& map) {
     constexpr const char* modes[] = {"off", "wipe", "side by side"};
     map.state("compare", modes[static_cast<std::size_t>(state_.compare)]);
     map.state("wipe", static_cast<double>(wipe_));
-    if (bench_.description() != nullptr) report_picture(map);
+    if (editor_.description() != nullptr) report_picture(map);
 }
 
 void Presenter::report_picture(UiMap& map) {
     map.state("finished", is_finished());
-    const Vec3 eye = bench_.session().camera().camera().eye;
+    const Vec3 eye = editor_.session().camera().camera().eye;
     map.state("camera.eye", fmt::format("{:.6g} {:.6g} {:.6g}", eye.x, eye.y, eye.z));
-    const auto frame = bench_.frame();
+    const auto frame = editor_.frame();
     if (!frame) return;
     map.state("samples", static_cast<double>(frame->reached.samples));
     map.state("drawn_by", frame->device.empty() ? "CPU" : frame->device);

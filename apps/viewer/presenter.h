@@ -9,12 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace glint::viewer {
 
-class Activity;
 struct Ui;
-class Workbench;
+class SceneEditor;
 
 /// A pixel of one of the two pictures.
 struct ViewPixel {
@@ -25,11 +25,13 @@ struct ViewPixel {
 
 class Presenter {
   public:
-    /// `width`, `height`: pixels to render; none: as many as the window shows. Needs the window's context.
-    Presenter(const Window& window, Workbench& bench, const ViewState& state, Activity& activity,
-              std::optional<int> width, std::optional<int> height);
+    /// `size`: width and height in pixels to render; none: as many as the window shows. Needs the window's
+    /// context.
+    Presenter(const Window& window, SceneEditor& editor, const ViewState& state,
+              std::optional<std::pair<int, int>> size)
+        : window_(window), editor_(editor), state_(state), size_(size) {}
 
-    /// Places the pictures in `space` and sets the number of pixels to render. Requires a scene.
+    /// Fits the pictures into `space` and sets the number of pixels to render. Requires a scene.
     void lay_out(const Area& space, float scale);
     /// Draws labels and the wipe line over the pictures; the mouse drags the line.
     void draw_comparison(Ui& ui);
@@ -63,10 +65,9 @@ class Presenter {
     void report_picture(UiMap& map);
 
     const Window& window_;
-    Workbench& bench_;
+    SceneEditor& editor_;
     const ViewState& state_;
-    Activity& activity_;
-    std::optional<int> width_, height_;
+    std::optional<std::pair<int, int>> size_;
     Canvas canvas_;
     PerView<Area> areas_;                  ///< that of the reference: if side by side
     PerView<std::uint64_t> shown_numbers_; ///< RenderedFrame::number of the textures

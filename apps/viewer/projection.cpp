@@ -1,6 +1,8 @@
 // Pinhole projection and clipping at the eye.
 #include "projection.h"
 
+#include "glint/fov_axis.h"
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -8,30 +10,13 @@
 #include <cmath>
 
 namespace glint::viewer {
-namespace {
-
-double measured_side(FovAxis axis, double width, double height) {
-    switch (axis) {
-    case FovAxis::x:
-        return width;
-    case FovAxis::smaller:
-        return std::min(width, height);
-    case FovAxis::larger:
-        return std::max(width, height);
-    case FovAxis::y:
-        break;
-    }
-    return height;
-}
-
-} // namespace
 
 Projection::Projection(const CameraDescription& camera, int width, int height)
     : eye_(camera.eye), forward_(glm::normalize(camera.direction)), width_(width), height_(height) {
     right_ = glm::normalize(glm::cross(forward_, camera.up));
     up_ = glm::cross(right_, forward_);
     pixels_per_tangent_ =
-        measured_side(camera.fov_axis, width_, height_) / 2 / std::tan(glm::radians(camera.fov / 2));
+        fov_side(camera.fov_axis, width_, height_) / 2 / std::tan(glm::radians(camera.fov / 2));
 }
 
 /// Camera space: right, up, forward.

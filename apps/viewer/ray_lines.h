@@ -1,10 +1,11 @@
 #pragma once
-// The rays of an explained pixel as line segments in the scene.
+// The rays of an explained pixel as lines over the picture.
 
+#include "projection.h"
 #include "theme.h"
+#include "ui_map.h"
 
 #include "glint/explanation.h"
-#include "glint/scene.h"
 
 #include <vector>
 
@@ -34,9 +35,17 @@ std::vector<RayLine> ray_lines(const ExplainedSample& sample, double open_length
 
 LineKind kind_of(const ExplainedRay& ray);
 LineKind kind_of(const ExplainedLight& light);
-/// "reflected ray", "light arrives", …
-const char* line_name(LineKind kind);
-/// The colour of a kind, in lines, trees and legends.
-Tint line_tint(LineKind kind);
+
+/// How lines, trees and legends show a kind.
+struct LineStyle {
+    const char* name;
+    Tint tint;
+};
+const LineStyle& style_of(LineKind kind);
+
+/// Draws lines over `picture`, the area of the projection's `width` × `height` pixels; the selected one is
+/// thicker. Returns how many are visible.
+int draw_lines(const Area& picture, const Projection& projection, int width, int height,
+               const std::vector<RayLine>& lines, const RayId& selected);
 
 } // namespace glint::viewer

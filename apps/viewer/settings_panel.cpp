@@ -1,6 +1,7 @@
 #include "settings_panel.h"
 
-#include "key_rows.h"
+#include "rows.h"
+#include "scene_editor.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -12,69 +13,51 @@
 namespace glint::viewer {
 namespace {
 
-/// A combo of the window's own, beside those of Rows that edit the scene. Returns the word chosen now, or −1.
-int choose(Ui& ui, const char* name, int current, const std::vector<std::string>& words) {
-    int chosen = -1;
-    ImGui::PushID(name);
-    const bool open = ImGui::BeginCombo("##", words[static_cast<std::size_t>(current)].c_str(),
-                                        ImGuiComboFlags_HeightLarge);
-    ui.map.item(name);
-    if (open) {
-        for (std::size_t i = 0; i < words.size(); ++i) {
-            if (ImGui::Selectable(words[i].c_str(), static_cast<int>(i) == current))
-                chosen = static_cast<int>(i);
-            ui.map.item(std::string(name) + ":" + words[i]);
-        }
-        ImGui::EndCombo();
-    }
-    ImGui::PopID();
-    return chosen;
-}
-
 void quantity(Ui& ui, ViewState& state) {
     std::vector<std::string> words;
     for (int i = 0; i < aov_count; ++i) words.emplace_back(aov_name(static_cast<Aov>(i)));
     label_row(ui, "show", "the picture, one term of its light, or something else about each pixel (V)");
-    const int chosen = choose(ui, "show", static_cast<int>(state.show), words);
+    const int chosen = choose(ui, "show", aov_name(state.show), words);
     if (chosen >= 0) state.show = static_cast<Aov>(chosen);
     label_row(ui, "tone", "the sRGB curve, as in files, or plain numbers as the report's pictures");
-    const int view = choose(ui, "view", state.view == View::raw ? 1 : 0, {"sRGB", "raw"});
+    const int view = choose(ui, "view", state.view == View::raw ? "raw" : "sRGB", {"sRGB", "raw"});
     if (view >= 0) state.view = view == 1 ? View::raw : View::srgb;
 }
 
 void backend(Ui& ui, const std::string& why_cpu, ViewState& state) {
     label_row(ui, "drawn by", "the processor, or the graphics card (G)");
-    const int chosen = choose(ui, "backend", state.gpu ? 1 : 0, {"CPU", "GPU"});
+    const int chosen = choose(ui, "backend", state.gpu ? "GPU" : "CPU", {"CPU", "GPU"});
     if (chosen >= 0) state.gpu = chosen == 1;
     if (!state.gpu || why_cpu.empty()) return;
     quiet_text(ui, "The CPU draws: " + first_line(why_cpu));
     tooltip(why_cpu.c_str());
 }
 
-/// What shows in the time alone.
-void work(Ui& ui, ViewState& state) {
+/// What changes the time alone.
+void kernel(Ui& ui, ViewState& state) {
     label_row(ui, "kernel", "how rays go through meshes; each gives the same picture");
-    const int chosen =
-        choose(ui, "kernel", static_cast<int>(state.kernel), {kernel_names.begin(), kernel_names.end()});
+    const int chosen = choose(ui, "kernel", kernel_names[static_cast<std::size_t>(state.kernel)],
+                              {kernel_names.begin(), kernel_names.end()});
     if (chosen >= 0) state.kernel = static_cast<Kernel>(chosen);
 }
 
-/// Rows of the settings that the window has no other means to change.
+/// Rows of the settings that the window has no other means to change, where there is a choice.
 template <class Settings>
 void settings_rows(Ui& ui, const char* name, const Settings& settings, std::vector<Edit>& edits) {
-    constexpr std::array<std::string_view, 4> without{"size", "seed", "integrator", "filter"};
+    constexpr std::array<std::string_view, 3> without{"size", "seed", "filter"};
     const TableSpec& table = description_table(name);
     const FileKeys file;
-    KeyRows rows(ui, edits, name, table, KeyOwner(settings), share_step, file);
+    Rows rows(ui, edits, name, table, KeyOwner(settings), share_step, file);
     for (const KeySpec& key : table.keys)
-        if (std::find(without.begin(), without.end(), key.key) == without.end()) rows.row(key);
+        if (key.choices.size() != 1 && std::find(without.begin(), without.end(), key.key) == without.end())
+            rows.row(key);
 }
 
 void comparison(Ui& ui, bool kept, ViewState& state, std::vector<Action>& actions) {
     heading(ui, "Compare");
     if (button(ui, "keep", kept ? "Keep again" : "Keep as A",
                "what is shown now becomes A; go on changing B (K)"))
-        actions.push_back(Action::keep);
+        actions.push_back(keep);
     if (!kept) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
@@ -92,63 +75,60 @@ void comparison(Ui& ui, bool kept, ViewState& state, std::vector<Action>& action
     mode("compare_sides", "Side by side", CompareMode::side_by_side);
 }
 
-void camera_rows(Ui& ui, const CameraDescription& camera, ViewState& state, SettingsWishes& wishes) {
+void camera_rows(Ui& ui, SceneEditor& editor, ViewState& state, std::vector<Action>& actions) {
     heading(ui, "Camera");
-    std::vector<Edit> unused;
-    CameraDescription changed = camera;
-    bool touched = false;
+    CameraDescription camera = editor.session().camera().camera();
     const NumberRange& usual = find_key(description_table("camera"), "fov", {})->typical;
-    const double least = usual.low;
-    const double most = usual.high;
     label_row(ui, "field of view", "full angle ([ and ])");
-    touched |= ImGui::SliderScalar("##fov", ImGuiDataType_Double, &changed.fov, &least, &most, "%.3g\u00b0");
+    bool touched = ImGui::SliderScalar("##fov", ImGuiDataType_Double, &camera.fov, &usual.low, &usual.high,
+                                       "%.3g\u00b0");
     ui.map.item("camera.fov");
     const float step = static_cast<float>(std::max(glm::length(camera.eye) / 500, 1e-6));
     label_row(ui, "eye");
     touched |=
-        ImGui::DragScalarN("##eye", ImGuiDataType_Double, &changed.eye.x, 3, step, nullptr, nullptr, "%.4g");
+        ImGui::DragScalarN("##eye", ImGuiDataType_Double, &camera.eye.x, 3, step, nullptr, nullptr, "%.4g");
     ui.map.item("camera.eye");
-    changed.fov = std::clamp(changed.fov, least, most);
-    if (touched) wishes.camera = changed;
+    camera.fov = std::clamp(camera.fov, usual.low, usual.high);
+    if (touched) editor.move([&](CameraControl& c) { c.set_camera(camera, c.target_distance()); });
 
-    if (button(ui, "reset", "Reset", "the camera of the file (Home)"))
-        wishes.actions.push_back(Action::reset_camera);
+    if (button(ui, "reset", "Reset", "the camera of the file (Home)")) actions.push_back(reset_camera);
     ImGui::SameLine(0, 4);
     if (button(ui, "copy_camera", "Copy as TOML", "the [camera] table, for a scene file (Ctrl + C)"))
-        wishes.actions.push_back(Action::copy_camera);
+        actions.push_back(copy_camera);
     ImGui::SameLine(0, 4);
     if (button(ui, "turntable", "Turntable", "turn around what is looked at (T)", state.turntable))
-        wishes.actions.push_back(Action::turntable);
+        actions.push_back(toggle_turntable);
 }
 
 void saving(Ui& ui, bool saved, std::vector<Action>& actions) {
     heading(ui, "Save");
     if (button(ui, "save_picture", "Picture", "finished, as PNG beside the scene (Ctrl + P)"))
-        actions.push_back(Action::save_picture);
+        actions.push_back(save_picture);
     ImGui::SameLine(0, 4);
     if (button(ui, "save_scene", saved ? "Scene" : "Scene *",
                "writes what was changed into the file; all else keeps its characters (Ctrl + S)", !saved))
-        actions.push_back(Action::save_scene);
+        actions.push_back(save_scene);
     ImGui::SameLine(0, 4);
-    if (button(ui, "undo", "Undo", "Ctrl + Z")) actions.push_back(Action::undo);
+    if (button(ui, "undo", "Undo", "Ctrl + Z")) actions.push_back(undo);
     ImGui::SameLine(0, 4);
-    if (button(ui, "redo", "Redo", "Ctrl + Y")) actions.push_back(Action::redo);
+    if (button(ui, "redo", "Redo", "Ctrl + Y")) actions.push_back(redo);
 }
 
 } // namespace
 
-void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescription& camera, bool kept,
-                    bool saved, const std::string& why_cpu, ViewState& state, SettingsWishes& wishes) {
+void settings_panel(Ui& ui, SceneEditor& editor, const std::string& why_cpu, ViewState& state,
+                    std::vector<Edit>& edits, std::vector<Action>& actions) {
+    const SceneDescription& scene = *editor.description();
     quantity(ui, state);
     backend(ui, why_cpu, state);
     heading(ui, "Light model");
-    settings_rows(ui, "whitted", scene.whitted, wishes.edits);
+    settings_rows(ui, "whitted", scene.whitted, edits);
     heading(ui, "Picture");
-    settings_rows(ui, "render", scene.render, wishes.edits);
-    work(ui, state);
-    comparison(ui, kept, state, wishes.actions);
-    camera_rows(ui, camera, state, wishes);
-    saving(ui, saved, wishes.actions);
+    settings_rows(ui, "render", scene.render, edits);
+    kernel(ui, state);
+    comparison(ui, editor.has_kept(), state, actions);
+    camera_rows(ui, editor, state, actions);
+    saving(ui, !editor.is_changed(), actions);
 }
 
 } // namespace glint::viewer

@@ -1,22 +1,20 @@
 #pragma once
 // How the picture is made and looked at: quantity, light model, samples, comparison, camera, saving.
 
-#include "shortcuts.h"
+#include "actions.h"
 #include "view_state.h"
 #include "widgets.h"
 
+#include <string>
+#include <vector>
+
 namespace glint::viewer {
 
-/// What the panel asks for.
-struct SettingsWishes {
-    std::vector<Edit>& edits;
-    std::vector<Action>& actions;
-    std::optional<CameraDescription> camera; ///< changed by hand
-};
+class SceneEditor;
 
-/// `camera` is the one looked through. `kept`: there are settings to compare with. `saved`: nothing was
-/// changed since the scene was saved. `why_cpu`: why the graphics card does not draw though it is to.
-void settings_panel(Ui& ui, const SceneDescription& scene, const CameraDescription& camera, bool kept,
-                    bool saved, const std::string& why_cpu, ViewState& state, SettingsWishes& wishes);
+/// Draws the panel's content. Changes of the camera and of `state` are made; edits of the scene and actions
+/// of pressed buttons are added to the lists. `why_cpu`: see BackendSwitch. Requires a scene.
+void settings_panel(Ui& ui, SceneEditor& editor, const std::string& why_cpu, ViewState& state,
+                    std::vector<Edit>& edits, std::vector<Action>& actions);
 
 } // namespace glint::viewer

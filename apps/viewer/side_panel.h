@@ -1,37 +1,29 @@
 #pragma once
 // The panel at the right with its three tabs.
 
-#include "shortcuts.h"
+#include "actions.h"
 #include "ui_map.h"
 #include "view_state.h"
 #include "widgets.h"
 
-#include "glint/scene.h"
-
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace glint::viewer {
 
-class Activity;
 class PixelInspector;
-class Workbench;
+class SceneEditor;
 
 enum class Tab { scene, picture, pixel };
 
 class SidePanel {
   public:
-    SidePanel(Workbench& bench, ViewState& state, Activity& activity, PixelInspector& inspector)
-        : bench_(bench), state_(state), activity_(activity), inspector_(inspector) {}
+    SidePanel(SceneEditor& editor, ViewState& state, PixelInspector& inspector)
+        : editor_(editor), state_(state), inspector_(inspector) {}
 
-    /// What the user asked for, beside edits of the scene and of the view state, which are done.
-    struct Requests {
-        std::vector<Action> actions;
-        std::optional<CameraDescription> camera;
-    };
-    /// Draws the panel if it is open. `why_cpu`: see BackendSwitch.
-    Requests draw(Ui& ui, const Area& area, const std::string& why_cpu);
+    /// Draws the panel if it is open. Changes of values are made; the actions of pressed buttons are
+    /// returned. `why_cpu`: see BackendSwitch.
+    std::vector<Action> draw(Ui& ui, const Area& area, const std::string& why_cpu);
 
     bool is_open() const { return open_; }
     void toggle() { open_ = !open_; }
@@ -41,13 +33,12 @@ class SidePanel {
     void report(UiMap& map) const;
 
   private:
-    void draw_tab(Ui& ui, Tab tab, const char* label, const std::string& why_cpu, Requests& requests);
-    void draw_content(Ui& ui, Tab tab, const std::string& why_cpu, Requests& requests);
+    bool begin_tab(Ui& ui, Tab tab);
+    void draw_content(Ui& ui, Tab tab, const std::string& why_cpu, std::vector<Action>& actions);
     void apply_edits();
 
-    Workbench& bench_;
+    SceneEditor& editor_;
     ViewState& state_;
-    Activity& activity_;
     PixelInspector& inspector_;
     bool open_ = true;
     Tab tab_ = Tab::scene;

@@ -2,8 +2,9 @@
 #include "status_bar.h"
 
 #include "playback.h"
+#include "scene_editor.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -37,17 +38,15 @@ std::string picture_text(const RenderedFrame& frame, int spp) {
 }
 
 /// "CPU: auto kernel, AVX2, 2 threads", or the graphics card.
-std::string device_text(const Status& status) {
-    if (status.frame != nullptr && !status.frame->device.empty()) return "GPU: " + status.frame->device;
+std::string device_text(const RenderedFrame* frame, Kernel kernel, int threads) {
+    if (frame != nullptr && !frame->device.empty()) return "GPU: " + frame->device;
     const char* target = is_available(SimdTarget::avx512) ? "AVX-512"
                          : is_available(SimdTarget::avx2) ? "AVX2"
                          : is_available(SimdTarget::sse4) ? "SSE4"
                                                           : "plain";
-    const unsigned count =
-        status.threads > 0 ? static_cast<unsigned>(status.threads) : std::thread::hardware_concurrency();
-    return fmt::format("CPU: {} kernel, {}, {} thread{}",
-                       kernel_names[static_cast<std::size_t>(status.kernel)], target, count,
-                       count == 1 ? "" : "s");
+    const unsigned count = threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
+    return fmt::format("CPU: {} kernel, {}, {} thread{}", kernel_names[static_cast<std::size_t>(kernel)],
+                       target, count, count == 1 ? "" : "s");
 }
 
 /// Shortens a text to a width, with an ellipsis at its end.
@@ -64,37 +63,34 @@ std::string cut_to(std::string text, float width) {
 void begin_line(const Ui& ui, const char* name, const Area& area, float padding_y) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding_x * ui.theme.scale, padding_y));
     begin_fixed_window(name, area);
-}
-
-void end_line() {
-    ImGui::End();
     ImGui::PopStyleVar();
 }
 
 /// A progress bar and the text, cut at `right`.
-void draw_picture_text(Ui& ui, const Status& status, float padding, float right) {
+void draw_picture_text(Ui& ui, const RenderedFrame& frame, int spp, float padding, float right) {
     const float height = ImGui::GetFontSize();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.3f * height);
-    ImGui::ProgressBar(static_cast<float>(status.frame->reached.fraction), {6 * height, 0.4f * height}, "");
+    ImGui::ProgressBar(static_cast<float>(frame.reached.fraction), {6 * height, 0.4f * height}, "");
     ImGui::SameLine();
     ImGui::SetCursorPosY(padding);
-    const std::string text = picture_text(*status.frame, status.spp);
+    const std::string text = picture_text(frame, spp);
     ImGui::TextUnformatted(cut_to(text, right - ImGui::GetCursorPosX()).c_str());
     ui.map.item("status");
 }
 
 } // namespace
 
-bool draw_status(Ui& ui, const Area& area, const Status& status) {
+bool draw_status(Ui& ui, const Area& area, const SceneEditor& editor, Kernel kernel, int threads) {
     const float padding = 6 * ui.theme.scale;
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     begin_line(ui, "status", area, padding);
+    const auto frame = editor.description() != nullptr ? editor.frame() : nullptr;
     const char* hint = "?  keys";
-    const std::string device = device_text(status);
+    const std::string device = device_text(frame.get(), kernel, threads);
     const float gap = 24 * ui.theme.scale;
     const float hint_x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(hint).x;
     const float device_x = hint_x - gap - ImGui::CalcTextSize(device.c_str()).x;
-    if (status.frame != nullptr) draw_picture_text(ui, status, padding, device_x - gap);
+    if (frame) draw_picture_text(ui, *frame, editor.description()->render.spp, padding, device_x - gap);
     ImGui::SameLine(device_x);
     ImGui::SetCursorPosY(padding);
     ImGui::TextDisabled("%s", device.c_str());
@@ -103,25 +99,27 @@ bool draw_status(Ui& ui, const Area& area, const Status& status) {
     ImGui::TextDisabled("%s", hint);
     const bool wants_keys = ImGui::IsItemClicked();
     ui.map.item("button:help");
-    end_line();
+    ImGui::End();
     ImGui::PopStyleColor();
     return wants_keys;
 }
 
-void draw_timeline(Ui& ui, const Area& area, const Animation& animation, double frame, Playback& playback) {
+void draw_timeline(Ui& ui, const Area& area, const SceneEditor& editor, Playback& playback) {
+    const Animation& animation = *editor.animation();
     begin_line(ui, "timeline", area, 9 * ui.theme.scale);
     const bool playing = playback.is_playing();
     if (button(ui, "play", playing ? "Stop" : "Play", "Space", playing)) playback.toggle();
     ImGui::SameLine();
     const double first = animation.first;
     const double last = animation.last;
+    double frame = editor.frame_shown();
     const std::string format =
         fmt::format("frame %.0f of {} to {}, {:g} a second", animation.first, animation.last, animation.fps);
     ImGui::SetNextItemWidth(-1);
     if (ImGui::SliderScalar("##frame", ImGuiDataType_Double, &frame, &first, &last, format.c_str()))
         playback.seek(frame);
     ui.map.item("timeline");
-    end_line();
+    ImGui::End();
 }
 
 } // namespace glint::viewer

@@ -77,8 +77,6 @@ void set_spacing(float scale) {
     ImGui::GetStyle() = style;
 }
 
-ImVec4 color(const Tint& tint, float alpha) { return {tint.red, tint.green, tint.blue, alpha}; }
-
 ImVec4 grey(float value, float alpha = 1) { return {value, value, value * 1.02f, alpha}; }
 
 /// `level(x)`: a grey between the panel's background at 0 and the strongest text at 1.
@@ -99,11 +97,11 @@ void set_colors(const Theme& theme, const Level& level) {
     colors[ImGuiCol_ScrollbarGrab] = level(0.2f);
     colors[ImGuiCol_ScrollbarGrabHovered] = level(0.28f);
     colors[ImGuiCol_ScrollbarGrabActive] = level(0.35f);
-    colors[ImGuiCol_CheckMark] = color(theme.accent, 1);
+    colors[ImGuiCol_CheckMark] = color_of(theme.accent);
     colors[ImGuiCol_TitleBg] = level(0.06f);
     colors[ImGuiCol_TitleBgActive] = level(0.06f);
-    colors[ImGuiCol_SliderGrab] = color(theme.accent, 0.7f);
-    colors[ImGuiCol_SliderGrabActive] = color(theme.accent, 1);
+    colors[ImGuiCol_SliderGrab] = color_of(theme.accent, 0.7f);
+    colors[ImGuiCol_SliderGrabActive] = color_of(theme.accent);
     colors[ImGuiCol_Button] = level(0.11f);
     colors[ImGuiCol_ButtonHovered] = level(0.17f);
     colors[ImGuiCol_ButtonActive] = level(0.24f);
@@ -111,21 +109,23 @@ void set_colors(const Theme& theme, const Level& level) {
     colors[ImGuiCol_HeaderHovered] = level(0.12f);
     colors[ImGuiCol_HeaderActive] = level(0.15f);
     colors[ImGuiCol_Separator] = level(0.12f);
-    colors[ImGuiCol_SeparatorHovered] = color(theme.accent, 0.5f);
-    colors[ImGuiCol_SeparatorActive] = color(theme.accent, 1);
+    colors[ImGuiCol_SeparatorHovered] = color_of(theme.accent, 0.5f);
+    colors[ImGuiCol_SeparatorActive] = color_of(theme.accent);
     colors[ImGuiCol_Tab] = level(0);
     colors[ImGuiCol_TabHovered] = level(0.14f);
     colors[ImGuiCol_TabActive] = level(0.11f);
     colors[ImGuiCol_TableBorderLight] = level(0.1f);
     colors[ImGuiCol_TableBorderStrong] = level(0.16f);
     colors[ImGuiCol_TableRowBgAlt] = level(0.03f);
-    colors[ImGuiCol_PlotHistogram] = color(theme.accent, 0.9f);
-    colors[ImGuiCol_TextSelectedBg] = color(theme.accent, 0.35f);
-    colors[ImGuiCol_NavHighlight] = color(theme.accent, 0.8f);
+    colors[ImGuiCol_PlotHistogram] = color_of(theme.accent, 0.9f);
+    colors[ImGuiCol_TextSelectedBg] = color_of(theme.accent, 0.35f);
+    colors[ImGuiCol_NavHighlight] = color_of(theme.accent, 0.8f);
     colors[ImGuiCol_ModalWindowDimBg] = {0, 0, 0, 0.45f};
 }
 
 } // namespace
+
+ImVec4 color_of(const Tint& tint, float alpha) { return {tint.red, tint.green, tint.blue, alpha}; }
 
 Theme apply_theme(ThemeChoice choice, float scale, float pixels_per_unit) {
     Theme theme;

@@ -4,6 +4,7 @@
 #include "arguments.h"
 
 struct ImFont;
+struct ImVec4;
 
 namespace glint::viewer {
 
@@ -12,8 +13,9 @@ struct Tint {
     float red = 0;
     float green = 0;
     float blue = 0;
-    float alpha = 1;
 };
+
+ImVec4 color_of(const Tint& tint, float alpha = 1);
 
 struct Theme {
     ThemeChoice choice = ThemeChoice::dark;

@@ -27,16 +27,8 @@ void UiMap::area(const std::string& name, const Area& area) {
     if (is_enabled()) areas_[name] = area;
 }
 
-void UiMap::state(const std::string& name, const std::string& value) {
-    if (is_enabled()) states_[name] = value;
-}
-
-void UiMap::state(const std::string& name, double value) {
-    if (is_enabled()) states_[name] = value;
-}
-
-void UiMap::state(const std::string& name, bool value) {
-    if (is_enabled()) states_[name] = value;
+void UiMap::state(const std::string& name, Value value) {
+    if (is_enabled()) states_[name] = std::move(value);
 }
 
 void UiMap::end() {

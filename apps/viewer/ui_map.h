@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace glint::viewer {
@@ -22,6 +23,8 @@ struct Area {
 
 class UiMap {
   public:
+    using Value = std::variant<bool, double, std::string>;
+
     /// An empty name writes nothing; then all calls are cheap.
     explicit UiMap(std::string file) : file_(std::move(file)) {}
 
@@ -31,16 +34,11 @@ class UiMap {
     /// Adds the last widget, if it is visible.
     void item(const std::string& name);
     void area(const std::string& name, const Area& area);
-    void state(const std::string& name, const std::string& value);
-    void state(const std::string& name, const char* value) { state(name, std::string(value)); }
-    void state(const std::string& name, double value);
-    void state(const std::string& name, bool value);
+    void state(const std::string& name, Value value);
     /// Ends the frame: writes the file if its content changes. Throws Error(output).
     void end();
 
   private:
-    using Value = std::variant<bool, double, std::string>;
-
     std::string file_;
     std::map<std::string, Area> areas_;
     std::map<std::string, Value> states_;

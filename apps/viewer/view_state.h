@@ -3,13 +3,11 @@
 
 #include "arguments.h"
 
-#include "glint/formats.h"
 #include "glint/kernels.h"
+#include "glint/picture_files.h"
 #include "glint/render.h"
 
 namespace glint::viewer {
-
-class Session;
 
 enum class CompareMode { off, wipe, side_by_side };
 
@@ -22,8 +20,5 @@ struct ViewState {
     Kernel kernel = Kernel::automatic;
     ThemeChoice theme = ThemeChoice::dark;
 };
-
-/// Makes the session show both views so. True if they have to be rendered again.
-bool apply(const ViewState& state, Session& session);
 
 } // namespace glint::viewer

@@ -1,12 +1,9 @@
 // Widgets of Dear ImGui, named in the map.
 #include "widgets.h"
 
-#include "glint/document.h"
-
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace glint::viewer {
@@ -14,8 +11,6 @@ namespace {
 
 /// Of a row's width.
 constexpr float label_width = 0.36f;
-
-ImVec4 color_of(const Tint& tint) { return {tint.red, tint.green, tint.blue, tint.alpha}; }
 
 } // namespace
 
@@ -31,6 +26,10 @@ void begin_fixed_window(const char* name, const Area& area, bool background) {
 float to_screen(double linear) {
     const double x = std::clamp(linear, 0.0, 1.0);
     return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+ImVec4 screen_color(const Vec3& light) {
+    return {to_screen(light.x), to_screen(light.y), to_screen(light.z), 1};
 }
 
 double to_linear(float screen) {
@@ -75,10 +74,7 @@ void quiet_text(const Ui& ui, const std::string& text) {
 }
 
 bool button(Ui& ui, const char* name, const char* label, const char* help, bool lit) {
-    if (lit) {
-        const Tint& accent = ui.theme.accent;
-        ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(accent.red, accent.green, accent.blue, 0.45f));
-    }
+    if (lit) ImGui::PushStyleColor(ImGuiCol_Button, color_of(ui.theme.accent, 0.45f));
     ImGui::PushID(name);
     const bool pressed = ImGui::Button(label);
     ImGui::PopID();
@@ -99,106 +95,26 @@ bool section(Ui& ui, const std::string& name, const std::string& label, bool ope
         const float height = ImGui::GetFontSize();
         const float top = (ImGui::GetItemRectMin().y + end.y - height) / 2;
         const float right = end.x - 8 * ui.theme.scale;
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            {right - 1.6f * height, top}, {right, top + height},
-            ImGui::GetColorU32(ImVec4(to_screen(swatch->x), to_screen(swatch->y), to_screen(swatch->z), 1)),
-            3 * ui.theme.scale);
+        ImGui::GetWindowDrawList()->AddRectFilled({right - 1.6f * height, top}, {right, top + height},
+                                                  ImGui::GetColorU32(screen_color(*swatch)),
+                                                  3 * ui.theme.scale);
     }
     return open;
 }
 
-void Rows::begin(const std::string& key, const char* label, const char* help) {
-    ImGui::PushID((table_ + "." + key).c_str());
-    label_row(ui_, label, help);
-    ImGui::BeginDisabled(is_animated(key));
-}
-
-void Rows::finish(const std::string& key) {
-    ImGui::EndDisabled();
-    if (is_animated(key)) tooltip("animated: its value is that of the frame");
-    ui_.map.item(table_ + "." + key);
-    ImGui::PopID();
-}
-
-/// Is the key, a part of it, or a table that contains it animated?
-bool Rows::is_animated(const std::string& key) const {
-    const std::string path = table_ + "." + key;
-    const auto is_part = [](const std::string& part, const std::string& whole) {
-        return part.starts_with(whole) && (part.size() == whole.size() || part[whole.size()] == '.');
-    };
-    return std::any_of(ui_.animated.begin(), ui_.animated.end(), [&](const std::string& animated) {
-        return is_part(animated, path) || is_part(path, animated);
-    });
-}
-
-void Rows::number(const char* key, const char* label, double value, const Range& range, const char* help) {
-    begin(key, label, help);
-    const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    if (ImGui::SliderScalar("##", ImGuiDataType_Double, &value, &range.min, &range.max, range.format, flags))
-        set(key, scene_value(std::max(value, range.min)));
-    finish(key);
-}
-
-void Rows::whole(const char* key, const char* label, int value, int min, int max, const char* help) {
-    begin(key, label, help);
-    if (ImGui::SliderInt("##", &value, min, max)) set(key, std::to_string(std::max(value, min)));
-    finish(key);
-}
-
-void Rows::color(const char* key, const char* label, const Vec3& value, const char* help) {
-    begin(key, label, help);
-    std::array<float, 3> shown{to_screen(value.x), to_screen(value.y), to_screen(value.z)};
-    if (ImGui::ColorEdit3("##", shown.data(),
-                          ImGuiColorEditFlags_PickerHueWheel | ImGuiColorEditFlags_Uint8)) {
-        // The picker has 8 bits per channel: four decimals are enough.
-        const auto rounded = [](double x) { return std::round(x * 10000) / 10000; };
-        set(key, scene_value(Vec3(rounded(to_linear(shown[0])), rounded(to_linear(shown[1])),
-                                  rounded(to_linear(shown[2])))));
+int choose(Ui& ui, const std::string& name, const std::string& current,
+           const std::vector<std::string>& choices) {
+    int chosen = -1;
+    ImGui::PushID(name.c_str());
+    const bool open = ImGui::BeginCombo("##", current.c_str(), ImGuiComboFlags_HeightLarge);
+    ui.map.item(name);
+    for (std::size_t i = 0; open && i < choices.size(); ++i) {
+        if (ImGui::Selectable(choices[i].c_str(), choices[i] == current)) chosen = static_cast<int>(i);
+        ui.map.item(name + ":" + choices[i]);
     }
-    finish(key);
-}
-
-void Rows::place(const std::string& key, const char* label, const Vec3& value, double step,
-                 const char* help) {
-    Vec3 shown = value;
-    if (drag(key, label, shown, step, help)) set(key, scene_value(shown));
-}
-
-bool Rows::drag(const std::string& key, const char* label, Vec3& value, double step, const char* help) {
-    begin(key, label, help);
-    const bool changed = ImGui::DragScalarN("##", ImGuiDataType_Double, &value.x, 3, static_cast<float>(step),
-                                            nullptr, nullptr, "%.4g");
-    finish(key);
-    return changed;
-}
-
-void Rows::length(const std::string& key, const char* label, double value, double step, const char* help) {
-    begin(key, label, help);
-    if (ImGui::DragScalar("##", ImGuiDataType_Double, &value, static_cast<float>(step), nullptr, nullptr,
-                          "%.4g"))
-        set(key, scene_value(value));
-    finish(key);
-}
-
-void Rows::check(const char* key, const char* label, bool value, const char* help) {
-    begin(key, label, help);
-    if (ImGui::Checkbox("##", &value)) set(key, value ? "true" : "false");
-    finish(key);
-}
-
-void Rows::choice(const char* key, const char* label, const std::string& value,
-                  const std::vector<std::string>& choices, const char* help) {
-    begin(key, label, help);
-    if (!ImGui::BeginCombo("##", value.c_str())) return finish(key);
-    const std::string path = table_ + "." + key;
-    ui_.map.item(path);
-    for (const std::string& choice : choices) {
-        if (ImGui::Selectable(choice.c_str(), choice == value)) set(key, scene_value(choice));
-        ui_.map.item(path + ":" + choice);
-    }
-    ImGui::EndCombo();
-    ImGui::EndDisabled();
+    if (open) ImGui::EndCombo();
     ImGui::PopID();
+    return chosen;
 }
 
 } // namespace glint::viewer

@@ -4,7 +4,6 @@
 #include "opengl.h"
 
 #include "glint/error.h"
-#include "glint/image.h"
 
 #include <epoxy/gl.h>
 
@@ -39,7 +38,7 @@ std::string& last_error() {
 
 } // namespace
 
-Window::Window(int width, int height, const std::string& title, bool debug) : debug_(debug) {
+Window::Window(std::pair<int, int> size, const std::string& title, bool debug) : debug_(debug) {
     glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
     if (glfwInit() != GLFW_TRUE) refuse_display();
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -57,7 +56,7 @@ Window::Window(int width, int height, const std::string& title, bool debug) : de
             glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
             glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
             glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, loss);
-            window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+            window_ = glfwCreateWindow(size.first, size.second, title.c_str(), nullptr, nullptr);
         }
     }
     if (window_ == nullptr) {

@@ -4,15 +4,14 @@
 #include "theme.h"
 #include "ui_map.h"
 
+#include "glint/image.h"
+
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
-
-namespace glint {
-struct Image;
-}
 
 namespace glint::viewer {
 
@@ -35,13 +34,15 @@ struct KeyPress {
     char32_t character = 0;
     bool control = false;
     bool shift = false;
+
+    friend bool operator==(const KeyPress&, const KeyPress&) = default;
 };
 
 class Window {
   public:
     /// The size is multiplied by content_scale() unless the screen's units already are. `debug`: print
     /// OpenGL's debug messages. Throws Error(device) without a display, or without OpenGL 3.3.
-    Window(int width, int height, const std::string& title, bool debug);
+    Window(std::pair<int, int> size, const std::string& title, bool debug);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;

@@ -1,8 +1,8 @@
 #pragma once
 // Editing scene files: values are changed in place, all other bytes of the file are kept.
 
-#include "glint/formats.h"
 #include "glint/scene.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>

@@ -16,7 +16,7 @@ struct Location {
     std::string file;
     int line = 0;
     int column = 0;
-    std::optional<std::uint64_t> byte; ///< offset, for binary files
+    std::optional<std::uint64_t> byte = {}; ///< offset, for binary files
 
     friend bool operator==(const Location&, const Location&) = default;
 };
@@ -42,6 +42,9 @@ enum class ErrorKind {
     cancelled, ///< the caller asked to stop
     internal,  ///< a bug in glint
 };
+
+/// "file:line:column", or "file: byte 17"; what is unknown is left out.
+std::string to_string(const Location& location);
 
 /// "file:line:column: error: message", the source line with a caret, and the hint.
 std::string to_string(const Diagnostic& diagnostic);

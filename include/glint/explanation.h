@@ -23,6 +23,8 @@ struct PixelCoord {
 };
 
 enum class RayKind { primary, reflected, refracted };
+template <>
+inline constexpr NamesUpTo<RayKind::refracted> enum_names<RayKind>{"primary", "reflected", "refracted"};
 
 /// How a path ends.
 enum class RayEnd {
@@ -32,11 +34,12 @@ enum class RayEnd {
     background,  ///< nothing was hit
     absorbed,    ///< nothing was hit from inside a solid: no light returns
 };
+template <>
+inline constexpr NamesUpTo<RayEnd::absorbed> enum_names<RayEnd>{"bounced", "matte", "depth_limit",
+                                                                "background", "absorbed"};
 
-/// "primary", "reflected", "refracted".
-const char* ray_kind_name(RayKind kind);
-/// "bounced", "matte", "depth_limit", "background", "absorbed".
-const char* ray_end_name(RayEnd end);
+inline const char* ray_kind_name(RayKind kind) { return name_of(kind).data(); }
+inline const char* ray_end_name(RayEnd end) { return name_of(end).data(); }
 
 /// A number or a vector of three: colour, point or direction.
 struct Quantity {
@@ -73,15 +76,11 @@ struct Blocker {
     bool passed_over = false; ///< hidden inside a solid that owns the space, so it has no effect
 };
 
-/// A light at a hit, and its shadow ray.
-struct ExplainedLight {
-    std::uint32_t light = 0;   ///< index in SceneDescription::lights
-    std::string label;         ///< such as point light 1 (counting all lights from 1)
+/// A light at a hit and its shadow ray, as traced.
+struct TracedLight {
     glm::vec3 direction{0.0f}; ///< unit, to the light
     float distance = 0;        ///< infinite for directional lights
     float cosine = 0;          ///< n·l, 0 below the geometric horizon
-    float degrees = 0;         ///< angle between normal and light
-    float attenuation = 1;     ///< 1/r², times the spot's falloff; 1 for directional lights
     glm::vec3 arriving{0.0f};  ///< E before shadows
     bool asked = false; ///< whether a shadow ray was traced: not if no light arrives or none would be visible
     glm::vec3 shadow_origin{0.0f};
@@ -89,51 +88,65 @@ struct ExplainedLight {
     float shadow = 1;              ///< transmitted fraction
     glm::vec3 diffuse{0.0f};       ///< after shadow and clamp
     glm::vec3 highlight{0.0f};
+};
+
+struct ExplainedLight : TracedLight {
+    std::uint32_t light = 0; ///< index in SceneDescription::lights
+    std::string label;       ///< such as point light 1 (counting all lights from 1)
+    float degrees = 0;       ///< angle between normal and light
+    float attenuation = 1;   ///< 1/r², times the spot's falloff; 1 for directional lights
     std::vector<Step> steps;
 };
 
-/// A ray and its hit. Children and parent are indices into ExplainedSample::rays, −1 for none.
-struct ExplainedRay {
+/// A ray and its hit, as traced. Children and parent are indices into the rays of its sample, −1 for none.
+struct TracedRay {
     RayKind kind = RayKind::primary;
     RayEnd end = RayEnd::matte;
-    std::string why; ///< `end` as a sentence
     int parent = -1;
     int reflected = -1;
     int refracted = -1;
     int depth = 0; ///< number of bounces before it
     glm::vec3 origin{0.0f};
-    glm::vec3 direction{0.0f}; ///< unit
-    glm::vec3 weight{1.0f};    ///< contribution to the sample of unit radiance along the ray
+    glm::vec3 direction{0.0f};     ///< unit
+    glm::vec3 transmittance{1.0f}; ///< of the path to the hit
+    glm::vec3 radiance{0.0f};      ///< along the ray: the sum of its terms
+
+    // Valid if something was hit:
+    glm::vec3 position{0.0f};
+    glm::vec3 geometric_normal{0.0f}; ///< toward the viewer
+    glm::vec3 shading_normal{0.0f};
+    glm::vec3 color{0.0f};
+    bool entering = true; ///< hit from outside the object
+
+    // Valid at the surface of a transparent solid:
+    float index_before = 1; ///< n₁
+    float index_after = 1;  ///< n₂
+    bool total_reflection = false;
+};
+
+struct ExplainedRay : TracedRay {
+    std::string why;        ///< `end` as a sentence
+    glm::vec3 weight{1.0f}; ///< contribution to the sample of unit radiance along the ray
 
     bool hit = false; ///< the following fields up to `lights` are valid only if something was hit
     std::uint32_t object = 0;
     std::string label;    ///< sphere "ball", or sphere #3 (counting all objects from 1)
     std::string material; ///< name
     float distance = std::numeric_limits<float>::infinity();
-    glm::vec3 position{0.0f};
-    glm::vec3 geometric_normal{0.0f}; ///< toward the viewer
-    glm::vec3 shading_normal{0.0f};
-    glm::vec3 color{0.0f};
-    bool entering = true; ///< hit from outside the object
-    float gain = 0;       ///< (1 − τ) · max(c) · k_d + ρ + τ: above 1, more light leaves than arrives
+    float gain = 0; ///< (1 − τ) · max(c) · k_d + ρ + τ: above 1, more light leaves than arrives
     std::vector<ExplainedLight> lights; ///< all lights except ambient ones, in file order
     /// refraction at the surface of a solid was computed; the following fields are valid:
     bool crosses = false;
-    float index_before = 1;      ///< n₁
-    float index_after = 1;       ///< n₂
     float degrees_before = 0;    ///< θ₁, to the normal
     float degrees_after = 0;     ///< θ₂; 90 for total reflection
     float critical_degrees = 90; ///< angle of total reflection; 90: never
-    bool total_reflection = false;
 
     std::vector<std::string> inside; ///< labels of the solids around the ray, the owner of the space first
     /// surfaces skipped because they are hidden inside a solid that owns the space
     std::vector<std::string> passed_over;
-    glm::vec3 transmittance{1.0f};             ///< transmittance of the path to the hit
     std::vector<Step> given;                   ///< given quantities of the scene and the hit
     std::vector<Step> steps;                   ///< terms, branches and their sum, after the lights' own steps
     std::array<glm::vec3, term_count> terms{}; ///< by Term; weighted, including absorption
-    glm::vec3 radiance{0.0f};                  ///< their sum: the radiance along the ray
 };
 
 /// One sample of the pixel.

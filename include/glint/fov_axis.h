@@ -1,9 +1,13 @@
 #pragma once
 // The axis of a picture along which a camera's field of view is measured.
 
+#include "glint/enum_names.h"
+
 namespace glint {
 
 enum class FovAxis { y, x, smaller, larger };
+template <>
+inline constexpr NamesUpTo<FovAxis::larger> enum_names<FovAxis>{"y", "x", "smaller", "larger"};
 
 /// The side of the picture, in pixels, that the field of view spans.
 constexpr double fov_side(FovAxis axis, double width, double height) {

@@ -12,6 +12,10 @@
 
 namespace glint {
 
+namespace gpu {
+class GpuPicturePool;
+}
+
 /// A device that offers OpenGL without a window.
 struct GpuDevice {
     std::string name;             ///< "NVIDIA RTX A4000", "llvmpipe (LLVM 15.0.6, 256 bits)"
@@ -91,7 +95,7 @@ class GpuPicture {
     Image read() const;
 
   private:
-    friend class GpuPicturePool;
+    friend class gpu::GpuPicturePool;
     GpuPicture(int width, int height);
     void leave_to_context();
     void wait_until_drawn();

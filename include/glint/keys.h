@@ -130,7 +130,7 @@ struct TableSpec {
     std::string_view name = {};
     TableForm form = TableForm::one;
     bool object = false;            ///< something that rays hit
-    std::string_view selector = {}; ///< the key that tells the table's type
+    std::string_view selector = {}; ///< the key that chooses the table's type
     std::string_view help = {};
     std::vector<KeySpec> keys;
 

@@ -1,6 +1,6 @@
 #pragma once
-// Mesh files. Readers throw Error(input) with place, cause and cure; writers write the whole file or nothing
-// and throw Error(output).
+// Mesh files. Readers throw Error(input) with location, cause and cure; writers write the whole file or
+// nothing and throw Error(output).
 
 #include "glint/scene_files.h"
 
@@ -25,6 +25,9 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name,
                      const LoadOptions& options = {});
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
+template <>
+inline constexpr NamesUpTo<PlyFormat::binary_big_endian> enum_names<PlyFormat>{
+    "ascii", "binary_little_endian", "binary_big_endian"};
 
 /// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading returns the same
 /// bits.

@@ -1,7 +1,8 @@
 #pragma once
-// Picture files. Readers throw Error(input) with place, cause and cure; writers write the whole file or
+// Picture files. Readers throw Error(input) with location, cause and cure; writers write the whole file or
 // nothing and throw Error(output).
 
+#include "glint/enum_names.h"
 #include "glint/error.h"
 #include "glint/image.h"
 
@@ -34,6 +35,8 @@ struct PictureOptions {
 void screen_pixels(const Image& image, View view, std::vector<std::uint32_t>& pixels);
 
 enum class PictureFormat { png, exr, pfm };
+template <>
+inline constexpr NamesUpTo<PictureFormat::pfm> enum_names<PictureFormat>{"png", "exr", "pfm"};
 
 /// By the extension of a name, in any case; "-" (stdout) is PNG. None for any other.
 std::optional<PictureFormat> picture_format(const std::string& path);

@@ -2,6 +2,7 @@
 // Scenes as plain, editable values (`SceneDescription`), and built for tracing (`Scene`). Names and meanings
 // are those of scene files: docs/scene-format.md.
 
+#include "glint/enum_names.h"
 #include "glint/error.h"
 #include "glint/filter.h"
 #include "glint/fov_axis.h"
@@ -17,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -47,6 +49,8 @@ struct CameraDescription {
 };
 
 enum class Integrator { whitted };
+template <>
+inline constexpr NamesUpTo<Integrator::whitted> enum_names<Integrator>{"whitted"};
 
 struct RenderSettings {
     int width = 640;
@@ -59,8 +63,14 @@ struct RenderSettings {
 };
 
 enum class Shadows { transmissive, opaque };
+template <>
+inline constexpr NamesUpTo<Shadows::opaque> enum_names<Shadows>{"transmissive", "opaque"};
 enum class Energy { report, balanced };
+template <>
+inline constexpr NamesUpTo<Energy::balanced> enum_names<Energy>{"report", "balanced"};
 enum class HighlightModel { blinn, phong };
+template <>
+inline constexpr NamesUpTo<HighlightModel::phong> enum_names<HighlightModel>{"blinn", "phong"};
 
 struct WhittedSettings {
     int max_depth = 8; ///< bounces after the first hit
@@ -135,6 +145,9 @@ struct RectangleShape {
     friend bool operator==(const RectangleShape&, const RectangleShape&) = default;
 };
 enum class PolyhedronKind { box, tetrahedron, octahedron, dodecahedron, icosahedron, prism, pyramid };
+template <>
+inline constexpr NamesUpTo<PolyhedronKind::pyramid> enum_names<PolyhedronKind>{
+    "box", "tetrahedron", "octahedron", "dodecahedron", "icosahedron", "prism", "pyramid"};
 struct PolyhedronShape {
     PolyhedronKind kind = PolyhedronKind::box;
     Vec3 center{0};
@@ -146,12 +159,18 @@ struct PolyhedronShape {
     friend bool operator==(const PolyhedronShape&, const PolyhedronShape&) = default;
 };
 enum class NormalsMode { automatic, flat, smooth };
+template <>
+inline constexpr NamesUpTo<NormalsMode::smooth> enum_names<NormalsMode>{"auto", "flat", "smooth"};
 /// How a mesh's normals are oriented for lighting.
 enum class Facing {
     viewer, ///< toward the viewer, like all other shapes
     stored  ///< by the winding: an open mesh is lit from inside through its back
 };
+template <>
+inline constexpr NamesUpTo<Facing::stored> enum_names<Facing>{"viewer", "stored"};
 enum class VertexColors { automatic, ignore };
+template <>
+inline constexpr NamesUpTo<VertexColors::ignore> enum_names<VertexColors>{"auto", "ignore"};
 struct MeshShape {
     std::string file; ///< as written in the scene file; empty for a mesh made in memory
     Vec3 scale{1};    ///< applied before the object's transform
@@ -170,6 +189,19 @@ struct InstanceShape {
 using Shape = std::variant<PlaneShape, SphereShape, CylinderShape, ConeShape, DiskShape, TriangleShape,
                            RectangleShape, PolyhedronShape, MeshShape, InstanceShape>;
 
+/// Their tables: [[plane]], [[sphere]], …
+inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
+    "plane", "sphere", "cylinder", "cone", "disk", "triangle", "rectangle", "polyhedron", "mesh", "instance"};
+static_assert(!shape_names.back().empty(), "a shape has no name");
+
+/// Several of them, in prose.
+inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_plurals{
+    "planes",    "spheres",    "cylinders", "cones",  "disks",
+    "triangles", "rectangles", "polyhedra", "meshes", "instances"};
+static_assert(!shape_plurals.back().empty(), "a shape has no plural");
+
+constexpr std::string_view name_of(const Shape& shape) { return shape_names[shape.index()]; }
+
 struct Object {
     std::string name; ///< unique within its type, or empty
     Shape shape;
@@ -180,18 +212,22 @@ struct Object {
     Location where;
 };
 
+/// strength(): the light that it sends, in the unit of its intensity or irradiance.
 struct AmbientLight {
     Vec3 color{0.1};
+    Vec3 strength() const { return color; }
 };
 struct PointLight {
     Vec3 position{0};
     Vec3 color{1};
     double intensity = 1; ///< a white matte surface facing it at distance 1 has radiance 1.0
+    Vec3 strength() const { return color * intensity; }
 };
 struct DirectionalLight {
     Vec3 direction{0, 0, -1}; ///< direction of travel; any length
     Vec3 color{1};
     double irradiance = 1;
+    Vec3 strength() const { return color * irradiance; }
 };
 struct SpotLight {
     Vec3 position{0};
@@ -200,11 +236,19 @@ struct SpotLight {
     double blend = 0.1;
     Vec3 color{1};
     double intensity = 1;
+    Vec3 strength() const { return color * intensity; }
 };
 struct Light {
     std::variant<AmbientLight, PointLight, DirectionalLight, SpotLight> kind;
     Location where;
 };
+
+/// The types of [[light]].
+inline constexpr std::array<std::string_view, std::variant_size_v<decltype(Light::kind)>> light_names{
+    "ambient", "point", "directional", "spot"};
+static_assert(!light_names.back().empty(), "a light has no name");
+
+constexpr std::string_view name_of(const Light& light) { return light_names[light.kind.index()]; }
 
 /// Whether a shape bounds a volume. A mesh is taken to: building its scene finds out.
 bool is_solid(const Shape& shape);
@@ -240,20 +284,22 @@ struct SceneStats {
     Vec3 bounds_max{0};
 };
 
+namespace scene {
 struct SceneData;
+}
 
 /// A scene ready for rendering: immutable, cheap to copy, usable by any number of threads.
 class Scene {
   public:
-    explicit Scene(std::shared_ptr<const SceneData> scene_data) : data_(std::move(scene_data)) {}
-    const SceneData& data() const { return *data_; } ///< for the library itself
+    explicit Scene(std::shared_ptr<const scene::SceneData> scene_data) : data_(std::move(scene_data)) {}
+    const scene::SceneData& data() const { return *data_; } ///< for the library itself
     SceneStats stats() const;
     const SceneDescription& description() const; ///< as built, with its camera filled in
     const CameraDescription& camera() const;
     const RenderSettings& render_settings() const;
 
   private:
-    std::shared_ptr<const SceneData> data_;
+    std::shared_ptr<const scene::SceneData> data_;
 };
 
 /// May be set by any thread or a signal handler: operations end within milliseconds.

@@ -1,5 +1,5 @@
 #pragma once
-// Scene files. Readers throw Error(input) with place, cause and cure.
+// Scene files. Readers throw Error(input) with location, cause and cure.
 
 #include "glint/error.h"
 #include "glint/scene.h"
@@ -19,20 +19,22 @@ struct LoadOptions {
     std::vector<Override> overrides;
     bool allow_outside = false; ///< whether a scene may refer to files outside its folder
     bool load_meshes = true;
-    std::optional<Axis> up;             ///< up axis of bare meshes; none: guessed and reported in `notes`
+    std::optional<Axis> up = {};        ///< up axis of bare meshes; none: guessed and reported in `notes`
     const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
-    LoadCallback progress;              ///< called while meshes are read
+    LoadCallback progress = {};         ///< called while meshes are read
 };
 
+namespace formats {
 class OpenScene;
+}
 
 /// The animation of a scene: its [animation] and [[animate]] tables.
 struct Animation {
     int first = 0;
     int last = 0; ///< default: the last keyframe
     double fps = 24;
-    std::vector<std::string> keys;          ///< animated key paths, in file order
-    std::shared_ptr<const OpenScene> scene; ///< for scene_at(); null if nothing is animated
+    std::vector<std::string> keys;                   ///< animated key paths, in file order
+    std::shared_ptr<const formats::OpenScene> scene; ///< for scene_at(); null if nothing is animated
 };
 
 struct LoadedScene {

@@ -1,6 +1,8 @@
 #pragma once
 // Ray tracing for programs with their own triangles: meshes and rays in, hits out. Independent of the rest of
-// glint: no scene files, pictures or vector library are needed.
+// glint: no scene files, pictures or vector library are needed. Mesh and Scene here are acceleration
+// structures; glint::Mesh and glint::Scene (glint/scene.h) are data and rendered worlds, with materials,
+// lights and a camera, and build their own.
 //
 //     using namespace glint::tracing;
 //     const Mesh mesh(xyz, indices);                     // vectors, or anything that converts to std::span
@@ -9,12 +11,12 @@
 //
 // Guarantees:
 // - A ray gets the least (t, triangle), or (t, instance, triangle), of all hits: ties do not depend on the
-// tree.
+//   tree.
 // - Results are bitwise identical for all hints, kernels, build qualities, numbers of threads, SIMD targets
-// and compilers.
+//   and compilers.
 // - Watertight: a ray through an edge or a vertex of a closed mesh hits one of the adjacent triangles (Woop,
-// Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013, with exact signs). No epsilons: scaling a mesh
-// by a power of two does not change hits.
+//   Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013, with exact signs). No epsilons: scaling a
+//   mesh by a power of two does not change hits.
 // - Triangles are hit from both sides; degenerate ones are never hit.
 // - Const members may be called by any number of threads concurrently.
 //
@@ -61,25 +63,18 @@ using glint::KernelChoice;
 using glint::RayHint;
 using glint::SimdTarget;
 
-/// Vertices in the caller's memory: x, y, z as floats, `stride` bytes apart.
-struct Vertices {
-    const float* first;
+/// Groups of three values in the caller's memory, `stride` bytes apart.
+template <class T>
+struct StridedView {
+    const T* first;
     std::size_t count;
     std::size_t stride; ///< a multiple of 4, at least 12
 
-    Vertices(const float* first_vertex, std::size_t vertex_count, std::size_t bytes_apart)
-        : first(first_vertex), count(vertex_count), stride(bytes_apart) {}
+    StridedView(const T* first_value, std::size_t groups, std::size_t bytes_apart)
+        : first(first_value), count(groups), stride(bytes_apart) {}
 };
-
-/// Triangles in the caller's memory: three vertex indices, `stride` bytes apart.
-struct Triangles {
-    const std::uint32_t* first;
-    std::size_t count;
-    std::size_t stride; ///< a multiple of 4, at least 12
-
-    Triangles(const std::uint32_t* first_triangle, std::size_t triangle_count, std::size_t bytes_apart)
-        : first(first_triangle), count(triangle_count), stride(bytes_apart) {}
-};
+using Vertices = StridedView<float>;          ///< x, y, z
+using Triangles = StridedView<std::uint32_t>; ///< three vertex indices
 
 struct BuildOptions {
     BuildQuality quality = BuildQuality::high;
@@ -101,7 +96,8 @@ struct MeshStats {
     BuildQuality quality = BuildQuality::high;
 };
 
-/// A mesh with its acceleration structure. Copies share one tree.
+/// An acceleration structure over triangles (unlike glint::Mesh, which is vertices and triangles of a scene
+/// description). Copies share one tree.
 class Mesh {
   public:
     /// An empty mesh.
@@ -172,14 +168,16 @@ struct InstanceHit {
     explicit operator bool() const { return instance != none; }
 };
 
+/// Of a tracing::Scene (glint::SceneStats counts objects of a rendered scene).
 struct SceneStats {
     std::size_t instances = 0;
     std::size_t meshes = 0; ///< number of different meshes; each is stored once
     std::size_t bytes = 0;  ///< memory of the instance tree and all meshes
 };
 
-/// Instances of meshes. Rays are transformed to an instance's space without normalizing the direction, so t
-/// is the same in both; u and v refer to the mesh's triangle. Watertight within each instance. Copies share
+/// An acceleration structure over instances of meshes, without materials or lights (unlike glint::Scene,
+/// which can be rendered). Rays are transformed to an instance's space without normalizing the direction, so
+/// t is the same in both; u and v refer to the mesh's triangle. Watertight within each instance. Copies share
 /// all data. To move instances, make a new scene: it takes microseconds per instance.
 class Scene {
   public:

@@ -51,11 +51,12 @@ bool split(const Build& build, const PrimRange& range, std::pair<PrimRange, Prim
     return true;
 }
 
-void store_box(TreeNode& node, std::size_t child, const SimdBounds& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        node.lo[axis][child] = box.lo[axis];
-        node.hi[axis][child] = box.hi[axis];
-    }
+/// Appends a node over two ranges.
+std::size_t add_node(std::vector<TreeNode>& nodes, const std::pair<PrimRange, PrimRange>& halves) {
+    nodes.emplace_back();
+    set_box(nodes.back(), 0, halves.first.box);
+    set_box(nodes.back(), 1, halves.second.box);
+    return nodes.size() - 1;
 }
 
 /// A subtree built depth first with its own node numbering.
@@ -69,10 +70,7 @@ struct Subtree {
         std::pair<PrimRange, PrimRange> halves;
         if (!split(build, range, halves))
             return {static_cast<std::uint32_t>(range.begin), static_cast<std::uint32_t>(range.size())};
-        const std::size_t at = nodes.size();
-        nodes.emplace_back();
-        store_box(nodes[at], 0, halves.first.box);
-        store_box(nodes[at], 1, halves.second.box);
+        const std::size_t at = add_node(nodes, halves);
         const TreeRef first = grow(build, halves.first);
         const TreeRef second = grow(build, halves.second);
         nodes[at].child[0] = first;
@@ -99,10 +97,7 @@ std::vector<Pending> build_top(Tree& tree, const Build& build, const PrimRange& 
         pool.run(large.size(), [&](std::size_t i, int) { split(build, large[i].range, halves[i]); });
         std::vector<Pending> level;
         for (std::size_t i = 0; i < large.size(); ++i) {
-            const std::size_t at = tree.nodes.size();
-            tree.nodes.emplace_back();
-            store_box(tree.nodes[at], 0, halves[i].first.box);
-            store_box(tree.nodes[at], 1, halves[i].second.box);
+            const std::size_t at = add_node(tree.nodes, halves[i]);
             const TreeRef self{static_cast<std::uint32_t>(at), 0};
             (large[i].child == 2 ? tree.root : tree.nodes[large[i].parent].child[large[i].child]) = self;
             level.push_back({halves[i].first, at, 0});

@@ -10,20 +10,20 @@
 namespace glint::bvh {
 
 float area_scale(const SimdBounds& box) {
-    float most = 0;
+    float max_coordinate = 0;
     for (int axis = 0; axis < 3; ++axis)
-        most = std::max({most, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+        max_coordinate = std::max({max_coordinate, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
     int exponent = 0;
-    std::frexp(most, &exponent);
+    std::frexp(max_coordinate, &exponent);
     return std::ldexp(1.0f, std::clamp(-exponent, -120, 120));
 }
 
 Binning::Binning(const SimdBounds& centers, int count) : lo(splat(0.0f)), scale(splat(0.0f)), bins(count) {
     // Just below the number of bins, so that the largest center falls into the last bin.
-    const float most = static_cast<float>(bins) * (1.0f - 0x1p-20f);
+    const float max_position = static_cast<float>(bins) * (1.0f - 0x1p-20f);
     for (int axis = 0; axis < 3; ++axis) {
         const float extent = centers.hi[axis] - centers.lo[axis];
-        const float factor = most / extent;
+        const float factor = max_position / extent;
         if (!(extent > 0.0f && std::isfinite(factor) && std::isfinite(extent))) continue;
         lo[axis] = centers.lo[axis];
         scale[axis] = factor;

@@ -26,30 +26,36 @@ struct BoxRay {
         const vec3 d = glm::abs(ray.direction);
         // 1/x overflows below the absolute bound.
         const float min_size = std::max(1e-18f * std::max({d.x, d.y, d.z}), 2.95e-39f);
-        float largest = 0;
-        float corner = 0;
+        float max_origin = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const float size = 1.0f / std::max(d[axis], min_size);
             origin[axis] = ray.origin[axis];
             inverse[axis] = std::copysign(size, ray.direction[axis]);
-            largest = std::max(largest, std::abs(ray.origin[axis]));
-            corner = std::max({corner, std::abs(bounds.lo[axis]), std::abs(bounds.hi[axis])});
+            max_origin = std::max(max_origin, std::abs(ray.origin[axis]));
         }
-        pad = 0x1p-20f * (largest + corner);
+        pad = 0x1p-20f * (max_origin + bounds.max_coordinate());
     }
 };
 
-/// Ray parameters where the ray enters and leaves one child's box; entry > exit if it misses.
-inline void clip(const TreeNode& node, int child, const BoxRay& ray, float& entry, float& exit) {
-    entry = -std::numeric_limits<float>::infinity();
-    exit = std::numeric_limits<float>::infinity();
+/// Slab test: narrows [entry, exit] to where the ray is in the box of a child grown by `pad`; entry > exit if
+/// it misses. For nodes with lo and hi as [axis][child].
+template <class Node>
+void clip(const Node& node, std::size_t child, const BoxRay& ray, float pad, float& entry, float& exit) {
     for (int axis = 0; axis < 3; ++axis) {
         // The smaller of the two is the near plane: rounding is monotone and the inverse never 0.
-        const float one = (node.lo[axis][child] - ray.origin[axis] - ray.pad) * ray.inverse[axis];
-        const float other = (node.hi[axis][child] - ray.origin[axis] + ray.pad) * ray.inverse[axis];
+        const float one = (node.lo[axis][child] - ray.origin[axis] - pad) * ray.inverse[axis];
+        const float other = (node.hi[axis][child] - ray.origin[axis] + pad) * ray.inverse[axis];
         entry = std::max(entry, std::min(one, other));
         exit = std::min(exit, std::max(one, other));
     }
+}
+
+/// Where the ray enters the box of a child within [tmin, limit]; infinite if it misses.
+template <class Node>
+float entry_distance(const Node& node, std::size_t child, const BoxRay& ray, float pad, float tmin,
+                     float limit) {
+    clip(node, child, ray, pad, tmin, limit);
+    return tmin <= limit ? tmin : std::numeric_limits<float>::infinity();
 }
 
 /// Default node callback: does nothing.
@@ -57,40 +63,28 @@ struct IgnoredNode {
     void operator()() const {}
 };
 
-/// Calls leaf(first, count) for every leaf (a range of tree.order) whose box meets the ray in [tmin, limit],
-/// both inclusive, nearest child first. `leaf` may lower `limit`; it ends the traversal by returning true.
-/// `node` is called for every node whose boxes are tested.
-template <class Leaf, class Node = IgnoredNode>
-void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limit, Leaf&& leaf,
-              Node node = {}) {
+/// Calls leaf(first, count) for the leaves below `from`, nearest child first. enter(node, entry) computes
+/// where the ray enters the two children of a node, with a number above `limit` for a child not to be
+/// visited. `leaf` may lower `limit`; it ends the traversal by returning true.
+template <class Enter, class Leaf>
+void traverse_below(const Tree& tree, TreeRef from, const float& limit, Enter&& enter, Leaf&& leaf) {
     struct Entry {
         TreeRef ref;
         float t;
     };
-    if (tree.empty()) return;
     Entry stack[max_tree_depth + 1];
-    int size = 0;
-    TreeRef at = tree.root;
-    for (;;) {
+    std::size_t size = 0;
+    for (TreeRef at = from;;) {
         if (at.count > 0) {
             if (leaf(at.first, at.count)) return;
         } else {
-            const TreeNode& boxes = tree.nodes[at.first];
-            node();
+            const TreeRef(&children)[2] = tree.nodes[at.first].child;
             float entry[2];
-            float exit[2];
-            clip(boxes, 0, ray, entry[0], exit[0]);
-            clip(boxes, 1, ray, entry[1], exit[1]);
-            const bool left = entry[0] <= exit[0] && entry[0] <= limit && exit[0] >= tmin;
-            const bool right = entry[1] <= exit[1] && entry[1] <= limit && exit[1] >= tmin;
-            if (left && right) {
-                const int nearer = entry[1] < entry[0] ? 1 : 0;
-                stack[size++] = {boxes.child[1 - nearer], entry[1 - nearer]};
-                at = boxes.child[nearer];
-                continue;
-            }
-            if (left || right) {
-                at = boxes.child[left ? 0 : 1];
+            enter(at.first, entry);
+            const std::size_t near = entry[1] < entry[0] ? 1 : 0;
+            if (entry[1 - near] <= limit) stack[size++] = {children[1 - near], entry[1 - near]};
+            if (entry[near] <= limit) {
+                at = children[near];
                 continue;
             }
         }
@@ -101,6 +95,26 @@ void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limi
         } while (stack[size].t > limit);
         at = stack[size].ref;
     }
+}
+
+/// Calls leaf(first, count) for every leaf (a range of tree.order) whose box meets the ray in [tmin, limit],
+/// both inclusive and `limit` finite, nearest child first. `leaf` may lower `limit`; it ends the traversal by
+/// returning true. `node` is called for every node whose boxes are tested.
+template <class Leaf, class Node = IgnoredNode>
+void traverse(const Tree& tree, const BoxRay& ray, float tmin, const float& limit, Leaf&& leaf,
+              Node node = {}) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (tree.empty()) return;
+    const auto enter = [&](std::uint32_t at, float(&entries)[2]) {
+        node();
+        for (std::size_t child = 0; child < 2; ++child) {
+            float entry = -infinity;
+            float exit = infinity;
+            clip(tree.nodes[at], child, ray, ray.pad, entry, exit);
+            entries[child] = entry <= exit && exit >= tmin ? entry : infinity;
+        }
+    };
+    traverse_below(tree, tree.root, limit, enter, leaf);
 }
 
 } // namespace glint::bvh

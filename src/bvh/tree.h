@@ -5,6 +5,7 @@
 #include "math/vec.h"
 #include "parallel/task_pool.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,20 @@ struct alignas(64) TreeNode {
     TreeRef child[2];
 };
 static_assert(sizeof(TreeNode) == 64);
+
+/// Sets the box of a child of a TreeNode or WideNode, from Bounds or SimdBounds.
+template <class Node, class Box>
+void set_box(Node& node, std::size_t child, const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        node.lo[axis][child] = box.lo[axis];
+        node.hi[axis][child] = box.hi[axis];
+    }
+}
+template <class Node>
+Bounds child_box(const Node& node, std::size_t child) {
+    return {{node.lo[0][child], node.lo[1][child], node.lo[2][child]},
+            {node.hi[0][child], node.hi[1][child], node.hi[2][child]}};
+}
 
 /// A binary tree of boxes.
 struct Tree {

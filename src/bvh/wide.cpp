@@ -63,10 +63,7 @@ WideNode empty_node() {
 
 void set_child(WideNode& node, std::size_t child, const SimdBounds& box, std::uint32_t code) {
     assert(child < wide_children);
-    for (int axis = 0; axis < 3; ++axis) {
-        node.lo[axis][child] = box.lo[axis];
-        node.hi[axis][child] = box.hi[axis];
-    }
+    set_box(node, child, box);
     node.child[child] = code;
 }
 

@@ -2,6 +2,7 @@
 // Nodes with eight children, made by collapsing a binary tree at minimal SAH cost.
 
 #include "bvh/float4.h"
+#include "bvh/tree.h"
 #include "math/index.h"
 
 #include <array>

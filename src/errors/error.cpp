@@ -1,3 +1,5 @@
+// Errors as text, and the nearest of several names.
+
 #include "glint/error.h"
 
 #include <algorithm>
@@ -5,14 +7,6 @@
 
 namespace glint {
 namespace {
-
-std::string place(const Location& location) {
-    std::string text = location.file;
-    if (location.line > 0) text += ":" + std::to_string(location.line);
-    if (location.line > 0 && location.column > 0) text += ":" + std::to_string(location.column);
-    if (location.byte) text += ": byte " + std::to_string(*location.byte);
-    return text;
-}
 
 // The caret stands under the column; tabs before it are kept, so that it does on any terminal.
 std::string caret_line(const std::string& excerpt, int column) {
@@ -59,8 +53,16 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 } // namespace
 
+std::string to_string(const Location& location) {
+    std::string text = location.file;
+    if (location.line > 0) text += ":" + std::to_string(location.line);
+    if (location.line > 0 && location.column > 0) text += ":" + std::to_string(location.column);
+    if (location.byte) text += ": byte " + std::to_string(*location.byte);
+    return text;
+}
+
 std::string to_string(const Diagnostic& diagnostic) {
-    std::string text = place(diagnostic.location);
+    std::string text = to_string(diagnostic.location);
     if (!text.empty()) text += ": ";
     text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
     text += diagnostic.message;

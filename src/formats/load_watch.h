@@ -1,12 +1,12 @@
 #pragma once
 // Progress reports and cancellation while reading files.
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <cstdint>
 #include <string>
 
-namespace glint {
+namespace glint::formats {
 
 class LoadWatch {
   public:
@@ -30,4 +30,4 @@ class LoadWatch {
     std::string activity_;
 };
 
-} // namespace glint
+} // namespace glint::formats

@@ -14,7 +14,7 @@
 #include <new>
 #include <system_error>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -24,10 +24,8 @@ namespace {
         hint = "check the name; relative names start at the working directory";
     if (code == EISDIR) hint = "name a file inside the folder";
     if (code == EACCES || code == EPERM) hint = "ask for permission to read it";
-    Location where;
-    where.file = path;
     throw Error(ErrorKind::input, "cannot read the file: " + std::generic_category().message(code), hint,
-                where);
+                {.file = path});
 }
 
 } // namespace
@@ -60,7 +58,7 @@ void InputFile::rewind() {
 
 FileBytes::FileBytes(std::size_t size)
     : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {
-    prefer_large_pages(bytes_.get(), size);
+    parallel::prefer_large_pages(bytes_.get(), size);
 }
 
 void FileBytes::grow(std::size_t size, std::size_t kept) {
@@ -92,4 +90,4 @@ FileBytes read_bytes(const std::string& path) {
     return read_bytes(file);
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace glint {
+namespace glint::formats {
 
 /// A file opened for sequential reading. Throws Error(input) with the file name, the reason given by the
 /// system, and a cure.
@@ -57,4 +57,4 @@ FileBytes read_bytes(InputFile& file, const LoadWatch& watch = {});
 /// Reads a whole file.
 FileBytes read_bytes(const std::string& path);
 
-} // namespace glint
+} // namespace glint::formats

@@ -3,15 +3,15 @@
 #include "formats/read_text.h"
 
 #include "glint/error.h"
+#include "scene/text.h"
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,23 +32,20 @@ std::string read_stream(std::istream& stream) {
 }
 
 std::string read_file(const std::string& path) {
+    constexpr const char* expected = "a scene (.toml) or a mesh (.ply) was expected";
+    const auto refuse = [&](const std::string& message, const char* hint) {
+        throw Error(ErrorKind::input, message, hint, {.file = path});
+    };
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);
-    if (status.type() == fs::file_type::not_found)
-        throw Error(ErrorKind::input, "the file does not exist",
-                    "a scene (.toml) or a mesh (.ply) was expected", {path, 0, 0, {}});
-    if (fs::is_directory(status))
-        throw Error(ErrorKind::input, "this is a folder", "a scene (.toml) or a mesh (.ply) was expected",
-                    {path, 0, 0, {}});
+    if (status.type() == fs::file_type::not_found) refuse("the file does not exist", expected);
+    if (fs::is_directory(status)) refuse("this is a folder", expected);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::string text;
     if (file) text = read_stream(file);
-    if (!file.is_open() || file.bad())
-        throw Error(ErrorKind::input,
-                    "the file cannot be read" +
-                        (errno ? ": " + std::string(std::strerror(errno)) : std::string()),
-                    {}, {path, 0, 0, {}});
+    const std::string cause = errno ? ": " + std::string(std::strerror(errno)) : "";
+    if (!file.is_open() || file.bad()) refuse("the file cannot be read" + cause, "");
     return text;
 }
 
@@ -67,11 +64,9 @@ void require_scene_size(std::string_view text, const std::string& name) {
 }
 
 std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
+    return scene::lower_case(fs::path(path).extension().string());
 }
 
 bool looks_like_ply(std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); }
 
-} // namespace glint
+} // namespace glint::formats

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 /// Name of stdin in messages.
 inline constexpr const char* stdin_name = "<stdin>";
@@ -22,4 +22,4 @@ std::string lower_extension(const std::string& path);
 /// Whether the text starts like a PLY file.
 bool looks_like_ply(std::string_view text);
 
-} // namespace glint
+} // namespace glint::formats

@@ -2,7 +2,7 @@
 
 #include "formats/write_file.h"
 
-#include "glint/formats.h"
+#include "glint/error.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -18,7 +18,7 @@
 #include <system_error>
 #include <utility>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -50,10 +50,8 @@ std::string cure(const fs::path& path, int code) {
 }
 
 [[noreturn]] void fail_at(const fs::path& path, int code) {
-    Location where;
-    where.file = path.string();
     throw Error(ErrorKind::output, "cannot write the file: " + std::generic_category().message(code),
-                cure(path, code), where);
+                cure(path, code), {.file = path.string()});
 }
 
 class Descriptor {
@@ -186,10 +184,6 @@ void check_writable(const std::string& path) {
     if (!fs::is_directory(folder, none)) fail_at(path, ENOTDIR);
 }
 
-void write_file(const std::string& path, std::span<const std::byte> bytes) {
-    write_pieces(path, Pieces(&bytes, 1));
-}
-
 void write_pieces(const std::string& path, Pieces pieces) {
     const Target target = find_target(path);
     if (!target.regular) return write_in_place(path, target, pieces);
@@ -212,6 +206,14 @@ void write_pieces(const std::string& path, Pieces pieces) {
 
 void write_stdout(std::span<const std::byte> bytes) {
     if (const int code = write_all(STDOUT_FILENO, Pieces(&bytes, 1)); code != 0) fail_at("<stdout>", code);
+}
+
+} // namespace glint::formats
+
+namespace glint {
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+    formats::write_pieces(path, formats::Pieces(&bytes, 1));
 }
 
 } // namespace glint

@@ -1,11 +1,9 @@
 #pragma once
-// Writing files; glint::write_file() is declared in the public headers.
+// Writing files in pieces, and to standard output.
 
-#include <cstddef>
-#include <span>
-#include <string>
+#include "glint/write_file.h"
 
-namespace glint {
+namespace glint::formats {
 
 /// Throws the Error(output) that write_file() would throw for this path: missing folder, path is a folder, no
 /// permission. Writes nothing.
@@ -20,4 +18,4 @@ void write_pieces(const std::string& path, Pieces pieces);
 /// Writes all bytes to standard output, unchanged. Throws Error(output).
 void write_stdout(std::span<const std::byte> bytes);
 
-} // namespace glint
+} // namespace glint::formats

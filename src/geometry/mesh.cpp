@@ -1,3 +1,5 @@
+// Welding, closedness, volume, degenerate triangles and vertex normals of meshes.
+
 #include "geometry/mesh.h"
 #include "math/index.h"
 
@@ -5,16 +7,16 @@
 #include <bit>
 #include <cmath>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
-/// The bits of a position; adding +0 turns −0 into it.
+/// The bits of a position; adding +0 turns −0 into +0.
 uvec3 position_key(const vec3& p) {
     return {std::bit_cast<std::uint32_t>(p.x + 0.0f), std::bit_cast<std::uint32_t>(p.y + 0.0f),
             std::bit_cast<std::uint32_t>(p.z + 0.0f)};
 }
 
-/// Mixes a key into 64 well spread bits: multiply and fold, once for each word.
+/// A 64-bit hash: multiply and fold, once for each word.
 std::uint64_t hash_key(const uvec3& key) {
     std::uint64_t h = 0x9e3779b97f4a7c15u;
     for (const std::uint32_t word : {key.x, key.y, key.z}) {
@@ -24,14 +26,13 @@ std::uint64_t hash_key(const uvec3& key) {
     return h;
 }
 
-/// An edge seen from its lower vertex: `up` when the triangle runs from the lower to the higher.
+/// An edge of its lower vertex; `up` if the triangle runs from the lower to the higher vertex.
 struct HalfEdge {
     std::uint32_t high;
     bool up;
 };
 
-/// Calls visit(low, HalfEdge) for each edge of each triangle, corners welded; edges without length are left
-/// out.
+/// Calls visit(low, HalfEdge) for each edge of each triangle with welded corners, without edges of no length.
 template <class Visit>
 void for_each_half_edge(std::span<const uvec3> triangles, const std::vector<std::uint32_t>& first,
                         Visit visit) {
@@ -45,7 +46,7 @@ void for_each_half_edge(std::span<const uvec3> triangles, const std::vector<std:
     }
 }
 
-/// Whether the edges of one lower vertex run up as often as down, each. Sorts them.
+/// Whether each edge of one lower vertex is used equally often in both directions. Sorts the edges.
 bool balanced(std::span<HalfEdge> edges) {
     std::sort(edges.begin(), edges.end(),
               [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
@@ -64,16 +65,16 @@ bool no_area_from(const vec3& a, const vec3& b, const vec3& c) {
     return glm::cross(edge(a, b), edge(a, c)) == dvec3(0.0);
 }
 
-/// Whether floats alone show that the triangle has an area: two products of edges that differ by more than
-/// rounding can make of equal ones. Where they do not, doubles must decide.
+/// Fast test in single precision: true if two products in the cross product differ by more than the rounding
+/// of equal ones, so the triangle has an area; false if undecided.
 bool surely_has_area(const vec3& a, const vec3& b, const vec3& c) {
     constexpr float rounding = 0x1p-20f;
-    constexpr float least = 0x1p-100f; // far above what underflows
+    constexpr float min_difference = 0x1p-100f; // far above what underflows
     const vec3 e = b - a;
     const vec3 f = c - a;
     const auto differ = [](float p, float q) {
-        const float apart = std::fabs(p - q);
-        return apart > least && apart > rounding * (std::fabs(p) + std::fabs(q));
+        const float difference = std::fabs(p - q);
+        return difference > min_difference && difference > rounding * (std::fabs(p) + std::fabs(q));
     };
     return differ(e.x * f.y, e.y * f.x) || differ(e.y * f.z, e.z * f.y) || differ(e.z * f.x, e.x * f.z);
 }
@@ -81,7 +82,7 @@ bool surely_has_area(const vec3& a, const vec3& b, const vec3& c) {
 } // namespace
 
 std::vector<std::uint32_t> weld_by_position(std::span<const vec3> positions) {
-    // Open addressing, at most half full, so that a search is a step or two.
+    // Open addressing, at most half full: searches take one or two steps.
     const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
     std::vector<std::uint32_t> table(slots, invalid_index);
     std::vector<std::uint32_t> first(positions.size());
@@ -100,7 +101,7 @@ bool is_closed(std::span<const vec3> positions, std::span<const uvec3> triangles
     if (triangles.empty()) return false;
     const std::vector<std::uint32_t> first = weld_by_position(positions);
 
-    // A counting sort by the lower vertex leaves only a handful of edges to compare at each.
+    // A counting sort by the lower vertex, so that few edges remain to compare at each.
     std::vector<std::size_t> begin(positions.size() + 1, 0);
     for_each_half_edge(triangles, first, [&](std::uint32_t low, HalfEdge) { ++begin[low + 1]; });
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
@@ -115,7 +116,7 @@ bool is_closed(std::span<const vec3> positions, std::span<const uvec3> triangles
 
 double signed_volume(std::span<const vec3> positions, std::span<const uvec3> triangles) {
     if (triangles.empty()) return 0;
-    // Tetrahedra toward a corner of the mesh itself: toward the far origin they would cancel badly.
+    // Tetrahedra to a vertex of the mesh: with a distant origin as apex their volumes would cancel.
     const vec3 apex = positions[triangles.front().x];
     double six_volumes = 0;
     for (const uvec3& t : triangles) {
@@ -128,28 +129,28 @@ double signed_volume(std::span<const vec3> positions, std::span<const uvec3> tri
 }
 
 bool is_degenerate(const vec3& a, const vec3& b, const vec3& c) {
-    // Seen from a far corner two others may seem one; seen from themselves they do not.
+    // Edges to two close corners may round to the same from a distant one, but not from these corners.
     if (surely_has_area(a, b, c)) return false;
     return no_area_from(a, b, c) && no_area_from(b, c, a) && no_area_from(c, a, b);
 }
 
 std::size_t drop_degenerate(std::span<const vec3> positions, std::vector<uvec3>& triangles) {
-    const auto gone = [&](const uvec3& t) {
+    const auto degenerate = [&](const uvec3& t) {
         return is_degenerate(positions[t.x], positions[t.y], positions[t.z]);
     };
-    return std::erase_if(triangles, gone);
+    return std::erase_if(triangles, degenerate);
 }
 
 double angle_from(double sine, double cosine) {
     const double length = std::sqrt(sine * sine + cosine * cosine);
     if (!(length > 0)) return 0;
 
-    // The tangent of half the angle to the nearer end of the axis, 0 … 1, then halved twice more: below 0.2.
+    // Tangent of half the angle to the nearer end of the axis, in [0, 1]; halved twice more it is below 0.2.
     double t = sine / (length + std::fabs(cosine));
     t = t / (1 + std::sqrt(1 + t * t));
     t = t / (1 + std::sqrt(1 + t * t));
 
-    // atan t by its series; the first term left out is below 1e-15.
+    // Series of atan t; the first omitted term is below 1e-15.
     const double z = t * t;
     double series = 0;
     for (int k = 19; k >= 1; k -= 2) series = 1.0 / k - z * series;
@@ -166,7 +167,7 @@ std::vector<vec3> smooth_normals(std::span<const vec3> positions, std::span<cons
         const double area2 = glm::length(normal);
         if (!(area2 > 0)) continue;
 
-        // |cross| is the same at each corner, so the angles differ by their cosines alone.
+        // |cross| is the same at each corner; only the cosines differ.
         for (int k = 0; k < 3; ++k) {
             const vec3& corner = positions[t[k]];
             const dvec3 to_next = edge(corner, positions[t[(k + 1) % 3]]);
@@ -184,4 +185,4 @@ std::vector<vec3> smooth_normals(std::span<const vec3> positions, std::span<cons
     return normals;
 }
 
-} // namespace glint
+} // namespace glint::geometry

@@ -1,20 +1,22 @@
+// Triangulation of polygons by fans and ear clipping.
+
 #include "geometry/polygon.h"
 
 #include <cmath>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
-/// Twice the signed area of a triangle: positive where it runs counter-clockwise.
+/// Twice the signed area of a triangle, positive if counter-clockwise.
 double turn(const dvec2& a, const dvec2& b, const dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Drops the axis along which the polygon faces most, and mirrors so that it runs counter-clockwise.
-class Shadow {
+/// Projection along the dominant axis of the normal, mirrored such that the polygon runs counter-clockwise.
+class PlaneProjection {
   public:
     /// `normal` of any length but zero.
-    explicit Shadow(const dvec3& normal) {
+    explicit PlaneProjection(const dvec3& normal) {
         const dvec3 size = glm::abs(normal);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         u_ = (axis + 1) % 3;
@@ -28,7 +30,7 @@ class Shadow {
     int v_;
 };
 
-/// Twice the vector area (Newell's normal), by the corners' offsets from the first.
+/// Twice the vector area (Newell's normal), computed relative to the first corner.
 dvec3 area_vector(std::span<const vec3> positions, std::span<const std::uint32_t> corners) {
     const dvec3 origin(positions[corners[0]]);
     dvec3 sum(0.0);
@@ -37,12 +39,13 @@ dvec3 area_vector(std::span<const vec3> positions, std::span<const std::uint32_t
     return sum;
 }
 
-/// Whether every triangle of the fan from the first corner runs with the polygon and has an area.
+/// Whether every triangle of the fan from the first corner has an area and the polygon's orientation.
 bool fan_covers(std::span<const vec3> positions, std::span<const std::uint32_t> corners,
-                const Shadow& shadow) {
-    const dvec2 hub = shadow(positions[corners[0]]);
+                const PlaneProjection& projection) {
+    const dvec2 hub = projection(positions[corners[0]]);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        if (!(turn(hub, shadow(positions[corners[i]]), shadow(positions[corners[i + 1]])) > 0)) return false;
+        if (!(turn(hub, projection(positions[corners[i]]), projection(positions[corners[i + 1]])) > 0))
+            return false;
     return true;
 }
 
@@ -51,8 +54,8 @@ void append_fan(std::span<const std::uint32_t> corners, std::vector<uvec3>& out)
         out.emplace_back(corners[0], corners[i], corners[i + 1]);
 }
 
-/// A ring of corners from which ears are cut until two are left. Each cut looks again at its two neighbours
-/// only, and each look passes over the corners that are not convex: at worst quadratic.
+/// Cuts ears from a ring of corners until two remain. After each cut only its two neighbours are tested
+/// again, against the corners that are not convex: quadratic at worst.
 class EarClipper {
   public:
     explicit EarClipper(std::vector<dvec2> points) : points_(std::move(points)), ring_(points_.size()) {
@@ -79,7 +82,7 @@ class EarClipper {
             ring_[last].ear = is_ear(last);
             ring_[next].ear = is_ear(next);
 
-            // Going on beyond the neighbour spreads the cuts around the ring, which makes fewer needles.
+            // Skipping the neighbour spreads the cuts around the ring, which gives fewer thin triangles.
             at = ring_[next].next;
         }
     }
@@ -102,7 +105,7 @@ class EarClipper {
         c.listed = true;
     }
 
-    // Only corners that are not convex can lie in an ear of a simple polygon without another one doing so.
+    // If any corner of a simple polygon lies in an ear, one that is not convex does.
     bool is_ear(std::size_t i) const {
         const Corner& c = ring_[i];
         if (!(c.turn > 0)) return false;
@@ -118,8 +121,8 @@ class EarClipper {
         return true;
     }
 
-    /// The next ear from `at` on. Where a polygon that is not simple has none: a corner without area, else a
-    /// convex one, else any, so that every round cuts one.
+    /// The next ear from `at` on. A polygon that is not simple may have none: then a corner without area, or
+    /// a convex one, or any, so that each round cuts one.
     std::size_t choose(std::size_t at, std::size_t left) const {
         std::size_t flat = points_.size();
         std::size_t convex = points_.size();
@@ -141,15 +144,15 @@ class EarClipper {
 
 bool triangulate(std::span<const vec3> positions, std::span<const std::uint32_t> corners,
                  std::vector<uvec3>& out) {
-    // Without an area there is no inside to respect.
+    // Any triangulation will do for a polygon without area.
     const dvec3 normal = corners.size() > 3 ? area_vector(positions, corners) : dvec3(0.0);
     if (normal == dvec3(0.0)) {
         append_fan(corners, out);
         return true;
     }
 
-    const Shadow shadow(normal);
-    if (fan_covers(positions, corners, shadow)) {
+    const PlaneProjection projection(normal);
+    if (fan_covers(positions, corners, projection)) {
         append_fan(corners, out);
         return true;
     }
@@ -157,11 +160,11 @@ bool triangulate(std::span<const vec3> positions, std::span<const std::uint32_t>
     if (corners.size() > max_concave_corners) return false;
     std::vector<dvec2> points;
     points.reserve(corners.size());
-    for (const std::uint32_t corner : corners) points.push_back(shadow(positions[corner]));
+    for (const std::uint32_t corner : corners) points.push_back(projection(positions[corner]));
     EarClipper(std::move(points)).clip([&](std::size_t a, std::size_t b, std::size_t c) {
         out.emplace_back(corners[a], corners[b], corners[c]);
     });
     return true;
 }
 
-} // namespace glint
+} // namespace glint::geometry

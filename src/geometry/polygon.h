@@ -1,5 +1,5 @@
 #pragma once
-// Polygons into triangles.
+// Triangulation of polygons.
 
 #include "math/vec.h"
 
@@ -8,20 +8,20 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::geometry {
 
-/// The most corners of a polygon that needs ear clipping: its time grows with their square.
+/// Maximum number of corners for ear clipping, whose time is quadratic.
 inline constexpr std::size_t max_concave_corners = 10'000;
 
-/// Splits a polygon into corners − 2 triangles that wind as it does, appended to `out`. `corners` are indices
-/// into `positions`, three or more, in order around the polygon; fewer append nothing.
+/// Splits a polygon into corners − 2 triangles of the same orientation, appended to `out`. `corners` are
+/// indices into `positions` in order around the polygon; fewer than three append nothing.
 ///
-/// A fan from the first corner where that covers the polygon (always, when it is convex); ear clipping
-/// otherwise (Meisters 1975; Eberly, "Triangulation by Ear Clipping"). A polygon that is not flat is split as
-/// its shadow on the axis plane it faces most; one that crosses itself or has no area still gives corners − 2
-/// triangles, in an unspecified way. Triangles without area appear only where the shape leaves no other
-/// choice. False, and nothing appended: the polygon is concave and has more than `max_concave_corners`.
+/// Uses a fan from the first corner if that covers the polygon, as in convex ones, otherwise ear clipping
+/// (Meisters 1975; Eberly, "Triangulation by Ear Clipping"). A polygon that is not flat is projected along
+/// the dominant axis of its normal; one that crosses itself or has no area also gives corners − 2 triangles,
+/// in an unspecified way. Triangles without area occur only if unavoidable. Returns false and appends nothing
+/// for a concave polygon of more than `max_concave_corners`.
 bool triangulate(std::span<const vec3> positions, std::span<const std::uint32_t> corners,
                  std::vector<uvec3>& out);
 
-} // namespace glint
+} // namespace glint::geometry

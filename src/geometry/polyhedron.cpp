@@ -1,3 +1,5 @@
+// Vertices and faces of boxes, Platonic solids, prisms and pyramids.
+
 #include "geometry/polyhedron.h"
 
 #include "math/trig.h"
@@ -6,12 +8,12 @@
 #include <cstdint>
 #include <initializer_list>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 using Index = std::uint32_t;
 
-// Convex faces are cut into fans about their first corner.
+// Splits a convex face into a fan about its first corner.
 void add_face(Polyhedron& p, const std::vector<Index>& corners) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
         p.triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
@@ -39,13 +41,12 @@ void add_cap(Polyhedron& p, Index first, Index count, bool from_above) {
 
 // Columns are x, y and z after the shortest rotation that takes +z to `axis`.
 dmat3 shortest_rotation_from_z(const dvec3& axis) {
-    // Scaling first keeps the squares of very long and very short axes in range.
-    const double largest = std::fmax(std::fabs(axis.x), std::fmax(std::fabs(axis.y), std::fabs(axis.z)));
-    const dvec3 a = glm::normalize(axis / largest);
+    // Scaled first, as squares of very long or short axes would leave the range.
+    const dvec3 a = glm::normalize(axis / largest(axis));
     const double across = a.x * a.x + a.y * a.y;
     if (across == 0) return a.z > 0 ? dmat3(1.0) : dmat3(dvec3(1, 0, 0), dvec3(0, -1, 0), dvec3(0, 0, -1));
 
-    // 1 / (1 + a.z), written without cancellation where a.z is near −1.
+    // 1 / (1 + a.z) without cancellation for a.z near −1.
     const double k = a.z > 0 ? 1 / (1 + a.z) : (1 - a.z) / across;
     return dmat3(dvec3(1 - k * a.x * a.x, -k * a.x * a.y, -a.x),
                  dvec3(-k * a.x * a.y, 1 - k * a.y * a.y, -a.y), a);
@@ -164,4 +165,4 @@ Polyhedron make_pyramid(const Footing& footing) {
     return p;
 }
 
-} // namespace glint
+} // namespace glint::geometry

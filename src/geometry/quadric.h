@@ -1,13 +1,12 @@
 #pragma once
-// Quadrics and planes against lines, in double: geometry/quadric.shared.h has the equations.
+// Quadrics and planes in double precision; geometry/quadric.shared.h has the equations.
 
-#include "geometry/exact_point.h"
 #include "geometry/quadric.shared.h"
 #include "math/vec.h"
 
 #include <array>
 
-namespace glint {
+namespace glint::geometry {
 
 /// By kind, in the plural.
 inline constexpr std::array<const char*, quadric_kinds> quadric_names{"spheres", "cylinders", "disks",
@@ -30,7 +29,7 @@ inline QuadricShape make_cone(const dvec3& base, const dvec3& axis, double heigh
     return {quadric_cone, base, axis, height, radius};
 }
 
-/// The image under p ↦ m p, which must stretch all lengths alike, by `scale`.
+/// The image under p ↦ m p, which must scale all lengths by `scale`.
 inline QuadricShape transformed(const QuadricShape& shape, const dmat4& m, double scale) {
     return {shape.kind, dvec3(m * dvec4(shape.base, 1.0)), glm::normalize(dmat3(m) * shape.axis),
             shape.height * scale, shape.radius * scale};
@@ -46,6 +45,12 @@ struct Plane {
 struct Line {
     dvec3 origin{0};
     dvec3 direction{0, 0, 1};
+};
+
+/// A point of a surface with the unit normal there, both in double.
+struct ExactPoint {
+    dvec3 p;
+    dvec3 n;
 };
 
 struct Interval {
@@ -68,17 +73,12 @@ inline ExactPoint surface(const QuadricShape& shape, int part, const dvec3& p) {
     point_of_quadric(shape, part, p, point.p, point.n);
     return point;
 }
-inline ExactPoint surface(const Plane& plane, const dvec3& p) {
-    ExactPoint point;
-    point_of_plane(plane.normal, plane.offset, p, point.p, point.n);
-    return point;
-}
 
-/// Least and greatest g · p over the quadric.
+/// Range of g · p over the quadric.
 inline Interval extent(const QuadricShape& shape, const dvec3& g) {
     Interval values;
     extent_of_quadric(shape, g, values.low, values.high);
     return values;
 }
 
-} // namespace glint
+} // namespace glint::geometry

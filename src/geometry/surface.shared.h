@@ -4,16 +4,20 @@
 #include "geometry/triangle.shared.h"
 #include "math/shared.h"
 
-// From a hit back to the surface: computed in double, rounded once, with a bound on the error that is left.
-// Also what is interpolated over a triangle.
+// Surface points of hits: computed in double, rounded once, with a bound on the error that remains. Also
+// interpolation over triangles.
 
 GLINT_SHARED_BEGIN
+
+#ifndef GLINT_GLSL
+using glm::mat3;
+#endif
 
 /// The surface at a hit. `p` is on the surface up to `p_error`.
 struct SurfacePoint {
     vec3 p;
     vec3 p_error; ///< absolute bound, per axis
-    vec3 n;       ///< unit geometric normal as the object has it: outward for closed shapes, by winding for
+    vec3 n;       ///< unit geometric normal of the object: outward for closed shapes, by winding for
                   ///< triangles, as given for planes
 };
 
@@ -31,7 +35,7 @@ GLINT_FN SurfacePoint rounded_point(dvec3 p, dvec3 n, double slack) {
     return point;
 }
 
-/// On a triangle in the world's own space, at the weights u and v of vertices b and c. `seen_along` as in
+/// A point of a triangle in world space, with weights u and v of vertices b and c. `seen_along` as in
 /// point_of_triangle(); `reversed`: the normal is turned against the winding.
 GLINT_FN SurfacePoint triangle_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
                                        bool reversed) {
@@ -45,14 +49,13 @@ GLINT_FN SurfacePoint triangle_surface(vec3 a, vec3 b, vec3 c, double u, double 
     return point;
 }
 
-/// The same for an instance's triangle, given in the mesh's space; p_world = linear · p_mesh + translation,
-/// and `slack` is what that loses in double.
+/// A point of an instance's triangle, given in the mesh's space; p_world = linear · p_mesh + translation,
+/// with `slack` as the rounding error of that in double.
 ///
-/// A ray that starts at the point goes back to the mesh's space, where its origin and direction are rounded
-/// and its test displaces triangles: error_of_triangle() has the first and the third, and the direction
-/// displaces what it meets of the triangle by 1 u S more than that allows (u and S as in
-/// geometry/triangle.h). A quarter on top covers it and all of second order. What bounds each coordinate
-/// there, bounds those here through |linear|.
+/// A ray that starts at the point is transformed back to the mesh's space, where its origin and direction are
+/// rounded and its test displaces triangles. error_of_triangle() covers the origin and the test; rounding the
+/// direction displaces the triangle by up to 1 u S more (u and S as in geometry/triangle.h). A quarter more
+/// covers that and terms of second order. Bounds in the mesh's space become bounds in the world by |linear|.
 GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
                                        GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
                                        GLINT_IN(dvec3) translation, double slack, bool reversed) {
@@ -61,11 +64,21 @@ GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double 
     point_of_triangle(a, b, c, u, v, seen_along, p, n);
     dvec3 normal = transpose(inverse) * n;
     dvec3 unit = normal / sqrt(dot(normal, normal));
-    dvec3 there = dvec3(error_of_triangle(a, b, c, vec3(p))) * 1.25;
-    dvec3 here = abs(linear[0]) * there.x + abs(linear[1]) * there.y + abs(linear[2]) * there.z;
+    dvec3 mesh_error = dvec3(error_of_triangle(a, b, c, vec3(p))) * 1.25;
+    dvec3 world_error =
+        abs(linear[0]) * mesh_error.x + abs(linear[1]) * mesh_error.y + abs(linear[2]) * mesh_error.z;
     SurfacePoint point = rounded_point(linear * p + translation, reversed ? -unit : unit, slack);
-    point.p_error = point.p_error + vec3(here);
+    point.p_error = point.p_error + vec3(world_error);
     return point;
+}
+
+/// Where the line o + t d enters or leaves a quadric that it meets, and the outward normal there.
+GLINT_FN void point_on_line(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o, dvec3 d, GLINT_OUT(dvec3) on,
+                            GLINT_OUT(dvec3) n) {
+    SolidSpan span;
+    line_in_quadric(shape, o, d, span);
+    double t = leaving ? span.leave : span.enter;
+    point_of_quadric(shape, leaving ? span.leave_part : span.enter_part, o + d * t, on, n);
 }
 
 /// From a quadric's local space to the world: p_world = linear · p + translation, normals by the inverse
@@ -89,8 +102,8 @@ GLINT_FN SurfacePoint plane_surface(dvec3 o, dvec3 d, dvec3 normal, double offse
     return rounded_point(on, n, surface_error * (max_abs(o) + max_abs(p)));
 }
 
-/// A point exactly on an edge lies in two faces, and rays that start there must be on the right side of both:
-/// it moves into its own face, toward that face's middle, by a few times its error.
+/// Moves a point on an edge, which lies in two faces, a few times its error toward the middle of its own
+/// face, so that rays that start there are on the right side of both.
 GLINT_FN SurfacePoint moved_off_edge(GLINT_IN(SurfacePoint) point, vec3 middle) {
     SurfacePoint moved = point;
     vec3 inward = middle - point.p;
@@ -102,21 +115,28 @@ GLINT_FN SurfacePoint moved_off_edge(GLINT_IN(SurfacePoint) point, vec3 middle) 
     return moved;
 }
 
-// ── What vertices have, interpolated
+// Interpolation of vertex attributes.
 
-/// Vertex normals in the world: unit, or 0 where n is. The matrix is the inverse transpose of the points'.
+/// A vertex normal in the world: unit length, or 0 if n is 0. The matrix is the inverse transpose of the
+/// points'.
 GLINT_FN vec3 transformed_normal(GLINT_IN(dmat3) normal_matrix, vec3 n) {
     dvec3 t = normal_matrix * dvec3(n);
     double squared = dot(t, t);
     return squared > 0.0 ? vec3(t / sqrt(squared)) : vec3(0.0f);
 }
 
-/// At the weights u and v of vertices b and c.
-GLINT_FN vec3 interpolated(vec3 a, vec3 b, vec3 c, float u, float v) {
-    return a * (1.0f - u - v) + b * u + c * v;
+/// The same for those of a triangle's corners, the columns.
+GLINT_FN mat3 transformed_normals(GLINT_IN(dmat3) normal_matrix, GLINT_IN(mat3) n) {
+    return mat3(transformed_normal(normal_matrix, n[0]), transformed_normal(normal_matrix, n[1]),
+                transformed_normal(normal_matrix, n[2]));
 }
 
-/// The shading normal from the interpolated one: unit, on the side of n_g; n_g where that is 0.
+/// Between the corners of a triangle, the columns, at the weights u and v of the second and the third.
+GLINT_FN vec3 interpolated(GLINT_IN(mat3) corners, float u, float v) {
+    return corners[0] * (1.0f - u - v) + corners[1] * u + corners[2] * v;
+}
+
+/// The shading normal from the interpolated one: unit length, on the side of n_g; n_g if that is 0.
 GLINT_FN vec3 shading_normal(vec3 normal, vec3 n_g) {
     float squared = dot(normal, normal);
     if (!(squared > 0.0f)) return n_g;

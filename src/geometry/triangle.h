@@ -13,7 +13,6 @@
 //
 // Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (error_of_triangle) against that.
 
-#include "geometry/exact_point.h"
 #include "geometry/triangle.shared.h"
 #include "math/ray.h"
 #include "math/vec.h"
@@ -21,9 +20,9 @@
 #include <array>
 #include <cstddef>
 
-namespace glint {
+namespace glint::geometry {
 
-/// A ray as the triangle test wants it, made once a ray. Direction finite and not zero.
+/// Per-ray constants of the triangle test. The direction must be finite and not zero.
 struct ShearedRay {
     /// kz is the first of the axes with the largest |direction|; kx and ky follow cyclically.
     std::size_t kx, ky, kz;
@@ -54,8 +53,8 @@ inline ShearedVertex shear(const ShearedRay& ray, const std::array<float, 3>& v)
     return {(v[ray.kx] - ray.ox) - ray.sx * z, (v[ray.ky] - ray.oy) - ray.sy * z, z};
 }
 
-/// Hit with tmin < t (in double) and t (rounded to float) <= limit. Both orientations count. A ray with a NaN
-/// hits nothing. Edges belong to both their triangles.
+/// Hit with tmin < t (in double) and t (rounded to float) <= limit, from either side. A ray with a NaN hits
+/// nothing. Edges belong to both adjacent triangles.
 inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& vertices, float tmin,
                                float limit, TriangleHit& hit) {
     const ShearedVertex a = shear(ray, vertices[0]);
@@ -64,4 +63,4 @@ inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& ve
     return !surely_outside(a, b, c) && intersect_sheared(a, b, c, ray.sz, tmin, limit, hit);
 }
 
-} // namespace glint
+} // namespace glint::geometry

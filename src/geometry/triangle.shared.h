@@ -2,11 +2,11 @@
 #define GLINT_GEOMETRY_TRIANGLE_SHARED_H
 #include "math/shared.h"
 
-// The triangle test behind the shear, and the point that it finds: geometry/triangle.h has the whole story.
+// The triangle test after the shear, and the point that was hit; geometry/triangle.h explains the method.
 
 GLINT_SHARED_BEGIN
 
-/// What the test finds; valid only where it returned true.
+/// Result of the test; valid only if it returned true.
 struct TriangleHit {
     float t;       ///< rounded from double
     float u;       ///< weight of vertex 1
@@ -15,8 +15,8 @@ struct TriangleHit {
     bool positive; ///< the sign of the sheared area: equal for triangles of one facing along one ray
 };
 
-/// Is there a sign both above and below zero among the three? NaN has none. Without branches: no processor
-/// can guess which way a triangle faces.
+/// Whether both signs occur among the three; NaN has none. Branchless, as the facing of triangles is
+/// unpredictable.
 GLINT_FN bool mixed_signs(float a, float b, float c) {
     int below = int(a < 0.0f) | int(b < 0.0f) | int(c < 0.0f);
     int above = int(a > 0.0f) | int(b > 0.0f) | int(c > 0.0f);
@@ -28,15 +28,15 @@ GLINT_FN bool mixed_signs(double a, double b, double c) {
     return (below & above) != 0;
 }
 
-/// A vertex seen from a sheared ray: x and y across it, z = v[kz] − o[kz] before its scaling by sz.
+/// A vertex relative to a sheared ray: x and y across it, z = v[kz] − o[kz] before its scaling by sz.
 struct ShearedVertex {
     float x;
     float y;
     float z;
 };
 
-/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So what
-/// this rejects, exact arithmetic rejects as well.
+/// Rounding is monotone: a float difference of products never has the wrong sign, it can only be 0. So exact
+/// arithmetic also rejects whatever this rejects.
 GLINT_FN bool surely_outside(ShearedVertex a, ShearedVertex b, ShearedVertex c) {
     GLINT_PRECISE float u = c.x * b.y - c.y * b.x;
     GLINT_PRECISE float v = a.x * c.y - a.y * c.x;
@@ -44,7 +44,7 @@ GLINT_FN bool surely_outside(ShearedVertex a, ShearedVertex b, ShearedVertex c) 
     return mixed_signs(u, v, w);
 }
 
-/// The exact part of the test, for what is not surely outside.
+/// The exact part of the test, for triangles that are not surely outside.
 GLINT_FN bool intersect_sheared(ShearedVertex a, ShearedVertex b, ShearedVertex c, float sz, float tmin,
                                 float limit, GLINT_OUT(TriangleHit) hit) {
     // Products of floats are exact in double, so that these signs are exact.
@@ -81,10 +81,10 @@ GLINT_FN void point_of_triangle(vec3 a, vec3 b, vec3 c, double u, double v, dvec
     n = normal / sqrt(dot(normal, normal));
 }
 
-/// A bound, per axis, of what separates p (rounded to float) from its triangle, and of what the test of a ray
-/// that starts there can displace the triangle by: an origin moved off the plane by it never hits that
-/// triangle again. Half a float's spacing of p, and 8 u S of the displacement in geometry/triangle.h, S being
-/// the largest |coordinate| of v - p. 2^-24 and 2^-21 are written out.
+/// A bound, per axis, on the distance of p (rounded to float) from its triangle plus the displacement of the
+/// triangle by the test of a ray that starts there: an origin moved off the plane by it never hits that
+/// triangle again. Half a float's spacing of p, and 8 u S for the displacement (geometry/triangle.h), where S
+/// is the largest |coordinate| of v - p. GLSL needs 2^-24 and 2^-21 written out.
 GLINT_FN vec3 error_of_triangle(vec3 a, vec3 b, vec3 c, vec3 p) {
     vec3 far = max(max(abs(a - p), abs(b - p)), abs(c - p));
     float reach = max(max(far.x, far.y), far.z);

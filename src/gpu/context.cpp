@@ -6,11 +6,11 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
-namespace glint {
+namespace glint::gpu {
+
 namespace {
 
-/// Is a library there? libepoxy ends the program where it misses one. It stays loaded: libepoxy wants it
-/// next.
+/// Is a library installed? libepoxy ends the program if it misses one. The library stays loaded for libepoxy.
 bool can_load(const char* library) { return dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }
 
 bool has_word(const char* list, const std::string& word) {
@@ -21,7 +21,7 @@ std::string text(const GLubyte* bytes) {
     return bytes == nullptr ? std::string() : reinterpret_cast<const char*>(bytes);
 }
 
-/// A display and a context on it, current while it is looked at.
+/// A display and a context on it.
 struct Opened {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
@@ -32,7 +32,7 @@ constexpr int min_major = 4;
 constexpr int min_minor = 3;
 
 EGLContext make_context(EGLDisplay display) {
-    // A context that tells of its loss, where the driver knows how.
+    // A context that reports its loss, if the driver supports that.
     const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION,
                                            min_major,
                                            EGL_CONTEXT_MINOR_VERSION,
@@ -86,7 +86,7 @@ std::uint64_t limit(GLenum name) {
 
 constexpr std::uint64_t buffers_needed = 8;
 
-/// What the current context tells of its device.
+/// Describes the device of the current context.
 void describe_current(GpuDevice& d) {
     d.name = text(glGetString(GL_RENDERER));
     d.driver = text(glGetString(GL_VENDOR)) + ", OpenGL " + text(glGetString(GL_VERSION));
@@ -108,7 +108,7 @@ GpuDevice describe(const Opened& opened, EGLDeviceEXT device) {
     return d;
 }
 
-/// The devices that EGL lists; where there are none, `why` says what is missing.
+/// The devices that EGL lists; if there are none, `why` says what is missing.
 std::vector<EGLDeviceEXT> list_devices(std::string& why) {
     if (!can_load("libEGL.so.1")) {
         why = "libEGL.so.1 is not installed (Debian: apt-get install libegl1)";
@@ -140,33 +140,8 @@ void GLAPIENTRY note_complaint(GLenum, GLenum type, GLuint, GLenum severity, GLs
 
 } // namespace
 
-std::vector<GpuDevice> gpu_devices(std::string* why) {
-    std::string reason;
-    std::vector<GpuDevice> devices;
-    for (const EGLDeviceEXT device : list_devices(reason)) {
-        Opened opened = open_device(device);
-        devices.push_back(describe(opened, device));
-        close(opened);
-    }
-    if (why != nullptr) *why = reason;
-    return devices;
-}
-
-GpuDevice gpu_device(GpuCurrentContext) {
-    const std::array<std::string, 3> software{"llvmpipe", "softpipe", "Software Rasterizer"};
-    const int version = epoxy_gl_version();
-    GpuDevice d;
-    describe_current(d);
-    d.software = std::any_of(software.begin(), software.end(),
-                             [&](const std::string& name) { return d.name.rfind(name, 0) == 0; });
-    if (version < 10 * min_major + min_minor)
-        d.fault = "it has OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
-                  ", and compute shaders need 4.3";
-    return d;
-}
-
 struct GpuContext::State {
-    Opened opened; ///< no display: the context is somebody else's
+    Opened opened; ///< no display: the context belongs to the caller
     GpuDevice device;
     std::vector<std::string> complaints;
 };
@@ -181,7 +156,7 @@ GpuContext::GpuContext(int number) : state_(std::make_unique<State>()) {
     if (number >= static_cast<int>(devices.size()))
         refuse("there is no device " + std::to_string(number) + " among " + std::to_string(devices.size()));
 
-    // Hardware first; what a driver only pretends is still better than nothing.
+    // Hardware first, then software.
     for (const bool software : {false, true}) {
         for (std::size_t i = 0; i < devices.size(); ++i) {
             if (number >= 0 && static_cast<int>(i) != number) continue;
@@ -220,7 +195,7 @@ void GpuContext::enter() const {
 bool GpuContext::try_enter() const noexcept {
     const Opened& opened = state_->opened;
     if (opened.display == EGL_NO_DISPLAY) return true;
-    // The interface to be made current is remembered by thread.
+    // The bound interface is a state of the thread.
     eglBindAPI(EGL_OPENGL_API);
     return eglMakeCurrent(opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, opened.context) == EGL_TRUE;
 }
@@ -249,5 +224,34 @@ void GpuContext::check(const std::string& doing) const {
 }
 
 const std::vector<std::string>& GpuContext::complaints() const { return state_->complaints; }
+
+} // namespace glint::gpu
+
+namespace glint {
+
+std::vector<GpuDevice> gpu_devices(std::string* why) {
+    std::string reason;
+    std::vector<GpuDevice> devices;
+    for (const EGLDeviceEXT device : gpu::list_devices(reason)) {
+        gpu::Opened opened = gpu::open_device(device);
+        devices.push_back(gpu::describe(opened, device));
+        gpu::close(opened);
+    }
+    if (why != nullptr) *why = reason;
+    return devices;
+}
+
+GpuDevice gpu_device(GpuCurrentContext) {
+    const std::array<std::string, 3> software{"llvmpipe", "softpipe", "Software Rasterizer"};
+    const int version = epoxy_gl_version();
+    GpuDevice d;
+    gpu::describe_current(d);
+    d.software = std::any_of(software.begin(), software.end(),
+                             [&](const std::string& name) { return d.name.rfind(name, 0) == 0; });
+    if (version < 10 * gpu::min_major + gpu::min_minor)
+        d.fault = "it has OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
+                  ", and compute shaders need 4.3";
+    return d;
+}
 
 } // namespace glint

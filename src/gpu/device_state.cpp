@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace glint {
+namespace glint::gpu {
 
 GpuDeviceState::GpuDeviceState(int device, const GpuLimits& limits) : context_(device), budget_(limits) {
     if (limits.buffer > 0) context_.set_max_buffer(std::min(limits.buffer, context_.device().max_buffer));
@@ -13,14 +13,17 @@ GpuDeviceState::GpuDeviceState(int device, const GpuLimits& limits) : context_(d
 
 GpuDeviceState::~GpuDeviceState() {
     // Programs and buffers go while their context is current.
-    const GpuEnding ending(context_);
+    const GpuScope scope(context_, std::nothrow);
     buffers_.reset();
     programs_.clear();
     show_program_.reset();
 }
 
 void GpuDeviceState::prepare(const Scene& scene) {
-    const SceneData& wanted = scene.data();
+    const scene::SceneData& wanted = scene.data();
+    if (wanted.description.render.integrator != Integrator::whitted)
+        throw Error(ErrorKind::device, "graphics cards have no shader for this integrator",
+                    "--backend cpu renders it");
     const std::optional<Scene> held = std::exchange(scene_, std::nullopt);
     if (held && held->data().all_but_view == wanted.all_but_view) {
         set_view(data_, wanted);
@@ -57,4 +60,4 @@ const GpuProgram& GpuDeviceState::show_program() {
     return *show_program_;
 }
 
-} // namespace glint
+} // namespace glint::gpu

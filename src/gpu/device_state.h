@@ -1,5 +1,5 @@
 #pragma once
-// A device at work: its context, the programs that it has compiled, and the scene that it holds.
+// A device: its context, compiled programs, and the scene in its memory.
 
 #include "gpu/context.h"
 #include "gpu/dispatch_budget.h"
@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace glint {
+namespace glint::gpu {
 
 /// All but the constructors needs the context to be entered.
 class GpuDeviceState {
@@ -25,20 +25,20 @@ class GpuDeviceState {
     const GpuContext& context() const { return context_; }
     DispatchBudget& budget() { return budget_; }
 
-    /// Lays a scene in the device's memory. What the one before has in common with it stays there: trees, and
-    /// all of it where only camera and size are others. Throws Error(device); then none is held.
+    /// Uploads a scene. What it shares with the previous one stays: trees, and everything if only camera and
+    /// size differ. Throws Error(device); then there is no scene.
     void prepare(const Scene& scene);
-    /// How often anything of a scene was laid there.
+    /// Number of uploads, not counting changes of camera and size.
     int upload_count() const { return upload_count_; }
 
-    /// The scene that is held; none before prepare().
+    /// None before prepare().
     const std::optional<Scene>& scene() const { return scene_; }
     const GpuSettings& settings() const { return data_.settings; }
     const SceneBuffers& buffers() const { return *buffers_; }
 
-    /// The program for the scene and what is asked of it.
+    /// The program for the scene.
     const GpuProgram& program(bool terms, bool first_hit);
-    /// That which makes pictures of films.
+    /// The program that turns films into pictures.
     const GpuProgram& show_program();
 
   private:
@@ -46,10 +46,10 @@ class GpuDeviceState {
     std::map<ProgramChoice, std::unique_ptr<GpuProgram>> programs_;
     std::unique_ptr<GpuProgram> show_program_;
     std::unique_ptr<SceneBuffers> buffers_;
-    GpuSceneData data_; ///< what stays of it: settings and numbers
+    GpuSceneData data_; ///< without its arrays
     std::optional<Scene> scene_;
     DispatchBudget budget_;
     int upload_count_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,32 +1,33 @@
 #pragma once
-// How much a dispatch does, by how long the last ones took: long enough to hide the cost of a dispatch, short
-// enough to keep the desktop responsive and to avoid driver timeouts.
+// The size of dispatches, adapted to the time that the last ones took: long enough to hide the cost of a
+// dispatch, short enough to keep the desktop responsive and to avoid driver timeouts.
 
 #include "glint/gpu.h"
+#include "gpu/program.h"
 
 #include <algorithm>
 #include <cstdint>
 
-namespace glint {
+namespace glint::gpu {
 
 class DispatchBudget {
   public:
-    static constexpr std::uint32_t group_size = 64; ///< invocations of a work group: whitted.glsl
     static constexpr std::uint32_t max_slots = std::uint32_t{1} << 19;
 
     explicit DispatchBudget(const GpuLimits& limits)
         : fixed_slots_(limits.pixels > 0), fixed_nodes_(limits.rays > 0) {
         if (fixed_slots_)
-            slots_ = (std::min(limits.pixels, max_slots) + group_size - 1) / group_size * group_size;
+            slots_ = (std::min(limits.pixels, max_slots) + GpuProgram::group_size - 1) /
+                     GpuProgram::group_size * GpuProgram::group_size;
         if (fixed_nodes_) nodes_ = limits.rays;
         if (limits.steps > 0) steps_ = limits.steps;
     }
 
     std::uint32_t slots() const { return slots_; } ///< of a dispatch
     std::uint32_t nodes() const { return nodes_; } ///< of ray trees, for each slot
-    /// Once a slot's walks through the tree have taken so many steps, its next node waits for the next
-    /// dispatch. Mesa's llvmpipe ends all loops of eight invocations for good after 65,535 turns in all, and
-    /// says nothing; what it cut short is found by the next dispatch (state_running in slots.glsl).
+    /// Once a slot's traversals have taken so many steps, its next node waits for the next dispatch. Mesa's
+    /// llvmpipe silently ends all loops of eight invocations after 65,535 iterations in total; the next
+    /// dispatch finds what was cut short (state_running in slots.glsl).
     std::uint32_t steps() const { return steps_; }
 
     /// Learns from a dispatch that took `seconds`; `whole`: it had slots().
@@ -39,12 +40,12 @@ class DispatchBudget {
             set_nodes(std::max(nodes_ / 2, 1u));
     }
 
-    /// Few slots are left: a few long trees need no new look at all slots after each step.
+    /// Few slots are left: long ray trees of a few slots should not need a dispatch for every four nodes.
     void few_left() { set_nodes(std::min(nodes_ * 2, 256u)); }
     void next_tile() { set_nodes(first_nodes); }
 
   private:
-    static constexpr std::uint32_t min_slots = 64 * group_size;
+    static constexpr std::uint32_t min_slots = 64 * GpuProgram::group_size;
     static constexpr std::uint32_t first_nodes = 4;
     static constexpr double min_seconds = 0.01; ///< of a dispatch; below, the next is larger
     static constexpr double max_seconds = 0.06;
@@ -63,4 +64,4 @@ class DispatchBudget {
     std::uint32_t steps_ = 2048;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,4 +1,4 @@
-// What stands in the place of the backend where glint is built without it.
+// The public interface when glint is built without the backend.
 
 #include "glint/gpu.h"
 

@@ -26,7 +26,7 @@ GpuPicture::~GpuPicture() {
 void GpuPicture::was_drawn() const {
     if (drawn_ != nullptr) glDeleteSync(static_cast<GLsync>(drawn_));
     drawn_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    // Else another context might wait for what was never sent.
+    // Otherwise another context might wait for a fence that was never submitted.
     glFlush();
 }
 
@@ -51,22 +51,25 @@ void GpuPicture::wait_until_drawn() {
     drawn_ = nullptr;
 }
 
+} // namespace glint
+
+namespace glint::gpu {
+
 struct GpuPicturePool::Shelf {
     std::mutex mutex;
     std::vector<std::unique_ptr<GpuPicture>> pictures;
     bool closed = false;
 
-    /// On whatever thread lets it go, where there may be no context to end it in.
+    /// On any thread, perhaps without a context to destroy it in.
     void put(std::unique_ptr<GpuPicture> picture) {
         const std::lock_guard lock(mutex);
         if (!closed) pictures.push_back(std::move(picture));
     }
 
-    /// One of this size, or none; few others are kept.
+    /// One of this size, or none. Destroys those of other sizes and all but a few.
     std::unique_ptr<GpuPicture> take(int width, int height) {
         constexpr std::size_t max_spare = 2;
         const std::lock_guard lock(mutex);
-        // Those of another size will not be wanted again.
         std::erase_if(pictures, [&](const auto& p) { return p->width() != width || p->height() != height; });
         if (pictures.empty()) return nullptr;
         std::unique_ptr<GpuPicture> picture = std::move(pictures.back());
@@ -98,4 +101,4 @@ std::shared_ptr<GpuPicture> GpuPicturePool::take(int width, int height) {
             [shelf = shelf_](GpuPicture* done) { shelf->put(std::unique_ptr<GpuPicture>(done)); }};
 }
 
-} // namespace glint
+} // namespace glint::gpu

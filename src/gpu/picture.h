@@ -1,17 +1,17 @@
 #pragma once
-// Where pictures that windows draw come from, and go back to.
+// Textures of pictures, reused.
 
 #include "glint/gpu.h"
 
 #include <memory>
 
-namespace glint {
+namespace glint::gpu {
 
 class GpuContext;
 
-/// Textures that nobody looks at any more serve again: they come back from any thread, and those that are
-/// too many go when the next is taken. All of it needs the context; pictures are let go without it, but those
-/// that outlive the pool need one that shares with it there.
+/// Pictures return to the pool when they are released, on any thread, with or without a context; spare ones
+/// are destroyed when the next is taken. All functions need the context. A picture that outlives the pool
+/// must be released while a context that shares with the pool's is current.
 class GpuPicturePool {
   public:
     explicit GpuPicturePool(const GpuContext& context);
@@ -19,7 +19,7 @@ class GpuPicturePool {
     GpuPicturePool(const GpuPicturePool&) = delete;
     GpuPicturePool& operator=(const GpuPicturePool&) = delete;
 
-    /// A picture of this size that the device is done with. Throws Error(device) where there is no room for
+    /// A picture of this size that the device no longer reads. Throws Error(device) if there is no memory for
     /// it.
     std::shared_ptr<GpuPicture> take(int width, int height);
 
@@ -29,4 +29,4 @@ class GpuPicturePool {
     std::shared_ptr<Shelf> shelf_;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -11,7 +11,7 @@
 #include <epoxy/gl.h>
 #include <functional>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 constexpr std::size_t min_bytes = 256;
@@ -50,7 +50,7 @@ std::string log_of(GLuint id, Query query, Get get) {
     return readable_log(info_log);
 }
 
-/// The files that `wanted` takes, each line with its own number.
+/// The files that are `wanted`, with directives that number their lines.
 std::string joined(const std::string& defines, const std::function<bool(const std::string&)>& wanted) {
     std::string source = "#version 430 core\n" + define("GLINT_GLSL", 1) + defines;
     for (int i = 0; shader_files[i].path != nullptr; ++i)
@@ -59,10 +59,14 @@ std::string joined(const std::string& defines, const std::function<bool(const st
     return source;
 }
 
-/// Each of these is a program of its own, with all others.
-bool has_main(const std::string& path) {
-    return path == "gpu/shaders/whitted.glsl" || path == "gpu/shaders/rays.glsl" ||
-           path == "gpu/shaders/first_hit.glsl" || path == "gpu/shaders/show.glsl";
+/// Is a file part of a program that traces rays? Most are part of all.
+bool is_part(const std::string& path, const ProgramChoice& choice) {
+    if (path == "gpu/shaders/show.glsl") return false;
+    if (path == "gpu/shaders/rays.glsl") return choice.rays;
+    if (path == "gpu/shaders/loop.glsl") return !choice.rays;
+    if (path == "gpu/shaders/first_hit.glsl") return !choice.rays && choice.first_hit;
+    if (path == "gpu/shaders/whitted.glsl") return !choice.rays && !choice.first_hit;
+    return true;
 }
 
 [[noreturn]] void refuse(const GpuContext& context, const std::string& info_log) {
@@ -77,21 +81,18 @@ ProgramChoice program_for(const GpuSceneData& scene) {
     ProgramChoice choice;
     choice.glass = scene.glass;
     choice.instances = !scene.tree.mesh_roots.empty();
-    // Few sizes, for drivers take long to compile.
+    // Few sizes, since drivers take long to compile.
     choice.stack = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(scene.tree.stack, 16))));
     return choice;
 }
 
 std::string shader_source(const ProgramChoice& choice) {
-    const std::string mine = choice.rays        ? "gpu/shaders/rays.glsl"
-                             : choice.first_hit ? "gpu/shaders/first_hit.glsl"
-                                                : "gpu/shaders/whitted.glsl";
     return joined(define("GLINT_GLASS", choice.glass ? 1 : 0) +
                       define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
                       define("GLINT_TERMS", choice.terms ? 7 : 1) +
                       define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
                       define("GLINT_STACK", choice.stack),
-                  [&](const std::string& path) { return path == mine || !has_main(path); });
+                  [&](const std::string& path) { return is_part(path, choice); });
 }
 
 std::string show_source() {
@@ -114,7 +115,8 @@ std::string readable_log(const std::string& text) {
     return out;
 }
 
-GpuProgram::GpuProgram(const GpuContext& context, const std::string& source) : context_(context) {
+GpuProgram::GpuProgram(const GpuContext& context, const std::string& source)
+    : context_(context), settings_(context, "the settings", nullptr, sizeof(GpuSettings)) {
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* text = source.c_str();
     glShaderSource(shader, 1, &text, nullptr);
@@ -142,7 +144,12 @@ GpuProgram::~GpuProgram() {
     if (context_.is_current()) glDeleteProgram(id_);
 }
 
-void GpuProgram::use() const { glUseProgram(id_); }
+void GpuProgram::dispatch(const GpuSettings& settings, std::size_t invocations) const {
+    glUseProgram(id_);
+    settings_.write(0, &settings, sizeof settings);
+    settings_.bind_uniform(0);
+    glDispatchCompute(static_cast<GLuint>((invocations + group_size - 1) / group_size), 1, 1);
+}
 
 GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* data, std::size_t bytes)
     : context_(context), bytes_(std::max(bytes, min_bytes)) {
@@ -161,7 +168,7 @@ GpuBuffer::GpuBuffer(const GpuContext& context, const char* name, const void* da
         glDeleteBuffers(1, &id_);
         throw;
     }
-    if (data == nullptr || bytes < bytes_) clear();
+    if (data == nullptr || bytes < bytes_) clear(bytes_);
     if (data != nullptr && bytes > 0) write(0, data, bytes);
 }
 
@@ -175,11 +182,6 @@ void GpuBuffer::bind_storage(std::uint32_t binding) const {
 
 void GpuBuffer::bind_uniform(std::uint32_t binding) const {
     glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_);
-}
-
-void GpuBuffer::clear() const {
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
-    glClearBufferData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
 void GpuBuffer::clear(std::size_t bytes) const {
@@ -209,14 +211,14 @@ GpuTimer::~GpuTimer() {
 }
 
 void GpuTimer::start() {
-    wall_ = -wall_seconds();
+    wall_ = -rendering::wall_seconds();
     if (own_clock_) glBeginQuery(GL_TIME_ELAPSED, id_);
 }
 
 void GpuTimer::stop() {
     if (own_clock_) return glEndQuery(GL_TIME_ELAPSED);
     glFinish();
-    wall_ += wall_seconds();
+    wall_ += rendering::wall_seconds();
 }
 
 double GpuTimer::seconds() const {
@@ -226,4 +228,4 @@ double GpuTimer::seconds() const {
     return 1e-9 * static_cast<double>(nanoseconds);
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,5 +1,7 @@
 #pragma once
-// The shader, compiled for what a scene needs, and buffers.
+// Shaders compiled for what a scene needs, buffers, timers.
+
+#include "gpu/records.shared.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -7,17 +9,17 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 class GpuContext;
 
 /// What is compiled in.
 struct ProgramChoice {
-    bool glass = false; ///< does anything let light through?
+    bool glass = false; ///< is anything transparent?
     bool instances = false;
-    bool terms = false;     ///< keep the terms of the light apart
-    bool first_hit = false; ///< show numbers of first hits in place of the light
-    bool rays = false;      ///< trace rays alone: gpu/rays.h
+    bool terms = false;     ///< sum the terms of the light separately
+    bool first_hit = false; ///< measure first hits instead of light
+    bool rays = false;      ///< only trace rays: gpu/rays.h
     bool count = false;     ///< count the steps of walks
     int stack = 8;          ///< entries of a walk through the tree
 
@@ -26,40 +28,23 @@ struct ProgramChoice {
 
 struct GpuSceneData;
 
-/// What a scene asks for: the rest is the caller's.
+/// What the scene decides; the rest is the caller's choice.
 ProgramChoice program_for(const GpuSceneData& scene);
 
-/// All of the shader's text, as it is given to the compiler.
+/// The shader's complete text.
 std::string shader_source(const ProgramChoice& choice);
-/// The text of the shader that makes pictures of films.
+/// That of the shader that turns films into pictures.
 std::string show_source();
 
-/// A driver's log with numbers of files replaced by their names: "shading/whitted.shared.h:12: …".
+/// A driver's log with names in place of numbers of files: "shading/whitted.shared.h:12: …".
 std::string readable_log(const std::string& text);
-
-/// A compiled program. Like buffers and timers it needs its context to be current wherever it is used, and
-/// stays in it where it ends while that is not so.
-class GpuProgram {
-  public:
-    /// Throws Error(device) with the driver's log where it refuses the source.
-    GpuProgram(const GpuContext& context, const std::string& source);
-    ~GpuProgram();
-    GpuProgram(const GpuProgram&) = delete;
-    GpuProgram& operator=(const GpuProgram&) = delete;
-
-    void use() const;
-
-  private:
-    const GpuContext& context_;
-    std::uint32_t id_ = 0;
-};
 
 /// A buffer in the device's memory.
 class GpuBuffer {
   public:
-    /// Throws Error(device) where it is larger than the device's buffers can be, with the sizes; `name` says
-    /// what it holds: "the scene's triangles". Without data it is filled with zeros. Never empty: shaders may
-    /// read its first bytes.
+    /// Throws Error(device) with the sizes if it is larger than the device's buffers can be; `name` says what
+    /// it holds: "the scene's triangles". Without data it is filled with zeros. Never empty: shaders may read
+    /// its first bytes.
     GpuBuffer(const GpuContext& context, const char* name, const void* data, std::size_t bytes);
     ~GpuBuffer();
     GpuBuffer(const GpuBuffer&) = delete;
@@ -69,8 +54,7 @@ class GpuBuffer {
     std::size_t bytes() const { return bytes_; }
     void bind_storage(std::uint32_t binding) const;
     void bind_uniform(std::uint32_t binding) const;
-    void clear() const;                  ///< to zeros
-    void clear(std::size_t bytes) const; ///< its first bytes, a multiple of 4
+    void clear(std::size_t bytes) const; ///< zeroes its first bytes, a multiple of 4
     void write(std::size_t offset, const void* data, std::size_t bytes) const;
     void read(std::size_t offset, void* data, std::size_t bytes) const;
 
@@ -80,8 +64,29 @@ class GpuBuffer {
     std::size_t bytes_ = 0;
 };
 
-/// How long the device works: by its own clock, or where it is the CPU, whose drivers have none that counts
-/// compute shaders, by the wall's.
+/// A compiled program, with its uniform block. Like buffers and timers it is used and destroyed while its
+/// context is current; otherwise its object stays in the context.
+class GpuProgram {
+  public:
+    static constexpr std::uint32_t group_size = 64; ///< invocations of a work group
+
+    /// Throws Error(device) with the driver's log if it rejects the source.
+    GpuProgram(const GpuContext& context, const std::string& source);
+    ~GpuProgram();
+    GpuProgram(const GpuProgram&) = delete;
+    GpuProgram& operator=(const GpuProgram&) = delete;
+
+    /// Starts at least as many invocations. Buffers are bound before.
+    void dispatch(const GpuSettings& settings, std::size_t invocations) const;
+
+  private:
+    const GpuContext& context_;
+    GpuBuffer settings_;
+    std::uint32_t id_ = 0;
+};
+
+/// Measures how long the device works: by its own clock, or by wall time if the device is the CPU, whose
+/// drivers have no clock for compute shaders.
 class GpuTimer {
   public:
     explicit GpuTimer(const GpuContext& context);
@@ -100,4 +105,4 @@ class GpuTimer {
     double wall_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,45 +1,40 @@
 #include "gpu/rays.h"
 
-#include "gpu/dispatch_budget.h"
 #include "scene/scene_data.h"
 
 #include <algorithm>
 #include <epoxy/gl.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
-/// Rays of a dispatch: enough to fill the device, and few enough for desktops to stay alive.
+/// Rays of a dispatch: enough to fill the device, few enough to keep the desktop responsive.
 constexpr std::size_t rays_on_a_card = std::size_t{1} << 20;
 constexpr std::size_t rays_in_software = std::size_t{1} << 14;
 
 } // namespace
 
-GpuRays::GpuRays(const GpuContext& context, const SceneData& scene, bool count_steps) : context_(context) {
+GpuRays::GpuRays(const GpuContext& context, const scene::SceneData& scene, bool count_steps)
+    : context_(context) {
     const GpuScope scope(context);
     const GpuSceneData data = flatten(scene);
     ProgramChoice choice = program_for(data);
     choice.rays = true;
     choice.count = count_steps;
-    parts_.reset(new Parts{data.settings,
-                           {context, data, nullptr},
-                           {context, shader_source(choice)},
-                           {context, "the settings", nullptr, sizeof(GpuSettings)},
-                           GpuTimer(context)});
+    parts_.reset(new Parts{
+        data.settings, {context, data, nullptr}, {context, shader_source(choice)}, GpuTimer(context)});
 }
 
 GpuRays::~GpuRays() {
-    const GpuEnding ending(context_);
+    const GpuScope scope(context_, std::nothrow);
     parts_.reset();
 }
 
 std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
     const GpuScope scope(context_);
     const GpuBuffer work(context_, "the rays", rays.data(), rays.size_bytes());
-    parts_->program.use();
     parts_->scene.bind();
     work.bind_storage(6);
-    parts_->block.bind_uniform(0);
     const std::size_t most = context_.device().software ? rays_in_software : rays_on_a_card;
     for (std::size_t first = 0; first < rays.size(); first += most) {
         const std::size_t past = std::min(first + most, rays.size());
@@ -47,11 +42,8 @@ std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
         settings.first_slot = static_cast<std::uint32_t>(first);
         settings.end_slot = static_cast<std::uint32_t>(past);
         settings.any_hit = any ? 1 : 0;
-        parts_->block.write(0, &settings, sizeof settings);
         parts_->timer.start();
-        glDispatchCompute(
-            static_cast<GLuint>((past - first + DispatchBudget::group_size - 1) / DispatchBudget::group_size),
-            1, 1);
+        parts_->program.dispatch(settings, past - first);
         parts_->timer.stop();
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         seconds_ += parts_->timer.seconds();
@@ -63,4 +55,4 @@ std::vector<GpuHit> GpuRays::trace(std::span<const GpuRay> rays, bool any) {
     return hits;
 }
 
-} // namespace glint
+} // namespace glint::gpu

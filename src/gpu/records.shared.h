@@ -9,9 +9,9 @@
 #include <cstddef>
 #endif
 
-// What the host and the shader tell each other: settings, and the layout of the buffers that both touch. The
-// host fills structs, the shader reads the same structs: std140 for the settings, std430 for buffers. In both
-// a vec3 is followed by a scalar of four bytes, so that C++ has no other layout.
+// Settings and records that the host fills and the shader reads, and the layout of the buffers that both use:
+// std140 for the settings, std430 for buffers. In both a vec3 is followed by a scalar of four bytes, which
+// gives C++ the same layout.
 
 GLINT_SHARED_BEGIN
 
@@ -49,7 +49,7 @@ struct ShapeRecord {
     int kind; ///< of a quadric: quadric_sphere, …
     uint object;
     uint prim;         ///< within its object
-    uint is_local;     ///< 1: ObjectRecord has the way to its local space
+    uint is_local;     ///< 1: ObjectRecord has the transform of its local space
     PackedVector base; ///< as in QuadricShape
     PackedVector axis; ///< as in QuadricShape; of a plane its normal
     double height;     ///< as in QuadricShape; of a plane its offset
@@ -64,7 +64,7 @@ const uint object_reversed = 8u;       ///< the same, against the winding as its
 const uint object_instance = 16u;      ///< its triangles are those of a shared mesh, in a local space
 const uint object_local_normals = 32u; ///< its vertex normals go to the world by normal_matrix
 
-/// An object, with its material and the way to its local space, where it has one: an instance, or a quadric
+/// An object with its material, and with the transform of its local space if it is an instance or a quadric
 /// that is stretched.
 struct ObjectRecord {
     MaterialRecord material;
@@ -72,14 +72,14 @@ struct ObjectRecord {
     uint flags;
     uint interior;  ///< number of a transparent solid among all of them, by rank, from 1; 0 for others
     uint mesh_root; ///< of an instance
-    uint corners;   ///< this and the next two: where a mesh's arrays are among the words, or invalid_index
+    uint corners;   ///< this and the next two: indices of a mesh's arrays in the words, or invalid_index
     uint normals;
     uint colors;
     float mesh_max_coordinate; ///< of an instance: the largest |coordinate| of its tree's boxes
     PackedMatrix linear;       ///< p_world = linear · p_local + translation
     PackedMatrix inverse;
     PackedVector translation;
-    double slack;               ///< what the way to the world and back loses in double
+    double slack;               ///< error of the transform to the world and back in double
     PackedMatrix normal_matrix; ///< see object_local_normals
     double reserved;            ///< 0; std430 rounds the size up to a multiple of 16 bytes
 };
@@ -99,7 +99,7 @@ const uint term_reflection = 4u;
 const uint term_transmission = 5u;
 const uint term_emission = 6u;
 
-/// The uniform block: all that a dispatch is told beside the scene's buffers.
+/// The uniform block.
 struct GpuSettings {
     // The camera; its vectors are those of PinholeCamera.
     vec3 camera_eye;
@@ -109,7 +109,7 @@ struct GpuSettings {
     vec3 camera_right;
     float filter_radius; ///< pixels
     vec3 camera_up;
-    float index_outside;    ///< of refraction, outside all solids
+    float max_coordinate;   ///< the largest |coordinate| of boxes in the world
     uvec4 interiors_at_eye; ///< the transparent solids around the eye, as rays carry them
     uint seed_low;
     uint seed_high;
@@ -118,19 +118,18 @@ struct GpuSettings {
 
     // The scene.
     vec3 ambient_light;
-    float max_coordinate; ///< the largest |coordinate| of boxes in the world
-    vec3 background;
     float instance_slack; ///< what boxes of instances grow by, in |coordinates| of a ray's origin
+    vec3 background;
     uint max_depth;
     uint light_count;
     uint plane_count;
     uint mesh_count; ///< meshes in the world's own space
+    uint tree_root;  ///< invalid_index: only planes
     WhittedModes modes;
-    uint tree_root;      ///< invalid_index: only planes
-    uint first_interior; ///< in words: the transparent solids by rank
+    uint first_interior; ///< in words: the object of the outside, then the transparent solids by rank
 
     // The dispatch.
-    uint max_walk_steps; ///< after so many turns of its walks a slot waits for the next dispatch
+    uint max_walk_steps; ///< after so many traversal steps a slot waits for the next dispatch
     uint tile_x;         ///< the first pixel
     uint tile_y;
     uint tile_width; ///< in slots, a multiple of square_width
@@ -138,33 +137,40 @@ struct GpuSettings {
     uint end_x;      ///< past the last pixel
     uint end_y;
     uint first_sample; ///< samples before
-    uint end_sample;   ///< take samples up to this one
+    uint end_sample;   ///< past the last sample
     uint first_slot;
     uint end_slot;
     uint slot_count; ///< of the tile: the stride of their fields
-    uint max_nodes;  ///< of ray trees that a slot follows
-    uint aov;        ///< what is shown of first hits (render/aov.shared.h)
-    uint any_hit;    ///< rays.glsl: 1 ends each search with the first hit that is found
+    uint max_nodes;  ///< of ray trees, for each slot
+    int aov;         ///< what is measured at first hits (render/aov.shared.h)
+    uint any_hit;    ///< rays.glsl: 1: any hit will do
 
     // From a film to a picture: show.glsl.
     uint show_mode;
     uint known_step;    ///< each of so many pixels of a row and column is known
     uint known_samples; ///< of each pixel
-    uint film_terms;    ///< terms that the film keeps apart
+    uint film_terms;    ///< terms that the film sums separately
     uint shown_term;    ///< one of them
     uint smooth_steps;  ///< 1: linear between known pixels, 0: blocks
-    uint reserved;      ///< 0; std140 rounds the size up to a multiple of 16 bytes
+    uvec2 reserved;     ///< 0; std140 rounds the size up to a multiple of 16 bytes
 };
 
 // GpuSettings::show_mode
 const uint show_centres = 0u; // from the film to the image of known pixels
-const uint show_spread = 1u;  // the known pixels with what lies between them
-const uint show_means = 2u;   // of known_samples samples each
-const uint show_started = 3u; // of as many samples as each pixel has by now
+const uint show_means = 1u;   // of known_samples samples; without any, what is between the known pixels
+const uint show_started = 2u; // the same, of those that each pixel has got since as well
 
-// Slots, each a pixel of the tile, go through it in squares.
+// A slot is a pixel of the tile. Slots are numbered square by square.
 const uint square_width = 8u;
 const uint square_slots = 64u;
+
+/// The pixel of a slot, in a tile of so many slots across.
+GLINT_FN uvec2 pixel_of_slot(uint slot, uint tile_width) {
+    uint square = slot / square_slots;
+    uint columns = tile_width / square_width;
+    return uvec2(square_width * (square % columns) + slot % square_width,
+                 square_width * (square / columns) + slot % square_slots / square_width);
+}
 
 // The buffer of work: counters, then the fields of the slots, each field of all slots side by side: sample,
 // state, three for each term, then those of the rays that wait.
@@ -172,8 +178,8 @@ const uint counter_unfinished = 0u; // slots
 const uint counter_faults = 1u;     // bits: fault_interiors, fault_loops
 const uint counter_rays = 2u;       // primary, reflected, refracted, shadow
 const uint work_counters = 16u;
-const uint fault_interiors = 1u; // a ray was in more solids than it can carry
-const uint fault_loops = 2u;     // the driver ended a loop
+const uint fault_interiors = 1u; // a ray was in more solids than its list has room for
+const uint fault_loops = 2u;     // the driver ended a loop early
 const uint field_sample = 0u;
 const uint field_state = 1u;
 const uint field_terms = 2u;
@@ -187,7 +193,7 @@ const uint film_counts = 2u;
 
 #ifndef GLINT_GLSL
 static_assert(offsetof(GpuSettings, interiors_at_eye) == 64 && offsetof(GpuSettings, ambient_light) == 96 &&
-              offsetof(GpuSettings, max_depth) == 128 && offsetof(GpuSettings, modes) == 144 &&
+              offsetof(GpuSettings, light_count) == 128 && offsetof(GpuSettings, modes) == 144 &&
               sizeof(GpuSettings) == 256);
 static_assert(offsetof(NodeRecord, children) == 16 && offsetof(NodeRecord, sides_x) == 48 &&
               sizeof(NodeRecord) == 96);

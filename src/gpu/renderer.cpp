@@ -1,90 +1,49 @@
 // A whole picture on the device, tile by tile.
 
 #include "glint/gpu.h"
-#include "gpu/device_run.h"
+#include "gpu/device_executor.h"
 #include "gpu/device_state.h"
-#include "render/aov.h"
 #include "render/film.h"
+#include "render/schedule_run.h"
+
+#include <span>
 
 namespace glint {
 namespace {
 
-class Rendering {
-  public:
-    Rendering(GpuDeviceState& device_state, const RenderOptions& options)
-        : device_state_(device_state), options_(options),
-          film_(film_layout(device_state.scene()->render_settings(), options)), run_(device_state) {}
-
-    Picture run() {
-        film_.begin_pass({});
-        run_.start(film_.layout(), options_.show, one_pass(film_.layout().samples));
-        progress_.tiles = run_.slots_of_pass() / DispatchBudget::group_size;
-        const auto read = [this](const GpuTile& tile, const GpuBuffer& film) { read_tile(tile.rect, film); };
-        while (!run_.cursor().is_finished() && !is_cancelled(options_.cancel))
-            if (run_.step(read)) report();
-        Picture picture;
-        film_.move_to(picture);
-        picture.stats = stats_;
-        picture.complete = run_.cursor().is_finished();
-        picture.stats.wall_seconds = wall_seconds() - start_;
-        picture.stats.threads = 1;
-        return picture;
+/// A pixel of a tile, from the fields of its slot.
+void read_pixel(const rendering::Pixel& pixel, std::span<const float> fields, std::size_t slot,
+                std::size_t slots, std::size_t terms, rendering::Film& film) {
+    const auto field = [&](std::size_t f) { return fields[f * slots + slot]; };
+    const auto sum = [&](std::size_t f) { return vec3(field(f), field(f + 1), field(f + 2)); };
+    imaging::SignedSums<rendering::Terms> sums;
+    for (std::size_t t = 0; t < terms; ++t) {
+        sums.positive.value[t] = sum(3 * t);
+        sums.negative.value[t] = sum(3 * (terms + t));
     }
+    sums.count = static_cast<std::uint32_t>(film.layout().samples);
+    sums.positives = static_cast<std::uint32_t>(field(film_fields_of_term * terms));
+    film.set_pixel(pixel, sums, static_cast<std::uint32_t>(field(film_fields_of_term * terms + 1)));
+}
 
-  private:
-    void report() {
-        stats_ = {};
-        add_rays(run_.work().rays(), stats_);
-        stats_.device_seconds = run_.work().device_seconds();
-        progress_.rays = stats_.rays();
-        progress_.tiles_done = run_.slots_done() / DispatchBudget::group_size;
-        progress_.seconds = wall_seconds() - start_;
-        if (options_.progress) options_.progress(progress_);
+void read_tile(const Rect& tile, const gpu::GpuBuffer& buffer, std::size_t terms, rendering::Film& film) {
+    const std::uint32_t slots = gpu::slots_of(tile);
+    std::vector<float> fields(gpu::film_fields(terms) * slots);
+    buffer.read(0, fields.data(), fields.size() * sizeof(float));
+    const Rect& area = film.layout().area;
+    for (std::uint32_t slot = 0; slot < slots; ++slot) {
+        const uvec2 in_tile = pixel_of_slot(slot, static_cast<std::uint32_t>(tile.width));
+        const rendering::Pixel pixel{tile.x + static_cast<int>(in_tile.x),
+                                     tile.y + static_cast<int>(in_tile.y)};
+        if (pixel.x < area.width && pixel.y < area.height)
+            read_pixel(pixel, fields, slot, slots, terms, film);
     }
-
-    void read_tile(const Rect& tile, const GpuBuffer& buffer) {
-        const std::uint32_t slots = slots_of(tile);
-        std::vector<float> fields(film_fields(run_.terms()) * slots);
-        buffer.read(0, fields.data(), fields.size() * sizeof(float));
-        device_state_.context().check("reading the picture");
-        const int columns = tile.width / 8;
-        const Rect& area = film_.layout().area;
-        for (std::uint32_t slot = 0; slot < slots; ++slot) {
-            const auto square = static_cast<int>(slot / 64);
-            const int x = tile.x + 8 * (square % columns) + static_cast<int>(slot % 8);
-            const int y = tile.y + 8 * (square / columns) + static_cast<int>(slot % 64 / 8);
-            if (x < area.width && y < area.height) set_pixel({x, y}, fields, slot, slots);
-        }
-    }
-
-    void set_pixel(const Pixel& pixel, const std::vector<float>& fields, std::size_t slot,
-                   std::size_t slots) {
-        const auto field = [&](std::size_t f) { return fields[f * slots + slot]; };
-        const std::size_t terms = run_.terms();
-        SignedSums<Terms> sums;
-        for (std::size_t t = 0; t < terms; ++t) {
-            sums.positive.value[t] = vec3(field(3 * t), field(3 * t + 1), field(3 * t + 2));
-            const std::size_t n = 3 * terms + 3 * t;
-            sums.negative.value[t] = vec3(field(n), field(n + 1), field(n + 2));
-        }
-        sums.count = static_cast<std::uint32_t>(film_.layout().samples);
-        sums.positives = static_cast<std::uint32_t>(field(film_fields_of_term * terms));
-        film_.set_pixel(pixel, sums, static_cast<std::uint32_t>(field(film_fields_of_term * terms + 1)));
-    }
-
-    GpuDeviceState& device_state_;
-    const RenderOptions& options_;
-    const double start_ = wall_seconds();
-    Film film_;
-    DeviceRun run_;
-    Progress progress_;
-    RenderStats stats_;
-};
+}
 
 } // namespace
 
 struct GpuRenderer::State {
-    GpuDeviceState device_state;
+    gpu::GpuDeviceState device_state;
 };
 
 GpuRenderer::GpuRenderer(int device, const GpuLimits& limits) : state_(new State{{device, limits}}) {}
@@ -95,15 +54,32 @@ GpuRenderer& GpuRenderer::operator=(GpuRenderer&&) noexcept = default;
 const GpuDevice& GpuRenderer::device() const { return state_->device_state.context().device(); }
 
 void GpuRenderer::prepare(const Scene& scene) {
-    const GpuScope scope(state_->device_state.context());
+    const gpu::GpuScope scope(state_->device_state.context());
     state_->device_state.prepare(scene);
 }
 
 Picture GpuRenderer::render(const RenderOptions& options) {
-    GpuDeviceState& device_state = state_->device_state;
+    const double start = rendering::wall_seconds();
+    gpu::GpuDeviceState& device_state = state_->device_state;
     if (!device_state.scene()) throw Error(ErrorKind::usage, "no scene was prepared");
-    const GpuScope scope(device_state.context());
-    return Rendering(device_state, options).run();
+    const gpu::GpuScope scope(device_state.context());
+    rendering::Film film(rendering::film_layout(device_state.scene()->render_settings(), options));
+    film.begin_pass({});
+    gpu::DeviceExecutor executor(device_state);
+    executor.start(film.layout(), [&](const gpu::GpuTile& tile, const gpu::GpuBuffer& buffer) {
+        read_tile(tile.rect, buffer, executor.terms(), film);
+        device_state.context().check("reading the picture");
+    });
+    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
+                               options.progress);
+    run.run(rendering::no_deadline);
+    Picture picture;
+    film.move_to(picture);
+    picture.complete = run.is_finished();
+    run.add_stats(picture.stats);
+    picture.stats.device_seconds = executor.work().device_seconds();
+    picture.stats.wall_seconds = rendering::wall_seconds() - start;
+    return picture;
 }
 
 } // namespace glint

@@ -2,7 +2,7 @@
 
 #include "gpu/context.h"
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 template <class T>
@@ -35,4 +35,4 @@ void SceneBuffers::bind() const {
         buffer->bind_storage(binding++);
 }
 
-} // namespace glint
+} // namespace glint::gpu

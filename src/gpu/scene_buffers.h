@@ -6,17 +6,17 @@
 
 #include <memory>
 
-namespace glint {
+namespace glint::gpu {
 
 class GpuContext;
 
 class SceneBuffers {
   public:
-    /// Where `before` is given, the tree is the one that it holds, and stays where it is. Throws
-    /// Error(device) for what the device cannot hold, with its name and the sizes.
+    /// Shares the tree of `before`, if given. Throws Error(device) for what the device has no room for, with
+    /// its name and the sizes.
     SceneBuffers(const GpuContext& context, const GpuSceneData& data, const SceneBuffers* before);
 
-    /// All to their bindings, from 0 on.
+    /// To bindings 0, 1, …
     void bind() const;
 
   private:
@@ -24,4 +24,4 @@ class SceneBuffers {
     GpuBuffer objects_, words_, lights_, shapes_;
 };
 
-} // namespace glint
+} // namespace glint::gpu

@@ -2,7 +2,9 @@
 
 #include "glint/error.h"
 #include "glint/term.h"
+#include "gpu/interiors.shared.h"
 #include "render/camera_sampler.h"
+#include "render/interior_list.h"
 #include "trace/world/data.h"
 
 #include <algorithm>
@@ -10,8 +12,9 @@
 #include <cmath>
 #include <map>
 
-namespace glint {
+namespace glint::gpu {
 
+using scene::SceneData;
 using trace::Affine;
 using trace::InstanceData;
 using trace::PlanePrim;
@@ -28,7 +31,6 @@ static_assert(static_cast<uint>(Term::reflection) == term_reflection);
 static_assert(static_cast<uint>(Term::transmission) == term_transmission);
 static_assert(static_cast<uint>(Term::emission) == term_emission);
 
-constexpr std::size_t max_interiors = 8; ///< around one ray
 constexpr std::size_t max_transparent_solids = 0xffff;
 
 class Flattener {
@@ -77,16 +79,12 @@ class Flattener {
         data_.settings.tree_root = data_.tree.root;
     }
 
-    bool is_transparent_solid(std::uint32_t object) const {
-        const ObjectData& o = scene_.objects[object];
-        return o.solid && scene_.materials[o.material].transparency > 0.0f;
-    }
-
-    /// Numbers the transparent solids by rank, from 1: these numbers are what rays carry.
+    /// Numbers the transparent solids by rank, from 1: these numbers are what rays carry. An object of no
+    /// rank stands for the outside.
     void number_interiors() {
         std::vector<std::uint32_t> solids;
         for (std::uint32_t i = 0; i < scene_.objects.size(); ++i)
-            if (is_transparent_solid(i)) solids.push_back(i);
+            if (rendering::is_dielectric(i, scene_)) solids.push_back(i);
         if (solids.size() > max_transparent_solids)
             throw Error(ErrorKind::device,
                         "the scene has " + std::to_string(solids.size()) +
@@ -97,16 +95,18 @@ class Flattener {
             return scene_.objects[a].rank < scene_.objects[b].rank;
         });
         data_.settings.first_interior = words();
+        data_.words.push_back(static_cast<std::uint32_t>(data_.objects.size()));
+        data_.objects.emplace_back().material.index = scene_.index_outside;
         data_.interiors.assign(scene_.objects.size(), 0);
         for (const std::uint32_t object : solids) {
-            data_.words.push_back(object);
             data_.interiors[object] = words() - data_.settings.first_interior;
+            data_.words.push_back(object);
             data_.objects[object].interior = data_.interiors[object];
         }
     }
 
     void add_objects() {
-        for (const ObjectData& o : scene_.objects) {
+        for (const scene::ObjectData& o : scene_.objects) {
             ObjectRecord record{};
             record.material = scene_.materials[o.material];
             record.rank = o.rank;
@@ -127,7 +127,7 @@ class Flattener {
             add_attributes(scene_.objects[i], data_.objects[i]);
     }
 
-    /// All quadrics of an object have one.
+    /// All quadrics of an object share it.
     static void set_local_space(ObjectRecord& record, const Affine& affine) {
         record.linear = affine.linear;
         record.inverse = affine.inverse;
@@ -143,22 +143,22 @@ class Flattener {
         if (placed.turned) record.flags |= object_reversed;
         record.slack = placed.slack;
         record.mesh_root = data_.tree.mesh_roots[placed.mesh];
-        record.mesh_max_coordinate = data_.tree.mesh_corners[placed.mesh];
+        record.mesh_max_coordinate = data_.tree.mesh_max_coordinates[placed.mesh];
     }
 
-    void add_attributes(const ObjectData& object, ObjectRecord& record) {
+    void add_attributes(const scene::ObjectData& object, ObjectRecord& record) {
         record.corners = record.normals = record.colors = invalid_index;
-        if (object.attributes == no_attributes) return;
-        const MeshAttributes& a = scene_.attributes[static_cast<std::size_t>(object.attributes)];
+        if (object.attributes == scene::no_attributes) return;
+        const scene::MeshAttributes& a = scene_.attributes[static_cast<std::size_t>(object.attributes)];
         record.corners = add_array(a.mesh->triangles);
         if (a.normals != nullptr) record.normals = add_array(*a.normals);
         if (a.colored || a.mesh->triangles.empty()) record.colors = add_array(a.mesh->colors);
-        if (object.normal_matrix == no_normal_matrix) return;
+        if (object.normal_matrix == scene::no_normal_matrix) return;
         record.flags |= object_local_normals;
         record.normal_matrix = scene_.normal_matrices[static_cast<std::size_t>(object.normal_matrix)];
     }
 
-    /// Where an array of vectors begins among the words; arrays that objects share are stored once.
+    /// Index of an array of vectors in the words; arrays that objects share are stored once.
     template <class Vector>
     std::uint32_t add_array(const std::vector<Vector>& vectors) {
         if (vectors.empty()) return invalid_index;
@@ -174,8 +174,8 @@ class Flattener {
 
     void set_film() {
         GpuSettings& s = data_.settings;
-        const CameraSampler sampler(scene_.description);
-        const PixelFilterSampler& filter = sampler.filter();
+        const rendering::CameraSampler sampler(scene_.description);
+        const imaging::PixelFilterSampler& filter = sampler.filter();
         std::copy(filter.tails().begin(), filter.tails().end(), data_.filter_table.tails);
         s.filter_radius = filter.radius();
         s.negative_filter_steps = static_cast<std::uint32_t>(filter.negative_steps());
@@ -190,36 +190,29 @@ class Flattener {
         GpuSettings& s = data_.settings;
         const WhittedSettings& w = scene_.description.whitted;
         s.ambient_light = scene_.ambient;
-        s.max_coordinate = data_.tree.corner;
+        s.max_coordinate = data_.tree.max_coordinate;
         s.background = scene_.background;
         s.instance_slack = world_.instance_tree.slack();
         s.max_depth = static_cast<std::uint32_t>(w.max_depth);
-        s.modes.opaque_shadows = w.shadows == Shadows::opaque ? 1 : 0;
-        s.modes.clamp = w.clamp ? 1 : 0;
-        s.modes.balanced = w.energy == Energy::balanced ? 1 : 0;
-        s.modes.highlight = w.highlight_model == HighlightModel::phong ? highlight_phong : highlight_blinn;
+        s.modes = scene::whitted_modes(w);
     }
 
     const SceneData& scene_;
     const WorldData& world_;
     GpuSceneData data_;
-    std::map<const void*, std::uint32_t> arrays_; ///< that are among the words
+    std::map<const void*, std::uint32_t> arrays_; ///< indices in the words
 };
 
-/// As rays carry them: highest rank first, while camera_interiors has the lowest first.
+/// The list of the solids around the eye.
 uvec4 interiors_at_eye(const GpuSceneData& data, const std::vector<std::uint32_t>& objects) {
-    if (objects.size() > max_interiors)
+    if (objects.size() > std::size_t{max_interiors})
         throw Error(ErrorKind::device,
                     "the camera is in " + std::to_string(objects.size()) +
                         " transparent solids, and a ray on the GPU can be in " +
                         std::to_string(max_interiors),
                     "render on the CPU");
     uvec4 interiors(0u);
-    std::size_t entry = objects.size();
-    for (const std::uint32_t object : objects) {
-        --entry;
-        interiors[static_cast<int>(entry / 2)] |= data.interiors[object] << (entry % 2 == 0 ? 16 : 0);
-    }
+    for (const std::uint32_t object : objects) interiors = interiors_with(interiors, data.interiors[object]);
     return interiors;
 }
 
@@ -228,16 +221,15 @@ uvec4 interiors_at_eye(const GpuSceneData& data, const std::vector<std::uint32_t
 void set_view(GpuSceneData& data, const SceneData& scene) {
     GpuSettings& s = data.settings;
     s.interiors_at_eye = interiors_at_eye(data, scene.camera_interiors);
-    const PinholeCamera camera = camera_of(scene.description);
+    const PinholeCamera camera = rendering::camera_of(scene.description);
     s.camera_eye = camera.eye;
     s.image_width = camera.width;
     s.camera_forward = camera.forward;
     s.image_height = camera.height;
     s.camera_right = camera.right;
     s.camera_up = camera.up;
-    s.index_outside = scene.index_outside;
 }
 
 GpuSceneData flatten(const SceneData& scene, const GpuTree* tree) { return Flattener(scene).run(tree); }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,5 +1,5 @@
 #pragma once
-// A scene as the shader reads it: arrays of records (gpu/records.shared.h), one for each buffer of
+// A scene in the form that shaders read: arrays of records (gpu/records.shared.h), one for each buffer of
 // shaders/data.glsl.
 
 #include "gpu/records.shared.h"
@@ -9,25 +9,25 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 
 struct GpuSceneData {
     GpuTree tree;
     std::vector<ObjectRecord> objects;
     std::vector<std::uint32_t> interiors; ///< ObjectRecord::interior of each
-    std::vector<std::uint32_t> words;     ///< ranges of meshes, numbers of transparent solids, vertex data
+    std::vector<std::uint32_t> words;     ///< ranges of meshes, transparent solids by number, vertex data
     FilterTable filter_table{};
     std::vector<LightRecord> lights;
     std::vector<ShapeRecord> shapes; ///< planes, then quadrics in the order of the tree's leaves
-    GpuSettings settings{};          ///< all that the scene decides
-    bool glass = false;              ///< does anything let light through?
+    GpuSettings settings{};          ///< those that the scene decides
+    bool glass = false;              ///< is anything transparent?
 };
 
-/// Where `tree` is given it is the scene's, made before. Throws Error(device) for a scene that the shader's
-/// numbers cannot name, with the sizes.
-GpuSceneData flatten(const SceneData& scene, const GpuTree* tree = nullptr);
+/// `tree`, if given, is the scene's tree from an earlier call. Throws Error(device) with the sizes for a
+/// scene with more of anything than the shader can index.
+GpuSceneData flatten(const scene::SceneData& scene, const GpuTree* tree = nullptr);
 
-/// Another camera or size of the scene that was flattened. Throws as flatten() does.
-void set_view(GpuSceneData& data, const SceneData& scene);
+/// Sets camera and size. Throws as flatten() does.
+void set_view(GpuSceneData& data, const scene::SceneData& scene);
 
-} // namespace glint
+} // namespace glint::gpu

@@ -1,7 +1,7 @@
 #pragma once
 // The text of the shader, file by file, in the order in which it is compiled.
 
-namespace glint {
+namespace glint::gpu {
 
 struct ShaderFile {
     const char* path; ///< below src/; null after the last
@@ -9,4 +9,4 @@ struct ShaderFile {
 };
 extern const ShaderFile shader_files[];
 
-} // namespace glint
+} // namespace glint::gpu

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <epoxy/gl.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 int whole_squares(int pixels) { return (pixels + 7) / 8 * 8; }
@@ -46,6 +46,12 @@ std::vector<Rect> tiles_of(const GpuContext& context, const GpuSettings& scene, 
     return tiles;
 }
 
+void TileWork::start() {
+    unfinished_ = 0;
+    rays_ = {};
+    seconds_ = 0;
+}
+
 void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     settings_ = settings;
     settings_.max_walk_steps = device_state_.budget().steps();
@@ -57,22 +63,16 @@ void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     } else {
         work_->clear(4 * (work_counters + state_fields(terms_) * slots));
     }
-    if (block_ == nullptr) {
-        block_ = std::make_unique<GpuBuffer>(device_state_.context(), "the settings", nullptr,
-                                             sizeof(GpuSettings));
-        timer_ = std::make_unique<GpuTimer>(device_state_.context());
-    }
+    if (timer_ == nullptr) timer_ = std::make_unique<GpuTimer>(device_state_.context());
     first_ = 0;
     unfinished_ = slots;
     device_state_.budget().next_tile();
 }
 
-bool TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
-    program.use();
+void TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     device_state_.buffers().bind();
     work_->bind_storage(6);
     film.bind_storage(7);
-    block_->bind_uniform(0);
     DispatchBudget& budget = device_state_.budget();
     const std::uint32_t past = std::min(first_ + budget.slots(), slots_);
     const bool whole = past - first_ == budget.slots();
@@ -80,19 +80,17 @@ bool TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     settings_.end_slot = past;
     settings_.slot_count = slots_;
     settings_.max_nodes = budget.nodes();
-    const double start = wall_seconds();
-    block_->write(0, &settings_, sizeof settings_);
+    const double start = rendering::wall_seconds();
     timer_->start();
-    glDispatchCompute((past - first_ + DispatchBudget::group_size - 1) / DispatchBudget::group_size, 1, 1);
+    program.dispatch(settings_, past - first_);
     timer_->stop();
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     glFinish();
     device_state_.context().check("rendering");
-    budget.learn(wall_seconds() - start, whole);
+    budget.learn(rendering::wall_seconds() - start, whole);
     seconds_ += timer_->seconds();
     first_ = past < slots_ ? past : 0;
     if (first_ == 0) count();
-    return first_ == 0;
 }
 
 void TileWork::count() {
@@ -118,4 +116,4 @@ void TileWork::count() {
     if (unfinished_ < slots_ / 4) device_state_.budget().few_left();
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::gpu {
 
 using bvh::Tree;
 using bvh::TreeNode;
@@ -23,20 +23,20 @@ namespace {
 constexpr std::uint32_t max_nodes = 0x00ffffffu;
 constexpr std::uint32_t max_leaf_units = 0x02000000u;
 
-/// A child on its way into a node.
+/// A child of a node.
 struct Child {
     Bounds box;
     std::uint32_t code = 0;
 };
 
-/// What a node's axis is measured in: the least power of two that spans it in 255 steps.
+/// The unit along a node's axis: the least power of two that spans the axis in 255 steps.
 int exponent_for(double extent) {
     int exponent = 0;
     std::frexp(extent / 255.0, &exponent);
     return std::clamp(exponent, -126, 127);
 }
 
-/// Where each child stands: the one that lies furthest toward a corner gets that corner's number.
+/// The child in each slot: the one that lies furthest toward a corner gets that corner's number.
 std::array<int, wide_children> slots_of(const std::vector<Child>& children, const Bounds& all) {
     std::array<int, wide_children> child_at;
     child_at.fill(-1);
@@ -58,7 +58,7 @@ std::array<int, wide_children> slots_of(const std::vector<Child>& children, cons
                 best_slot = slot;
             }
         }
-        // Boxes beyond the range of floats have no place of their own: any will do.
+        // Boxes beyond the range of floats have no order: any slot will do.
         if (!(most > -std::numeric_limits<float>::infinity())) {
             best_child = std::size_t(std::find(placed.begin(), placed.end(), false) - placed.begin());
             best_slot = std::size_t(std::find(child_at.begin(), child_at.end(), -1) - child_at.begin());
@@ -69,8 +69,8 @@ std::array<int, wide_children> slots_of(const std::vector<Child>& children, cons
     return child_at;
 }
 
-/// A node over its children, at most eight; grows `corner` by what its boxes reach.
-NodeRecord make_node(const std::vector<Child>& children, float& corner) {
+/// A node over its children, at most eight; grows `max_coordinate` to that of its boxes.
+NodeRecord make_node(const std::vector<Child>& children, float& max_coordinate) {
     Bounds all;
     for (const Child& child : children) all.grow(child.box);
     const std::array<int, wide_children> child_at = slots_of(children, all);
@@ -91,8 +91,8 @@ NodeRecord make_node(const std::vector<Child>& children, float& corner) {
             const auto half = static_cast<int>(slot / 4);
             (*sides[axis])[half] |= static_cast<std::uint32_t>(low) << shift;
             (*sides[axis])[2 + half] |= static_cast<std::uint32_t>(high) << shift;
-            corner = std::max({corner, static_cast<float>(std::abs(origin)),
-                               static_cast<float>(std::abs(origin + high * step))});
+            max_coordinate = std::max({max_coordinate, static_cast<float>(std::abs(origin)),
+                                       static_cast<float>(std::abs(origin + high * step))});
         }
     }
     for (std::size_t slot = 0; slot < wide_children; ++slot) {
@@ -116,13 +116,13 @@ class Builder {
     explicit Builder(const WorldData& world) : world_(world) {}
 
     GpuTree run() {
-        const std::uint32_t mesh_root = add_mesh(world_.mesh_tree, tree_.corner);
+        const std::uint32_t mesh_root = add_mesh(world_.mesh_tree, tree_.max_coordinate);
         int mesh_depth = depth_;
         for (const SharedMesh& mesh : world_.shared_meshes) {
             depth_ = 0;
-            float corner = 0;
-            tree_.mesh_roots.push_back(add_mesh(mesh.tree, corner));
-            tree_.mesh_corners.push_back(corner);
+            float max_coordinate = 0;
+            tree_.mesh_roots.push_back(add_mesh(mesh.tree, max_coordinate));
+            tree_.mesh_max_coordinates.push_back(max_coordinate);
             mesh_depth = std::max(mesh_depth, depth_ + 1);
         }
         depth_ = 0;
@@ -133,7 +133,7 @@ class Builder {
         const Tree& quadrics = world_.quadric_tree;
         if (!quadrics.empty()) items.push_back({quadrics.bounds, &quadrics, quadrics.root, 0});
         if (!items.empty()) tree_.root = add_top(std::move(items), 1);
-        // A walk leaves one entry behind in each node, and one more where it enters an instance.
+        // A traversal leaves one entry in each node, and one more where it enters an instance.
         tree_.stack = depth_ + mesh_depth + 2;
         return std::move(tree_);
     }
@@ -160,7 +160,7 @@ class Builder {
         return static_cast<std::uint32_t>(first);
     }
 
-    std::uint32_t add_mesh(const MeshTree& mesh, float& corner) {
+    std::uint32_t add_mesh(const MeshTree& mesh, float& max_coordinate) {
         if (mesh.nodes.empty()) return invalid_index;
         const std::uint32_t first = new_nodes(mesh.nodes.size());
         const std::size_t units = tree_.leaves.size() / 4;
@@ -183,7 +183,7 @@ class Builder {
                 child.code = (code & leaf_bit) != 0 ? code + static_cast<std::uint32_t>(units) : code + first;
                 children.push_back(child);
             }
-            tree_.nodes[first + i] = make_node(children, corner);
+            tree_.nodes[first + i] = make_node(children, max_coordinate);
         }
         depth_ = std::max(depth_, depth_below(mesh, 0));
         return first;
@@ -206,7 +206,7 @@ class Builder {
         const std::uint32_t node = new_nodes(1);
         std::vector<Child> children;
         for (const Item& item : items) children.push_back({item.box, code_of(item, depth)});
-        tree_.nodes[node] = make_node(children, tree_.corner);
+        tree_.nodes[node] = make_node(children, tree_.max_coordinate);
         return node;
     }
 
@@ -236,4 +236,4 @@ class Builder {
 
 GpuTree build_gpu_tree(const WorldData& world) { return Builder(world).run(); }
 
-} // namespace glint
+} // namespace glint::gpu

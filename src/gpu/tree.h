@@ -1,6 +1,7 @@
 #pragma once
-// The tree that shaders walk: one for everything, eight children a node, their boxes in bytes. After Ylitie,
-// Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017.
+// The tree that shaders traverse: one for everything, eight children a node, their boxes quantized to bytes.
+// After Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG
+// 2017.
 //
 // A node is a NodeRecord (gpu/records.shared.h). A side of a child's box is origin + byte · 2^exponent,
 // rounded outward. Child i lies toward +x, +y, +z of the others where bits 0, 1, 2 of i are set: rays enter
@@ -9,27 +10,24 @@
 // count − 1 (5 bits) and the first (24 bits); else a node.
 
 #include "gpu/records.shared.h"
+#include "trace/world/data.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace glint {
-
-namespace trace {
-struct WorldData;
-}
+namespace glint::gpu {
 
 struct GpuTree {
     std::vector<NodeRecord> nodes;
     std::vector<std::uint32_t> leaves; ///< MeshTree::leaf_words of all meshes
     std::uint32_t root = invalid_index;
-    std::vector<std::uint32_t> mesh_roots; ///< of the shared meshes
-    std::vector<float> mesh_corners;       ///< the largest |coordinate| of their boxes
-    float corner = 0;                      ///< of boxes in the world
-    int stack = 0;                         ///< entries that a walk may need
+    std::vector<std::uint32_t> mesh_roots;   ///< of the shared meshes
+    std::vector<float> mesh_max_coordinates; ///< the largest |coordinate| of their boxes
+    float max_coordinate = 0;                ///< that of boxes in the world
+    int stack = 0;                           ///< entries that a traversal may need
 };
 
 /// Throws Error(device) for a world with too many nodes or leaves for codes of 32 bits.
 GpuTree build_gpu_tree(const trace::WorldData& world);
 
-} // namespace glint
+} // namespace glint::gpu

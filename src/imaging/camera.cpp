@@ -4,7 +4,7 @@
 
 #include "math/trig.h"
 
-namespace glint {
+namespace glint::imaging {
 
 PinholeCamera pinhole_camera(const dvec3& eye, const dvec3& direction, const dvec3& up, double fov_degrees,
                              FovAxis axis, int width, int height) {
@@ -26,4 +26,4 @@ PinholeCamera pinhole_camera(const dvec3& eye, const dvec3& direction, const dve
     return camera;
 }
 
-} // namespace glint
+} // namespace glint::imaging

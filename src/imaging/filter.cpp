@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::imaging {
 
 namespace {
 
@@ -35,17 +35,8 @@ double mitchell(double x) {
 } // namespace
 
 double filter_radius(PixelFilter filter) {
-    switch (filter) {
-    case PixelFilter::box:
-        return 0.5;
-    case PixelFilter::tent:
-        return 1;
-    case PixelFilter::gaussian:
-        return 1.5;
-    case PixelFilter::mitchell:
-        break;
-    }
-    return 2;
+    constexpr std::array radii{0.5, 1.0, 1.5, 2.0};
+    return radii[static_cast<std::size_t>(filter)];
 }
 
 double filter_value(PixelFilter filter, double x) {
@@ -106,4 +97,4 @@ FilterSample PixelFilterSampler::sample(float u, float v) const {
     return {x.distance_to, y.distance_to, x.weight * y.weight};
 }
 
-} // namespace glint
+} // namespace glint::imaging

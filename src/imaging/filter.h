@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-namespace glint {
+namespace glint::imaging {
 
 /// Radius in pixels along x and y; the filter is 0 beyond.
 double filter_radius(PixelFilter filter);
@@ -54,4 +54,4 @@ class PixelFilterSampler {
     std::array<std::uint16_t, starts> start_; ///< search start by floor(tail · starts)
 };
 
-} // namespace glint
+} // namespace glint::imaging

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstring>
 #include <span>
+#include <vector>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -15,28 +16,13 @@ namespace glint {
 
 namespace {
 
-/// Swaps bytes in a small buffer, so no second picture is needed.
-void update_swapped(XXH3_state_t& state, std::span<const float> values) {
-    std::array<unsigned char, 4096> buffer;
-    constexpr std::size_t batch = buffer.size() / sizeof(float);
-    while (!values.empty()) {
-        const std::size_t count = std::min(batch, values.size());
-        std::memcpy(buffer.data(), values.data(), count * sizeof(float));
-        for (std::size_t i = 0; i < count; ++i)
-            std::reverse(buffer.begin() + static_cast<std::ptrdiff_t>(4 * i),
-                         buffer.begin() + static_cast<std::ptrdiff_t>(4 * i + 4));
-        XXH3_128bits_update(&state, buffer.data(), count * sizeof(float));
-        values = values.subspan(count);
-    }
-}
-
 XXH128_hash_t hash_little_endian(std::span<const float> values) {
     if constexpr (std::endian::native == std::endian::little)
         return XXH3_128bits(values.data(), values.size_bytes());
-    XXH3_state_t state;
-    XXH3_128bits_reset(&state);
-    update_swapped(state, values);
-    return XXH3_128bits_digest(&state);
+    std::vector<std::array<unsigned char, 4>> swapped(values.size());
+    std::memcpy(swapped.data(), values.data(), values.size_bytes());
+    for (auto& bytes : swapped) std::reverse(bytes.begin(), bytes.end());
+    return XXH3_128bits(swapped.data(), values.size_bytes());
 }
 
 } // namespace

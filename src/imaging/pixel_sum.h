@@ -1,5 +1,5 @@
 #pragma once
-// From a pixel's samples to its value, in an order that depends on the number of the sample alone.
+// From a pixel's samples to its value, in an order that depends only on the number of the sample.
 
 #include "math/vec.h"
 
@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace glint {
+namespace glint::imaging {
 
 /// A sum of up to 2^32 − 1 values by a fixed tree. Values are added in pairs, pairs in pairs, and so on, as
-/// carries run through a binary counter: each aligned block of 16 is a full tree of its own, so blocks may be
-/// summed apart. What does not fill a tree is added at the end, the youngest first. Rounding grows with log
-/// n, not n.
+/// carries run through a binary counter: each aligned block of a power of two is a full tree, so blocks may
+/// be summed separately. Values that do not fill a tree are added at the end, the latest first. Rounding
+/// grows with log n, not n.
 template <class T>
 class PairwiseSum {
   public:
@@ -51,12 +51,12 @@ class PairwiseSum {
 /// From this many samples on, a filter's negative lobes count.
 inline constexpr std::uint32_t samples_for_lobes = 16;
 
-/// Do so many samples, of these so many of positive weight, resolve the negative lobes?
+/// True if `count` samples, `positives` of them with positive weight, resolve the negative lobes.
 inline bool lobes_count(std::uint32_t count, std::uint32_t positives) {
     return count >= samples_for_lobes && 4 * std::int64_t{positives} >= 3 * std::int64_t{count};
 }
 
-/// Sums over one pixel's samples, those of positive and those of negative weight apart.
+/// Sums over one pixel's samples of positive and of negative weight.
 template <class T>
 struct SignedSums {
     T positive{};
@@ -78,7 +78,7 @@ T pixel_value(const SignedSums<T>& sums) {
 }
 
 /// One pixel's samples: Σ w L / Σ w for weights of ±1 (imaging/filter.h). Few samples do not resolve a
-/// negative lobe: one bright sample on it among four would turn a pixel black. So with fewer than
+/// negative lobe: one bright sample there among four would turn a pixel black. So with fewer than
 /// samples_for_lobes, or where the weights nearly cancel (Σ w < n / 2), the pixel is the plain mean of the
 /// samples of positive weight, or of all where there is none.
 ///
@@ -86,7 +86,7 @@ T pixel_value(const SignedSums<T>& sums) {
 template <class T>
 class PixelSum {
   public:
-    /// The state of a sum whose number of samples is a power of two; enough to go on with.
+    /// The state of a sum whose number of samples is a power of two; enough to continue it.
     struct Part {
         T positive{};
         T negative{};
@@ -102,13 +102,13 @@ class PixelSum {
     };
 
     PixelSum() = default;
-    /// Goes on after `count` samples, none or a power of two.
+    /// Continues after `count` samples: 0 or a power of two.
     PixelSum(const Part& part, std::uint32_t count) : positives_(part.positives) {
         if (count == 0) return;
         positive_.resume(part.positive, count);
         negative_.resume(part.negative, count);
     }
-    /// What may go on later, where the number of samples is a power of two.
+    /// The state from which the sum can be continued, if the number of samples is a power of two.
     Part part() const { return {positive_.total(), negative_.total(), positives_}; }
 
     void add(const T& radiance, float weight) {
@@ -125,7 +125,7 @@ class PixelSum {
             SignedSums<T>{positive_.total(), negative_.total(), positive_.count(), positives_});
     }
 
-    /// Of all that was added: do samples of such a weight count?
+    /// True if samples of this weight count in value().
     bool counts(float weight) const {
         return weight > 0 || positives_ == 0 || lobes_count(positive_.count(), positives_);
     }
@@ -136,4 +136,4 @@ class PixelSum {
     std::uint32_t positives_ = 0;
 };
 
-} // namespace glint
+} // namespace glint::imaging

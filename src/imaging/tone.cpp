@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace glint {
+namespace glint::imaging {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::uint8_t unorm8_from_float(float share) { return static_cast<std::uint8_t>(r
 
 std::uint16_t unorm16_from_float(float share) { return static_cast<std::uint16_t>(rounded(share, 65535)); }
 
-} // namespace glint
+} // namespace glint::imaging

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace glint {
+namespace glint::imaging {
 
 /// Linear light of an sRGB value 0 … 1 by the exact curve; the linear piece extends below 0.
 double linear_from_srgb(double encoded);
@@ -31,4 +31,4 @@ std::uint16_t raw16_from_linear(float linear);
 std::uint8_t unorm8_from_float(float share);
 std::uint16_t unorm16_from_float(float share);
 
-} // namespace glint
+} // namespace glint::imaging

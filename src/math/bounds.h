@@ -22,6 +22,11 @@ struct Bounds {
         lo = glm::min(lo, b.lo);
         hi = glm::max(hi, b.hi);
     }
+    /// Largest |coordinate|.
+    float max_coordinate() const {
+        const vec3 far = glm::max(glm::abs(lo), glm::abs(hi));
+        return std::max({far.x, far.y, far.z});
+    }
     /// Half the surface area, as used by the surface area heuristic.
     float half_area() const {
         const vec3 d = extent();

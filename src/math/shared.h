@@ -1,18 +1,18 @@
 #pragma once
-// What lets one header be C++ and GLSL 4.5 alike. A shared header (*.shared.h) holds plain functions over
+// Makes a header compile both as C++ and as GLSL 4.5. A shared header (*.shared.h) holds plain functions over
 // float, int, uint, bool, vectors and structs of these: no namespaces but GLINT_SHARED_BEGIN/END, no
 // references but GLINT_IN (a struct that is read) and GLINT_OUT, no templates, no recursion, no default
 // member values, constructors in the form T(a, b), float literals with the suffix f, and none of GLSL's
 // reserved words as names (sample, input, output, half, active, common, partition, smooth, flat, precise …).
-// Only + - * / sqrt floor reach the machine: everything else is computed by ourselves, with the same bits
-// anywhere. GLINT_PRECISE marks values that a shader's compiler must not fuse.
+// Only + - * / sqrt and floor of the machine are used, so that results have the same bits everywhere.
+// GLINT_PRECISE marks values that a shader's compiler must not fuse.
 //
-// What differs from ray to ray is `real`, `integer`, `truth` or vec3, in double `real64` or dvec3, and
-// choices between such values are made by pick(condition, one, other), which computes both: so the same
-// functions serve vectors of rays (math/lanes-inl.h in single precision, math/double_lanes-inl.h in double).
-// There a `real` holds one float for each of several rays. any_lane(t) lets a function return early where a
-// truth holds for none of them. What is the same for all rays of a vector (a light, a shape) is float,
-// double, int or bool, and `if` may ask for it; where the rays are vectors, GLINT_LANES is defined.
+// Values that differ between rays have the types real, integer, truth and vec3, in double real64 and dvec3.
+// pick(condition, one, other) chooses between such values and computes both. So the same functions can be
+// compiled for vectors of rays (math/lanes-inl.h), where a real holds one float for each ray, with
+// GLINT_LANES defined. any_lane(t) lets a function return early if t holds for no ray. Values that are the
+// same for all rays of a vector (of a light, a shape) are float, double, int or bool, and `if` may depend on
+// them.
 
 #ifndef GLINT_GLSL
 
@@ -48,14 +48,14 @@ using glm::min;
 using glm::normalize;
 using std::sqrt;
 
-/// `one` where the condition holds, else `other`.
+/// `one` if the condition holds, otherwise `other`.
 inline float pick(bool condition, float one, float other) { return condition ? one : other; }
 inline int pick(bool condition, int one, int other) { return condition ? one : other; }
 inline double pick(bool condition, double one, double other) { return condition ? one : other; }
 inline vec3 pick(bool condition, const vec3& one, const vec3& other) { return condition ? one : other; }
 inline dvec3 pick(bool condition, const dvec3& one, const dvec3& other) { return condition ? one : other; }
 
-/// Does it hold for any ray of a vector? For one ray: for that.
+/// Whether t holds for any ray of a vector.
 inline bool any_lane(bool t) { return t; }
 
 inline int floatBitsToInt(float x) {

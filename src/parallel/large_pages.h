@@ -67,8 +67,3 @@ void return_unused(LargeVector<Value>& values) {
 }
 
 } // namespace glint::parallel
-
-namespace glint {
-using parallel::prefer_large_pages;
-using parallel::reserve_large;
-} // namespace glint

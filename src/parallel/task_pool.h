@@ -41,9 +41,3 @@ class TaskPool {
 };
 
 } // namespace glint::parallel
-
-namespace glint {
-using parallel::available_threads;
-using parallel::TaskPool;
-using parallel::TasksCancelled;
-} // namespace glint

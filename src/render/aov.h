@@ -1,15 +1,16 @@
 #pragma once
-// What pictures show: light, one of its terms, or numbers of first hits (AOVs).
+// Kinds of AOVs: the light, one of its terms, or numbers of first hits.
 
 #include "glint/render.h"
 
 #include <optional>
 
-namespace glint {
+namespace glint::rendering {
 
-/// Is it light or a part of it, with as many samples as the scene asks for? AOVs have one ray a pixel.
+/// True for the light and its terms, which have as many samples as the scene says; others have one ray a
+/// pixel.
 bool is_light(Aov aov);
-/// The term that an aov shows; none for all light and for AOVs.
+/// The term that an AOV shows; none if it shows all light or first hits.
 std::optional<Term> term_of(Aov aov);
 
-} // namespace glint
+} // namespace glint::rendering

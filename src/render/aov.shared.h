@@ -2,7 +2,7 @@
 #define GLINT_RENDER_AOV_SHARED_H
 #include "math/shared.h"
 
-// What pictures of first hits show in place of the light, on the CPU and on the GPU.
+// AOVs of first hits, on the CPU and on the GPU.
 
 GLINT_SHARED_BEGIN
 

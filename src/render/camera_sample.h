@@ -1,5 +1,5 @@
 #pragma once
-// What every estimator takes and gives: a camera ray in, the light along it out.
+// Input and output of estimators: camera samples and what is measured along them.
 
 #include "glint/term.h"
 #include "math/vec.h"
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace glint {
+namespace glint::rendering {
 
 /// A pixel of the whole picture (not of a crop), from the top left.
 struct Pixel {
@@ -52,11 +52,11 @@ struct Terms {
     }
 };
 
-/// What an estimator measures along one camera ray.
+/// Values measured along one camera ray.
 struct Channels {
     vec3 radiance{0.0f};
-    Terms terms{};        ///< their sum is the radiance, to the bit; unchanged where they are not asked for
-    bool covered = false; ///< did the ray hit anything?
+    Terms terms{};        ///< their sum is the radiance, to the bit; unchanged if not requested
+    bool covered = false; ///< the ray hit something
 };
 
 /// Rays traced, by kind.
@@ -73,4 +73,4 @@ struct RayCounts {
     }
 };
 
-} // namespace glint
+} // namespace glint::rendering

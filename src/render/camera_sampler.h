@@ -1,5 +1,5 @@
 #pragma once
-// Where the samples of a picture lie: from a pixel and the index of a sample to a camera ray and its weight.
+// Camera samples: from a pixel and the index of a sample to a camera ray and its weight.
 
 #include "glint/render.h"
 #include "imaging/camera.h"
@@ -7,9 +7,8 @@
 #include "render/camera_sample.h"
 
 #include <cstdint>
-#include <optional>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Samples that are traced together: enough to fill batches of rays, few enough to stay in the cache.
 inline constexpr int batch_samples = 256;
@@ -17,10 +16,7 @@ inline constexpr int batch_samples = 256;
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
 
-/// The crop, or all of the picture. Throws Error(usage) for a crop that does not lie inside.
-Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop);
-
-/// Makes camera samples. They depend on the scene, the pixel and the index of the sample alone.
+/// Makes camera samples. They depend only on the scene, the pixel and the index of the sample.
 class CameraSampler {
   public:
     explicit CameraSampler(const SceneDescription& scene);
@@ -29,19 +25,19 @@ class CameraSampler {
     CameraSample sample(const Pixel& pixel, int index) const {
         return sample_at(pixel, index, film_sample(pixel, index));
     }
-    CameraSample centre(const Pixel& pixel) const { return sample_at(pixel, 0, FilterSample{}); }
+    CameraSample centre(const Pixel& pixel) const { return sample_at(pixel, 0, imaging::FilterSample{}); }
 
     /// Offset from the pixel's centre and weight of a sample, and the camera sample there.
-    FilterSample film_sample(const Pixel& pixel, int index) const;
-    CameraSample sample_at(const Pixel& pixel, int index, const FilterSample& at) const;
+    imaging::FilterSample film_sample(const Pixel& pixel, int index) const;
+    CameraSample sample_at(const Pixel& pixel, int index, const imaging::FilterSample& at) const;
 
     const PinholeCamera& camera() const { return camera_; }
-    const PixelFilterSampler& filter() const { return filter_; }
+    const imaging::PixelFilterSampler& filter() const { return filter_; }
 
   private:
     const RenderSettings settings_;
     const PinholeCamera camera_;
-    const PixelFilterSampler filter_;
+    const imaging::PixelFilterSampler filter_;
 };
 
 /// Every second bit of a number, moved together.
@@ -57,4 +53,4 @@ inline int even_bits(std::uint32_t x) {
 inline int morton_x(std::uint32_t i) { return even_bits(i); }
 inline int morton_y(std::uint32_t i) { return even_bits(i >> 1); }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,5 +1,8 @@
+// Explanations of pixels: their samples and how these are combined.
+
 #include "glint/explain.h"
 
+#include "glint/scene.h"
 #include "imaging/pixel_sum.h"
 #include "parallel/task_pool.h"
 #include "render/camera_sampler.h"
@@ -11,40 +14,44 @@
 
 namespace glint {
 
+using rendering::Terms;
+
 struct Explainer::State {
     State(const Scene& whole, const CancelFlag* stop)
         : scene(whole), settings(whole.render_settings()), sampler(whole.data().description),
           parts(whole.data()), cancel(stop), estimator(whole.data(), whole.data().description.whitted, stop) {
+        if (settings.integrator != Integrator::whitted)
+            throw Error(ErrorKind::usage, "only pictures of the integrator whitted can be explained");
     }
 
     ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
         const bool with_rays = i < limits.samples;
-        const FilterSample film = sampler.film_sample({x, y}, i);
-        const CameraSample camera = sampler.sample_at({x, y}, i, film);
+        const imaging::FilterSample film = sampler.film_sample({x, y}, i);
+        const rendering::CameraSample camera = sampler.sample_at({x, y}, i, film);
         ExplainedSample out;
         out.dx = film.dx;
         out.dy = film.dy;
         out.weight = film.weight;
         const Terms terms = estimator.trace(camera, with_rays ? &tree : nullptr).terms;
-        stop_if_cancelled(cancel);
+        rendering::stop_if_cancelled(cancel);
         out.terms = terms.value;
         out.radiance = terms.sum();
-        if (with_rays) out.rays = explain_tree(parts, tree, limits.weight, cancel);
+        if (with_rays) out.rays = rendering::explain_tree(parts, tree, limits.weight, cancel);
         return out;
     }
 
     const Scene scene;
     const RenderSettings& settings;
-    const CameraSampler sampler;
-    const ExplainedScene parts;
+    const rendering::CameraSampler sampler;
+    const rendering::ExplainedScene parts;
     const CancelFlag* cancel;
-    Whitted estimator;
-    RayTree tree;
+    rendering::Whitted estimator;
+    rendering::RayTree tree;
 };
 
 namespace {
 
-std::string rule_of(const PixelSum<Terms>& sum, int positive, int negative) {
+std::string rule_of(const imaging::PixelSum<Terms>& sum, int positive, int negative) {
     const auto count = [](int n) { return std::to_string(n) + (n == 1 ? " sample" : " samples"); };
     if (positive + negative == 1) return "one ray through the pixel's centre";
     if (negative == 0 || positive == 0) return "the mean of " + count(positive + negative);
@@ -52,8 +59,8 @@ std::string rule_of(const PixelSum<Terms>& sum, int positive, int negative) {
         return "the sum of " + count(positive) + " minus the sum of " + std::to_string(negative) +
                " on the filter's negative lobe, divided by " + std::to_string(positive - negative);
     return "the mean of " + count(positive) + "; " + std::to_string(negative) +
-           " on the filter's negative lobe count only where there are " + std::to_string(samples_for_lobes) +
-           " or more, and not too many of them";
+           " on the filter's negative lobe count only where there are " +
+           std::to_string(imaging::samples_for_lobes) + " or more, and not too many of them";
 }
 
 } // namespace
@@ -65,7 +72,6 @@ Explainer::Explainer(Explainer&&) noexcept = default;
 Explainer& Explainer::operator=(Explainer&&) noexcept = default;
 
 Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
-    static constexpr const char* filters[] = {"box", "tent", "gaussian", "mitchell"};
     const RenderSettings& r = state_->settings;
     if (x < 0 || y < 0 || x >= r.width || y >= r.height)
         throw Error(ErrorKind::usage,
@@ -77,8 +83,8 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     out.y = y;
     out.width = r.width;
     out.height = r.height;
-    out.filter = filters[static_cast<std::size_t>(r.filter)];
-    PixelSum<Terms> sum;
+    out.filter = name_of(r.filter);
+    imaging::PixelSum<Terms> sum;
     int negative = 0;
     for (int i = 0; i < r.spp; ++i) {
         out.samples.push_back(state_->sample(x, y, i, limits));
@@ -98,7 +104,7 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
 std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelCoord> pixels,
                                         const ExplainLimits& limits, int threads, const CancelFlag* cancel) {
     std::vector<Explanation> out(pixels.size());
-    TaskPool pool(threads);
+    parallel::TaskPool pool(threads);
     std::vector<std::optional<Explainer>> explainers(static_cast<std::size_t>(pool.threads()));
     pool.run(pixels.size(), [&](std::size_t i, int worker) {
         std::optional<Explainer>& own = explainers[static_cast<std::size_t>(worker)];

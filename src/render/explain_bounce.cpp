@@ -1,9 +1,11 @@
+// Explains mirror and refracted rays.
+
 #include "render/explain_parts.h"
 
 #include "math/trig.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 const char* const wrong_side = "the smooth normal would send the ray through the surface: the geometric one "
@@ -104,7 +106,7 @@ class BounceSteps {
         return node_.refracted >= 0 ? child(node_.refracted).direction : node_.direction;
     }
 
-    /// How the light is shared between the branches.
+    /// The weights of the branches.
     void weights() {
         const char* reflected = "ρ";
         const char* refracted = "τ";
@@ -133,7 +135,7 @@ class BounceSteps {
               "mirror direction", "2.3", shading ? "" : wrong_side});
     }
 
-    /// What a branch brings, and what its ray weighs in the sample.
+    /// The light of a branch, and the weight of its ray in the sample.
     void add_to_parent(const char* topic, const char* light, const char* weight, int index) {
         const bool mirror = node_.reflected == index;
         const bool absorbs = node_.transmittance != vec3(1.0f);
@@ -165,4 +167,4 @@ void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayN
     BounceSteps(scene, tree, node, ray).explain();
 }
 
-} // namespace glint
+} // namespace glint::rendering

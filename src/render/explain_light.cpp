@@ -1,12 +1,14 @@
+// Explains one light at a hit.
+
 #include "render/explain_parts.h"
 
 #include "math/trig.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
-/// Where the light stands, and what of it arrives.
+/// The position of the light, and how much of it arrives.
 class Arrival {
   public:
     Arrival(const LightRecord& light, const RayNode& node, const LightNode& record, ExplainedLight& out)
@@ -14,10 +16,11 @@ class Arrival {
           n_g_(node.geometric_normal * node.lit_side) {}
 
     void explain() {
-        const bool placed = light_.kind != light_directional;
-        step({"I", "", light_.strength, "light", placed ? "colour · intensity" : "colour · irradiance"});
-        placed ? find_place() : find_direction();
-        if (placed && !(record_.distance > 0.0f)) return at_the_light();
+        const bool has_position = light_.kind != light_directional;
+        step(
+            {"I", "", light_.strength, "light", has_position ? "colour · intensity" : "colour · irradiance"});
+        has_position ? find_position() : find_direction();
+        if (has_position && !(record_.distance > 0.0f)) return at_the_light();
         find_angle();
         if (light_.kind == light_spot) find_falloff();
         arrive();
@@ -26,7 +29,7 @@ class Arrival {
   private:
     void step(Step s) { out_.steps.push_back(std::move(s)); }
 
-    void find_place() {
+    void find_position() {
         const vec3 way = light_.position - node_.position;
         r_squared_ = dot(way, way);
         step({"x", "", light_.position, "light", "where the light stands"});
@@ -102,16 +105,16 @@ class Arrival {
     float falloff_ = 1;
 };
 
-/// The shadow ray, and what the surface makes of the light.
+/// The shadow ray, and the light that the surface reflects.
 class Shown {
   public:
     Shown(const ExplainedScene& scene, const RayNode& node, const LightNode& record, ExplainedLight& out)
         : scene_(scene), material_(scene.material(node.hit.object)), node_(node), record_(record), out_(out) {
     }
 
-    void explain(const ShadowNode& shadow) {
+    void explain() {
         if (record_.arriving == vec3(0.0f)) return;
-        list_blockers(shadow);
+        name_blockers();
         weigh_shadow();
         if (material_.diffuse > 0.0f) show_diffuse();
         if (material_.highlight > 0.0f) show_highlight();
@@ -121,14 +124,13 @@ class Shown {
     void step(Step s) { out_.steps.push_back(std::move(s)); }
     bool opaque() const { return scene_.modes.opaque_shadows != 0; }
 
-    void list_blockers(const ShadowNode& shadow) {
-        out_.asked = shadow.asked;
-        out_.shadow_origin = shadow.origin;
-        const float length = sqrt(dot(shadow.direction, shadow.direction));
-        for (const BlockerNode& b : shadow.blockers) {
-            const float share = b.passed_over ? 1.0f : shadow_transmittance(scene_.modes, b.transparency);
-            out_.blockers.push_back({b.object, scene_.label(b.object), scene_.material_name(b.object),
-                                     b.t * length, b.transparency, share, b.passed_over});
+    void name_blockers() {
+        const float length = sqrt(dot(record_.shadow_direction, record_.shadow_direction));
+        for (Blocker& b : out_.blockers) {
+            b.label = scene_.label(b.object);
+            b.material = scene_.material_name(b.object);
+            b.distance = b.distance * length;
+            b.share = b.passed_over ? 1.0f : shadow_transmittance(scene_.modes, b.transparency);
         }
     }
 
@@ -208,18 +210,12 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
     const LightRecord& light = scene.scene.lights[index];
     const LightNode& record = node.lights[index];
     ExplainedLight out;
+    static_cast<TracedLight&>(out) = record;
     out.light = scene.light_numbers[index];
     out.label = light_label(scene.scene.description, out.light);
-    out.direction = record.direction;
-    out.distance = record.distance;
-    out.cosine = record.cosine;
-    out.arriving = record.arriving;
-    out.shadow = record.shadow;
-    out.diffuse = record.diffuse;
-    out.highlight = record.highlight;
     Arrival(light, node, record, out).explain();
-    Shown(scene, node, record, out).explain(node.shadows[index]);
+    Shown(scene, node, record, out).explain();
     return out;
 }
 
-} // namespace glint
+} // namespace glint::rendering

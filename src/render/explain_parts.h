@@ -3,17 +3,17 @@
 // or comes from the functions of shading/ that the estimator called, with the recorded numbers.
 
 #include "glint/explain.h"
-#include "render/ray_tree.h"
+#include "render/ray_recorder.h"
 #include "scene/scene_data.h"
 
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
-/// What the parts need of a scene, put together once.
+/// Parts of a scene that explanations need.
 struct ExplainedScene {
-    explicit ExplainedScene(const SceneData& scene);
+    explicit ExplainedScene(const scene::SceneData& scene);
 
     std::string label(std::uint32_t object) const { return object_label(scene.description, object); }
     const std::string& material_name(std::uint32_t object) const;
@@ -21,7 +21,7 @@ struct ExplainedScene {
         return scene.materials[scene.objects[object].material];
     }
 
-    const SceneData& scene;
+    const scene::SceneData& scene;
     const WhittedSettings& settings;
     const WhittedModes modes;                 ///< of the settings
     std::vector<std::uint32_t> light_numbers; ///< by SceneData::lights: index in SceneDescription::lights
@@ -33,7 +33,7 @@ std::string numbered(const char* symbol, std::size_t number);
 /// The light of number `index` at a hit: its own formulas and its shadow ray.
 ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, std::size_t index);
 
-/// Adds to `steps` where the light goes on from a hit, and what share of it: mirror and refracted ray.
+/// Adds the steps of mirror and refracted ray: directions, and shares of the light.
 void explain_bounce(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& ray);
 
 /// All rays of a recorded tree; those of less weight without lights and steps.
@@ -46,4 +46,4 @@ inline void stop_if_cancelled(const CancelFlag* cancel) {
         throw Error(ErrorKind::cancelled, "explaining was cancelled");
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,17 +1,23 @@
+// Explains the rays of one sample.
+
 #include "render/explain_parts.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "shading/light_gain.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <algorithm>
 
 namespace glint {
 
 using trace::Hit;
+} // namespace glint
+
+namespace glint::rendering {
+
 namespace {
 
-/// One ray: what it met, its local terms, its branches, their sum.
+/// One ray: its hit, local terms and branches, and their sum.
 class RayWorking {
   public:
     RayWorking(const ExplainedScene& scene, const RayTree& tree, const RayNode& node, ExplainedRay& out)
@@ -36,19 +42,10 @@ class RayWorking {
         weigh_gain();
     }
 
-    /// Where it comes from and goes, and what it brings.
+    /// Its origin, its end and its radiance.
     void copy_path() {
-        out_.kind = node_.kind;
-        out_.end = node_.end;
-        out_.parent = node_.parent;
-        out_.reflected = node_.reflected;
-        out_.refracted = node_.refracted;
-        out_.depth = node_.depth;
-        out_.origin = node_.origin;
-        out_.direction = node_.direction;
+        static_cast<TracedRay&>(out_) = node_;
         out_.terms = node_.terms.value;
-        out_.radiance = node_.radiance;
-        out_.transmittance = node_.transmittance;
         for (const std::uint32_t object : node_.interiors) out_.inside.push_back(scene_.label(object));
         for (const Hit& hit : node_.passed_over) out_.passed_over.push_back(scene_.label(hit.object));
         out_.why = reason();
@@ -94,14 +91,6 @@ class RayWorking {
         out_.label = scene_.label(node_.hit.object);
         out_.material = scene_.material_name(node_.hit.object);
         out_.distance = node_.hit.t;
-        out_.position = node_.position;
-        out_.geometric_normal = node_.geometric_normal;
-        out_.shading_normal = node_.shading_normal;
-        out_.color = node_.color;
-        out_.entering = node_.entering;
-        out_.total_reflection = node_.total_reflection;
-        out_.index_before = node_.index_before;
-        out_.index_after = node_.index_after;
     }
 
     void give_surface() {
@@ -147,7 +136,7 @@ class RayWorking {
         }
     }
 
-    /// A formula as it stands, or limited to the range that the clamp can take back.
+    /// The formula, limited to the range that the clamp can take back if it was.
     static std::string limited(const std::string& formula, const vec3& before, const vec3& after) {
         return after == before ? formula : "min(4194304, " + formula + ")";
     }
@@ -236,7 +225,7 @@ class RayWorking {
         const MaterialRecord& m = material();
         const bool balanced = scene_.settings.energy == Energy::balanced;
         const float brightest = std::max({node_.color.x, node_.color.y, node_.color.z});
-        out_.gain = light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
+        out_.gain = shading::light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
         step({"gain", std::string(balanced ? "max(0, (1 − τ) − ρ)" : "(1 − τ)") + " · max(c) · k_d + ρ + τ",
               out_.gain, "gain", "light that can leave for each light that arrives", "",
               out_.gain > 1.0000001f
@@ -262,21 +251,11 @@ std::string numbered(const char* symbol, std::size_t number) {
     return symbol + subscript;
 }
 
-ExplainedScene::ExplainedScene(const SceneData& scene_data)
-    : scene(scene_data), settings(scene_data.description.whitted), modes(whitted_modes(settings)) {
+ExplainedScene::ExplainedScene(const scene::SceneData& scene_data)
+    : scene(scene_data), settings(scene_data.description.whitted), modes(scene::whitted_modes(settings)) {
     const std::vector<Light>& lights = scene_data.description.lights;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
-}
-
-std::string object_label(const SceneDescription& scene, std::size_t object) {
-    const Object& o = scene.objects[object];
-    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
-    return std::string(name_of(o.shape)) + " " + name;
-}
-
-std::string light_label(const SceneDescription& scene, std::size_t light) {
-    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
 }
 
 const std::string& ExplainedScene::material_name(std::uint32_t object) const {
@@ -289,7 +268,7 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
     for (std::size_t i = 0; i < rays.size(); ++i) {
         stop_if_cancelled(cancel);
         const RayNode& node = tree.nodes[i];
-        // Parents stand before their children: they know what their branches weigh.
+        // Parents precede their children.
         if (node.parent >= 0) {
             const auto parent = static_cast<std::size_t>(node.parent);
             const RayNode& from = tree.nodes[parent];
@@ -302,6 +281,20 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
         max(w.x, max(w.y, w.z)) < min_weight ? working.copy_path() : working.explain();
     }
     return rays;
+}
+
+} // namespace glint::rendering
+
+namespace glint {
+
+std::string object_label(const SceneDescription& scene, std::size_t object) {
+    const Object& o = scene.objects[object];
+    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
+    return std::string(name_of(o.shape)) + " " + name;
+}
+
+std::string light_label(const SceneDescription& scene, std::size_t light) {
+    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
 }
 
 } // namespace glint

@@ -1,25 +1,26 @@
+// The film: samples, their sums, joining of films.
+
 #include "render/film.h"
 
 #include "glint/error.h"
 #include "glint/limits.h"
 #include "parallel/large_pages.h"
 #include "render/aov.h"
-#include "render/camera_sampler.h"
 #include "render/upsample.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 bool is_power_of_two(int n) { return std::has_single_bit(static_cast<unsigned>(n)); }
 
-/// The largest power of two that divides n > 0: as many samples may be summed apart from sample n on.
+/// The largest power of two that divides n > 0: the size of the largest block that may begin at sample n.
 int alignment(int n) { return n & -n; }
 
-/// In large pages where the size is another.
+/// Reallocates the image, in large pages, if its size differs.
 void fit_image(Image& image, const Rect& area) {
     if (image.width == area.width && image.height == area.height) return;
     const std::size_t values =
@@ -27,7 +28,7 @@ void fit_image(Image& image, const Rect& area) {
     image = {};
     image.width = area.width;
     image.height = area.height;
-    reserve_large(image.pixels, values);
+    parallel::reserve_large(image.pixels, values);
     image.pixels.resize(values);
 }
 
@@ -37,7 +38,7 @@ void write(float* pixel, const vec3& value) {
     pixel[2] = value.z;
 }
 
-/// What two layouts differ in; null if in nothing.
+/// The name of what two layouts differ in; null if they are equal.
 const char* difference(const FilmLayout& a, const FilmLayout& b) {
     const Rect &r = a.area, &s = b.area;
     if (r.x != s.x || r.y != s.y || r.width != s.width || r.height != s.height) return "area";
@@ -47,6 +48,18 @@ const char* difference(const FilmLayout& a, const FilmLayout& b) {
     if (a.term != b.term || a.terms != b.terms) return "terms";
     if (a.coverage != b.coverage) return "coverage";
     return nullptr;
+}
+
+/// The crop, or all of the picture.
+Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& crop) {
+    if (!crop) return {0, 0, settings.width, settings.height};
+    const Rect c = *crop;
+    const bool inside = c.x >= 0 && c.y >= 0 && c.width >= 1 && c.height >= 1 &&
+                        c.width <= settings.width - c.x && c.height <= settings.height - c.y;
+    if (inside) return c;
+    throw Error(ErrorKind::usage, "the crop does not lie inside the picture",
+                "expected x, y, width, height within " + std::to_string(settings.width) + "x" +
+                    std::to_string(settings.height));
 }
 
 } // namespace
@@ -105,7 +118,7 @@ Pass Film::missing(std::size_t tile, const Pass& pass) const {
     visit.first = first;
     visit.count = std::max(0, end - first);
     if (visit.count == 0 || continues(tile, visit)) return visit;
-    // Summed apart, it must be a tree of the whole sum.
+    // With sums of its own, it must be a tree of the whole sum.
     if (first > 0) visit.count = std::min(visit.count, alignment(first));
     if (first + visit.count < layout_.samples)
         visit.count = static_cast<int>(std::bit_floor(static_cast<unsigned>(visit.count)));
@@ -120,9 +133,9 @@ bool Film::continues(std::size_t tile, const Pass& visit) const {
 }
 
 template <class T>
-PixelState<T> Film::state(std::size_t tile, std::size_t place) const {
+PixelState<T> Film::state(std::size_t tile, std::size_t pixel) const {
     PixelState<T> state;
-    std::memcpy(&state, &samples_[tile].blocks.front().states[place * sizeof state], sizeof state);
+    std::memcpy(&state, &samples_[tile].blocks.front().states[pixel * sizeof state], sizeof state);
     return state;
 }
 
@@ -186,7 +199,7 @@ void Film::insert(TileSamples& tile, SampleBlock block) const {
     tile.blocks.insert(after, std::move(block));
 }
 
-// ── Blocks of samples that were summed apart ──
+// ── Blocks of samples with sums of their own ──
 
 void Film::merge_blocks(std::size_t tile) {
     with_sum_type(layout_, [&]<class T>(const T&) { merge_and_show<T>(tile); });
@@ -225,29 +238,29 @@ void Film::add_states(SampleBlock& before, const SampleBlock& after) {
     }
 }
 
-/// Shows the mean of all samples of a tile. Blocks that do not fill a tree are added at the end, the last of
-/// them first, as PairwiseSum does it.
+/// Shows the mean of all samples of a tile. Blocks that do not fill a tree are added at the end, the last one
+/// first, as in PairwiseSum.
 template <class T>
 void Film::show_blocks(std::size_t tile) {
     auto& blocks = samples_[tile].blocks;
     int count = 0;
     for (const SampleBlock& block : blocks) count += block.count;
     const Rect r = grid_.tile(tile);
-    for (std::size_t place = 0; place < pixels_of(tile); ++place) {
-        const std::size_t at = place * sizeof(PixelState<T>);
+    for (std::size_t i = 0; i < pixels_of(tile); ++i) {
+        const std::size_t at = i * sizeof(PixelState<T>);
         PixelState<T> all;
         std::memcpy(&all, &blocks.back().states[at], sizeof all);
-        for (std::size_t i = blocks.size() - 1; i-- > 0;) {
+        for (std::size_t block = blocks.size() - 1; block-- > 0;) {
             PixelState<T> before;
-            std::memcpy(&before, &blocks[i].states[at], sizeof before);
+            std::memcpy(&before, &blocks[block].states[at], sizeof before);
             all.sum = before.sum + all.sum;
             all.covered += before.covered;
         }
-        const SignedSums<T> sums{all.sum.positive, all.sum.negative, static_cast<std::uint32_t>(count),
-                                 all.sum.positives};
+        const imaging::SignedSums<T> sums{all.sum.positive, all.sum.negative,
+                                          static_cast<std::uint32_t>(count), all.sum.positives};
         const auto width = static_cast<std::size_t>(r.width);
-        show(Pixel{r.x + static_cast<int>(place % width), r.y + static_cast<int>(place / width)},
-             pixel_value(sums), static_cast<float>(all.covered) / static_cast<float>(count));
+        show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)},
+             imaging::pixel_value(sums), static_cast<float>(all.covered) / static_cast<float>(count));
     }
     if (count == layout_.samples) {
         blocks.resize(1);
@@ -269,8 +282,8 @@ void Film::show(const Pixel& pixel, const T& value, float coverage) {
     if (layout_.coverage) coverage_[index(pixel)] = coverage;
 }
 
-void Film::set_pixel(const Pixel& pixel, const SignedSums<Terms>& sums, std::uint32_t covered) {
-    show(pixel, pixel_value(sums), static_cast<float>(covered) / static_cast<float>(sums.count));
+void Film::set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums, std::uint32_t covered) {
+    show(pixel, imaging::pixel_value(sums), static_cast<float>(covered) / static_cast<float>(sums.count));
 }
 
 void Film::commit_preview(const Pass& pass, const FilmTile& values) {
@@ -279,7 +292,7 @@ void Film::commit_preview(const Pass& pass, const FilmTile& values) {
         write(image.at(values.pixels[i].x, values.pixels[i].y), values.shown[i]);
 }
 
-void Film::show_preview(int step, bool smooth, TaskPool& pool) {
+void Film::show_preview(int step, bool smooth, parallel::TaskPool& pool) {
     if (step == 1) return;
     fit();
     upsample(preview_, step, smooth, image_, pool);
@@ -327,7 +340,7 @@ void Film::copy_pixels(std::size_t tile, const Film& from) {
     }
 }
 
-template PixelState<Terms> Film::state(std::size_t tile, std::size_t place) const;
-template PixelState<vec3> Film::state(std::size_t tile, std::size_t place) const;
+template PixelState<Terms> Film::state(std::size_t tile, std::size_t pixel) const;
+template PixelState<vec3> Film::state(std::size_t tile, std::size_t pixel) const;
 
-} // namespace glint
+} // namespace glint::rendering

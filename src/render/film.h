@@ -1,6 +1,5 @@
 #pragma once
-// The film: per tile which samples are done, per pixel the sums of those that are not all yet, and the
-// picture.
+// The film: which samples of each tile are done, the sums of unfinished pixels, and the picture.
 
 #include "glint/render.h"
 #include "imaging/pixel_sum.h"
@@ -15,21 +14,21 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
-/// What a film measures, and what it keeps of it.
+/// What a film measures and stores.
 struct FilmLayout {
     Rect area;                ///< pixels of the whole picture
     int tile_size = 16;       ///< pixels
     int samples = 1;          ///< of a finished pixel
     Aov show = Aov::final;    ///< what is measured
-    std::optional<Term> term; ///< what the image shows in place of the radiance
+    std::optional<Term> term; ///< shown by the image instead of the radiance
     bool terms = false;       ///< keep an image of each term
     bool coverage = false;    ///< keep the share of samples that hit something
 
-    /// Is each term summed? Else one channel is: the radiance, a single term or an AOV.
+    /// True if each term is summed; otherwise one channel is: the radiance, a single term or an AOV.
     bool sums_terms() const { return terms || (samples > 1 && !term); }
-    /// Must an estimator tell the terms apart?
+    /// True if an estimator must set the terms.
     bool needs_terms() const { return sums_terms() || term; }
 };
 
@@ -37,21 +36,21 @@ struct FilmLayout {
 /// for a crop that does not lie inside the picture.
 FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& options);
 
-/// The state of a pixel that is to get more samples. T is Terms or, for one channel, vec3.
+/// The sums of a pixel that will get more samples. T is Terms or, for one channel, vec3.
 template <class T>
 struct PixelState {
-    typename PixelSum<T>::Part sum;
+    typename imaging::PixelSum<T>::Part sum;
     std::uint32_t covered = 0; ///< samples that hit something
 };
 
-/// One visit of a tile. It is kept apart from the film until it is whole, so that a cancelled visit leaves no
-/// trace.
+/// The values of one visit of a tile. They enter the film when all are there, so that a cancelled visit
+/// leaves no trace.
 struct FilmTile {
-    std::vector<Pixel> pixels;          ///< of the area, those that were measured
+    std::vector<Pixel> pixels;          ///< of the area: those measured
     std::vector<vec3> shown;            ///< by pixel
-    std::vector<Terms> terms;           ///< by pixel, where the film keeps them
-    std::vector<std::uint32_t> covered; ///< by pixel, where the film keeps the coverage
-    std::vector<std::byte> states;      ///< PixelState by place in the tile, where the film goes on with it
+    std::vector<Terms> terms;           ///< by pixel, if the film stores them
+    std::vector<std::uint32_t> covered; ///< by pixel, if the film stores the coverage
+    std::vector<std::byte> states;      ///< PixelState by pixel of the tile, if more samples will follow
 
     void resize_to_pixels(const FilmLayout& layout) {
         shown.resize(pixels.size());
@@ -62,47 +61,48 @@ struct FilmTile {
 
 class FilmReader;
 
-/// Several threads may read and commit at a time, each tile by one of them.
+/// Threads may read and commit at the same time if each works on other tiles.
 class Film {
   public:
     Film() = default;
     explicit Film(const FilmLayout& layout) { start(layout); }
 
-    /// Forgets all samples. Keeps its memory; the image stays, to be looked at, until a pass shows another.
+    /// Forgets all samples, but keeps its memory and, until a pass changes it, the image.
     void start(const FilmLayout& layout);
-    /// Makes room for the values of a pass. Where it shows them at once, images of another size become black.
+    /// Allocates the images of a pass. Those of another size become black.
     void begin_pass(const Pass& pass);
 
     const FilmLayout& layout() const { return layout_; }
     const TileGrid& tiles() const { return grid_; }
 
-    /// What a tile has still to get of a pass over all pixels: the samples of the next visit, none if their
-    /// count is 0. After its commit() there may be more.
+    /// The samples of a pass that a tile lacks, as far as the next visit takes them: none if their count is
+    /// 0. After its commit() there may be more.
     Pass missing(std::size_t tile, const Pass& pass) const;
-    /// Does a visit, as missing() gave it, add to the sums of all samples before it? Else it sums apart.
+    /// True if a visit from missing() adds to the sums of all samples before it; otherwise it has its own
+    /// sums.
     bool continues(std::size_t tile, const Pass& visit) const;
-    /// The state of a pixel, by its place in the tile, that a visit continues.
+    /// The state that a visit continues, of the pixel with this index in the tile.
     template <class T>
-    PixelState<T> state(std::size_t tile, std::size_t place) const;
-    /// Are the states of a visit kept? Not where it completes its pixels.
+    PixelState<T> state(std::size_t tile, std::size_t pixel) const;
+    /// False if the visit completes its pixels, so that their states are not needed.
     bool keeps_states(std::size_t tile, const Pass& visit) const;
     std::size_t state_bytes(std::size_t tile) const; ///< of all pixels of a tile
 
-    /// Takes over a whole visit, as missing() gave it, of every pixel of the tile.
+    /// Stores a visit from missing(), which measured every pixel of the tile.
     void commit(std::size_t tile, const Pass& visit, FilmTile& values);
-    /// Takes over centres of a preview pass.
+    /// Stores centres of a preview pass.
     void commit_preview(const Pass& pass, const FilmTile& values);
     /// Ends a preview pass: the image shows its pixels and, `smooth`, interpolates between them.
-    void show_preview(int step, bool smooth, TaskPool& pool);
-    /// Sets a finished pixel of the area from sums that were made elsewhere.
-    void set_pixel(const Pixel& pixel, const SignedSums<Terms>& sums, std::uint32_t covered);
+    void show_preview(int step, bool smooth, parallel::TaskPool& pool);
+    /// Sets a finished pixel of the area from sums made elsewhere.
+    void set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums, std::uint32_t covered);
 
     const Image& image() const { return image_; }
     /// Moves the images and the coverage into a picture.
     void move_to(Picture& picture);
-    /// Does any tile have samples? Previews would overwrite them.
+    /// True if any tile has samples, which previews would overwrite.
     bool has_samples() const;
-    /// Has every pixel all its samples?
+    /// True if every pixel has all its samples.
     bool is_complete() const;
 
     /// Adds the samples of a film of another shard. A pixel that becomes complete has the bits that it has in
@@ -121,13 +121,13 @@ class Film {
     struct SampleBlock {
         int first = 0;
         int count = 0;
-        std::vector<std::byte> states; ///< PixelState by place in the tile; not used where all are done
+        std::vector<std::byte> states; ///< PixelState by pixel of the tile; unused if all samples are done
 
         int end() const { return first + count; }
     };
     struct TileSamples {
         std::vector<SampleBlock> blocks; ///< disjoint and in ascending order
-        std::vector<std::byte> spare;    ///< memory of states that were forgotten
+        std::vector<std::byte> spare;    ///< memory of former states
     };
 
     void fit();
@@ -159,12 +159,12 @@ class Film {
     TileGrid grid_;
     std::vector<TileSamples> samples_; ///< by tile
     Image image_;
-    Image preview_; ///< centres, at the pixels that were looked at
+    Image preview_; ///< centres, at the pixels that were measured
     std::array<Image, term_count> terms_;
     std::vector<float> coverage_; ///< by pixel
 };
 
-/// Calls f(Terms{}) or f(vec3{}), by what a film sums.
+/// Calls f(Terms{}) or f(vec3{}), whichever a film sums.
 template <class F>
 void with_sum_type(const FilmLayout& layout, const F& f) {
     if (layout.sums_terms())
@@ -173,4 +173,4 @@ void with_sum_type(const FilmLayout& layout, const F& f) {
         f(vec3(0.0f));
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,5 +1,5 @@
-// A film as bytes: a header, tile by tile the blocks of samples with their sums, and a check sum. In the
-// order of bytes of the machine; a film of another order is refused like one of another version.
+// A film as bytes: a header, the blocks of samples of each tile with their sums, and a check sum, in the byte
+// order of the machine. A film of another byte order is refused like one of another version.
 
 #include "render/film.h"
 
@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstring>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 constexpr std::uint64_t magic = 0x6d6c6966'746e6c67; ///< "glntfilm"
@@ -39,7 +39,7 @@ void append(std::vector<std::byte>& out, const T& value) {
 }
 
 struct Header {
-    std::uint64_t magic = glint::magic;
+    std::uint64_t magic = glint::rendering::magic;
     std::uint32_t version = version_of_format;
     std::int32_t x = 0, y = 0, width = 0, height = 0;
     std::int32_t tile_size = 0, samples = 0;
@@ -120,7 +120,7 @@ Film Film::load(std::span<const std::byte> bytes) {
     const auto sum_at = bytes.size() - sizeof(std::uint64_t);
     if (FilmReader(bytes.subspan(sum_at)).value<std::uint64_t>() != check_sum(bytes.first(sum_at)))
         refuse("it is damaged");
-    // Memory is taken for what the bytes hold, not for what the header claims.
+    // Allocate for the bytes that there are, not for what the header claims.
     const FilmLayout layout = layout_of(header);
     const TileGrid grid(layout.area.width, layout.area.height, layout.tile_size);
     if (grid.count() > in.left() / sizeof(std::uint32_t)) refuse("it ends too early");
@@ -174,7 +174,7 @@ void Film::load_tile(std::size_t tile, FilmReader& in) {
     for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
 }
 
-/// Are its blocks such as merge_blocks() leaves?
+/// True if its blocks are such as merge_blocks() leaves.
 bool Film::is_sound(const TileSamples& tile) const {
     int end = 0;
     for (const SampleBlock& block : tile.blocks) {
@@ -186,4 +186,4 @@ bool Film::is_sound(const TileSamples& tile) const {
     return true;
 }
 
-} // namespace glint
+} // namespace glint::rendering

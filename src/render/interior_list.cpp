@@ -1,9 +1,13 @@
+// Nested dielectrics.
+
 #include "render/interior_list.h"
 
-namespace glint {
+namespace glint::rendering {
+
+using scene::SceneData;
 
 bool is_dielectric(std::uint32_t object, const SceneData& scene) {
-    const ObjectData& o = scene.objects[object];
+    const scene::ObjectData& o = scene.objects[object];
     return o.solid && scene.materials[o.material].transparency > 0.0f;
 }
 
@@ -36,4 +40,4 @@ float refractive_index(const InteriorList* list, const SceneData& scene) {
     return scene.materials[scene.objects[list->object].material].index;
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Immutable, so that the branches of a ray tree can share lists. Null: no solid is around the ray.
 struct InteriorList {
@@ -39,10 +39,10 @@ class InteriorArena {
 };
 
 /// True for transparent solids; only those can be in a list.
-bool is_dielectric(std::uint32_t object, const SceneData& scene);
+bool is_dielectric(std::uint32_t object, const scene::SceneData& scene);
 
 /// The list with `object` added at its rank.
-const InteriorList* entered(const InteriorList* list, std::uint32_t object, const SceneData& scene,
+const InteriorList* entered(const InteriorList* list, std::uint32_t object, const scene::SceneData& scene,
                             InteriorArena& arena);
 
 /// The list without one entry of `object`; the same list if it has none.
@@ -50,12 +50,12 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, Interio
 
 /// The list behind a surface of `object`: entered() where `entering`, else left().
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
-                            const SceneData& scene, InteriorArena& arena);
+                            const scene::SceneData& scene, InteriorArena& arena);
 
 /// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
-bool is_hidden(const InteriorList* list, std::uint32_t object, const SceneData& scene);
+bool is_hidden(const InteriorList* list, std::uint32_t object, const scene::SceneData& scene);
 
-/// The index of refraction of the space that the list stands for.
-float refractive_index(const InteriorList* list, const SceneData& scene);
+/// The index of refraction inside all solids of the list: that of the first.
+float refractive_index(const InteriorList* list, const scene::SceneData& scene);
 
-} // namespace glint
+} // namespace glint::rendering

@@ -13,15 +13,13 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     if (!within(x, settings.width) || !within(y, settings.height)) return std::nullopt;
     const int px = static_cast<int>(x);
     const int py = static_cast<int>(y);
-    const PinholeCamera camera = camera_of(scene.description());
-    CameraSample sample;
-    sample.origin = camera.eye;
-    sample.direction =
-        pinhole_direction(camera, px, py, static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5));
+    const imaging::FilterSample offset{static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5)};
+    const rendering::CameraSample sample =
+        rendering::CameraSampler(scene.description()).sample_at({px, py}, 0, offset);
 
-    RayTree tree;
-    Whitted(scene.data(), first_hit_settings(scene.data())).trace(sample, &tree);
-    const RayNode& node = tree.nodes.front();
+    rendering::RayTree tree;
+    rendering::Whitted(scene.data(), rendering::first_hit_settings(scene.data())).trace(sample, &tree);
+    const rendering::RayNode& node = tree.nodes.front();
     if (!node.hit) return std::nullopt;
     Pick found;
     found.object = node.hit.object;

@@ -1,6 +1,6 @@
 #include "glint/progressive.h"
 
-#include "render/film.h"
+#include "render/cpu_executor.h"
 #include "render/schedule_run.h"
 
 #include <optional>
@@ -10,10 +10,11 @@ namespace glint {
 struct Progressive::State {
     explicit State(int threads) : pool(threads) {}
 
-    TaskPool pool;
-    Film film;
-    std::optional<Scene> scene; ///< kept alive for the run
-    std::optional<ScheduleRun> run;
+    parallel::TaskPool pool;
+    rendering::Film film;
+    std::optional<Scene> scene; ///< kept alive for the executor
+    std::optional<rendering::CpuExecutor> executor;
+    std::optional<rendering::ScheduleRun<rendering::CpuExecutor>> run;
 };
 
 Progressive::Progressive(int threads) : state_(std::make_unique<State>(threads)) {}
@@ -23,18 +24,18 @@ void Progressive::start(const Scene& scene, const ProgressiveOptions& options) {
     State& s = *state_;
     RenderOptions wanted;
     wanted.show = options.show;
-    const FilmLayout layout = film_layout(scene.render_settings(), wanted);
-    Schedule schedule{layout.area, layout.tile_size, refining_passes(options.coarsest, layout.samples), {}};
+    const rendering::FilmLayout layout = rendering::film_layout(scene.render_settings(), wanted);
+    std::vector<rendering::Pass> passes = rendering::refining_passes(options.coarsest, layout.samples);
     s.run.reset();
     s.scene = scene;
     s.film.start(layout);
-    s.run.emplace(scene.data(), std::move(schedule), s.film, s.pool,
-                  RunOptions{options.show, options.kernel, options.cancel, {}});
+    s.executor.emplace(scene.data(), s.film, s.pool, options.kernel, options.cancel);
+    s.run.emplace(*s.executor, std::move(passes), options.cancel);
 }
 
 bool Progressive::advance(double seconds) {
     if (!state_->run) return false;
-    state_->run->run(wall_seconds() + seconds);
+    state_->run->run(rendering::wall_seconds() + seconds);
     return !state_->run->is_finished();
 }
 

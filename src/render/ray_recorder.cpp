@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace glint {
+namespace glint::rendering {
 
 using trace::Hit;
 namespace {
@@ -15,13 +15,13 @@ std::vector<std::uint32_t> objects_of(const InteriorList* interior) {
 
 } // namespace
 
-void RayRecorder::begin_ray(RayKind kind, int depth, const vec3& origin, const vec3& direction) {
+void RayRecorder::begin_ray(RayKind kind, int depth, const SpawnedRay& spawned) {
     const std::size_t index = tree_.nodes.size();
     RayNode ray;
     ray.kind = kind;
     ray.depth = depth;
-    ray.origin = origin;
-    ray.direction = direction;
+    ray.origin = spawned.origin;
+    ray.direction = spawned.direction;
     if (!open_.empty()) {
         ray.parent = static_cast<int>(open_.back());
         (kind == RayKind::reflected ? node().reflected : node().refracted) = static_cast<int>(index);
@@ -51,16 +51,20 @@ void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const Interi
 
 void RayRecorder::end_at(RayEnd end) { node().end = end; }
 
-void RayRecorder::bounce(float local_weight, const Bounce& bounce) {
+void RayRecorder::refract(const Refraction& refraction, float index_before, float index_after) {
+    RayNode& ray = node();
+    ray.refraction = refraction;
+    ray.total_reflection = refraction.total;
+    ray.index_before = index_before;
+    ray.index_after = index_after;
+}
+
+void RayRecorder::bounce(float local_weight, const Split& split) {
     RayNode& ray = node();
     ray.end = RayEnd::bounced;
     ray.local_weight = local_weight;
-    ray.reflected_weight = bounce.split.reflected;
-    ray.refracted_weight = bounce.split.refracted;
-    ray.index_before = bounce.index_before;
-    ray.index_after = bounce.index_after;
-    ray.refraction = bounce.refraction;
-    ray.total_reflection = bounce.refraction.total;
+    ray.reflected_weight = split.reflected;
+    ray.refracted_weight = split.refracted;
 }
 
 void RayRecorder::absorb(const vec3& transmittance) { node().transmittance = transmittance; }
@@ -71,25 +75,28 @@ void RayRecorder::end_ray(const Channels& channels) {
     open_.pop_back();
 }
 
-void RayRecorder::begin_light(std::uint32_t light, const LightArrival& arrival) {
-    LightNode entry;
-    entry.light = light;
-    entry.direction = arrival.direction;
-    entry.distance = arrival.distance;
-    entry.cosine = arrival.cosine;
-    entry.arriving = arrival.arriving;
-    node().lights.push_back(entry);
-    node().shadows.emplace_back();
+void RayRecorder::begin_light(const LightArrival& arrival) {
+    LightNode& light = node().lights.emplace_back();
+    light.direction = arrival.direction;
+    light.distance = arrival.distance;
+    light.cosine = arrival.cosine;
+    light.arriving = arrival.arriving;
 }
 
 void RayRecorder::shadow_ray(const Ray& ray) {
-    ShadowNode& shadow = node().shadows.back();
-    shadow.asked = true;
-    shadow.origin = ray.origin;
-    shadow.direction = ray.direction;
+    LightNode& light = node().lights.back();
+    light.asked = true;
+    light.shadow_origin = ray.origin;
+    light.shadow_direction = ray.direction;
 }
 
-void RayRecorder::blocker(const BlockerNode& blocker) { node().shadows.back().blockers.push_back(blocker); }
+void RayRecorder::blocker(const Hit& hit, float transparency, bool passed_over) {
+    Blocker& blocker = node().lights.back().blockers.emplace_back();
+    blocker.object = hit.object;
+    blocker.distance = hit.t;
+    blocker.transparency = transparency;
+    blocker.passed_over = passed_over;
+}
 
 void RayRecorder::end_light(float passing, const ShownLight& shown) {
     LightNode& light = node().lights.back();
@@ -98,4 +105,4 @@ void RayRecorder::end_light(float passing, const ShownLight& shown) {
     light.highlight = shown.highlight;
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,35 +1,59 @@
 #pragma once
-// Listens to an estimator and keeps what each ray met and computed: the ray tree that explains a pixel.
-// Recording changes no result; an estimator without a recorder pays one test of a pointer for each call here.
+// The rays of one sample as a value, which explains a pixel, and the recorder that fills it in while an
+// estimator traces the sample. Recording changes no result; an estimator without a recorder pays one test of
+// a pointer for each call here.
 
-#include "render/ray_tree.h"
-#include "render/surface_interaction.h"
+#include "render/estimators/whitted.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
+
+struct LightNode : TracedLight {
+    vec3 shadow_direction{0.0f}; ///< up to the light if that has a position, else unit
+};
+
+/// A ray, its hit, and what its explanation needs besides. The distances of blockers are in lengths of
+/// `shadow_direction`.
+struct RayNode : TracedRay {
+    trace::Hit hit;
+    float lit_side = 1;                   ///< −1: lights find both normals turned away from the viewer
+    std::vector<std::uint32_t> interiors; ///< transparent solids around the ray, the owner of the space first
+    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those
+    std::vector<LightNode> lights;        ///< by SceneData::lights
+    Refraction refraction{};              ///< at the surface of a transparent solid
+    float local_weight = 1;               ///< of ambient, diffuse, highlight and clamp
+    float reflected_weight = 0;
+    float refracted_weight = 0;
+    Terms terms{}; ///< weighted, absorption included
+};
+
+struct RayTree {
+    std::vector<RayNode> nodes; ///< the first is the primary ray; parents precede their children
+};
 
 class RayRecorder {
   public:
     /// Empties the tree first.
     explicit RayRecorder(RayTree& tree) : tree_(tree) { tree_.nodes.clear(); }
 
-    // One ray: begin_ray(), then what it meets, with its branches between, then end_ray().
-    void begin_ray(RayKind kind, int depth, const vec3& origin, const vec3& direction);
+    // One ray: begin_ray(), its hit or miss, its branches, end_ray().
+    void begin_ray(RayKind kind, int depth, const SpawnedRay& ray);
     void skip_hidden(const trace::Hit& hit);
     void miss(const InteriorList* interior);
     void hit(const trace::Hit& hit, const SurfaceInteraction& at, const InteriorList* interior);
     void end_at(RayEnd end);
-    void bounce(float local_weight, const Bounce& bounce);
+    void refract(const Refraction& refraction, float index_before, float index_after);
+    void bounce(float local_weight, const Split& split);
     void absorb(const vec3& transmittance);
     void end_ray(const Channels& channels);
 
     // One light at a hit: begin_light(), its shadow ray if one is sent, end_light().
-    void begin_light(std::uint32_t light, const LightArrival& arrival);
+    void begin_light(const LightArrival& arrival);
     void shadow_ray(const Ray& ray);
-    void blocker(const BlockerNode& blocker);
+    void blocker(const trace::Hit& hit, float transparency, bool passed_over);
     void end_light(float passing, const ShownLight& shown);
 
   private:
@@ -39,4 +63,4 @@ class RayRecorder {
     std::vector<std::size_t> open_; ///< the rays that have begun and not ended, parents first
 };
 
-} // namespace glint
+} // namespace glint::rendering

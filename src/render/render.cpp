@@ -1,9 +1,246 @@
-#include "glint/render.h"
+// Pictures by the CPU: how it measures the tiles of a schedule, and at the end render().
 
-#include "render/film.h"
+#include "render/cpu_executor.h"
+
+#include "glint/render.h"
 #include "render/schedule_run.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
 #include <ctime>
+
+namespace glint::rendering {
+namespace {
+
+std::size_t index_in(const Rect& tile, const Pixel& pixel) {
+    return static_cast<std::size_t>(pixel.y - tile.y) * static_cast<std::size_t>(tile.width) +
+           static_cast<std::size_t>(pixel.x - tile.x);
+}
+
+} // namespace
+
+/// The samples of a pixel so far.
+template <class T>
+struct CpuExecutor::PixelSamples {
+    imaging::PixelSum<T> sum;
+    std::uint32_t covered = 0;
+
+    PixelSamples(const Film& film, const Visit& visit, const Pixel& pixel) {
+        if (!visit.continues) return;
+        const auto state = film.state<T>(visit.tile, index_in(visit.rect, pixel));
+        sum = imaging::PixelSum<T>(state.sum, static_cast<std::uint32_t>(visit.pass.first));
+        covered = state.covered;
+    }
+    void add(const T& value, const CameraSample& sample, const Channels& channels) {
+        sum.add(value, sample.weight);
+        covered += channels.covered ? 1 : 0;
+    }
+};
+
+CpuExecutor::CpuExecutor(const scene::SceneData& scene, Film& film, parallel::TaskPool& pool,
+                         const KernelChoice& kernel, const CancelFlag* cancel, const Shard& shard)
+    : film_(film), pool_(pool), cancel_(cancel), shard_(shard), sampler_(scene.description) {
+    for (std::uint32_t i = 0; i < batch_samples; ++i) block_.push_back({morton_x(i), morton_y(i)});
+    for (int i = 0; i < pool.threads(); ++i)
+        workers_.emplace_back(make_estimator(scene, film.layout().show, cancel, kernel));
+}
+
+RayCounts CpuExecutor::rays(int worker) const {
+    return ray_counts(workers_[static_cast<std::size_t>(worker)].estimator);
+}
+
+// ── Passes and tiles ──
+
+/// A preview would overwrite samples.
+bool CpuExecutor::shows_preview() const { return pass_.is_preview() && !film_.has_samples(); }
+
+std::vector<std::uint32_t> CpuExecutor::begin_pass(const Pass& pass) {
+    pass_ = pass;
+    if (pass.is_preview() && !shows_preview()) return {};
+    film_.begin_pass(pass);
+    const FilmLayout& layout = film_.layout();
+    grid_ = TileGrid((layout.area.width + pass.step - 1) / pass.step,
+                     (layout.area.height + pass.step - 1) / pass.step, layout.tile_size);
+    const std::size_t tiles = grid_.count();
+    const auto index = static_cast<std::size_t>(shard_.index);
+    const auto shards = static_cast<std::size_t>(shard_.count);
+    return std::vector<std::uint32_t>(tiles > index ? (tiles - index + shards - 1) / shards : 0, 1);
+}
+
+void CpuExecutor::end_pass() {
+    if (shows_preview()) film_.show_preview(pass_.step, is_light(film_.layout().show), pool_);
+}
+
+std::uint32_t CpuExecutor::step(std::size_t task, int worker) {
+    const std::size_t tile =
+        static_cast<std::size_t>(shard_.index) + task * static_cast<std::size_t>(shard_.count);
+    return measure_tile(tile, workers_[static_cast<std::size_t>(worker)]) ? 1 : 0;
+}
+
+/// False if it was cancelled.
+bool CpuExecutor::measure_tile(std::size_t tile, Worker& worker) {
+    if (pass_.is_preview()) {
+        if (!measure(visit_of(pass_, tile), worker)) return false;
+        film_.commit_preview(pass_, worker.values);
+        return true;
+    }
+    for (;;) {
+        const Pass part = film_.missing(tile, pass_);
+        if (part.count == 0) return true;
+        if (!measure(visit_of(part, tile), worker)) return false;
+        film_.commit(tile, part, worker.values);
+    }
+}
+
+// ── Visits ──
+
+CpuExecutor::Visit CpuExecutor::visit_of(const Pass& pass, std::size_t tile) const {
+    Visit visit{pass, tile, grid_.tile(tile)};
+    if (!pass.is_preview()) {
+        visit.continues = film_.continues(tile, pass);
+        visit.keeps_states = film_.keeps_states(tile, pass);
+    }
+    // As many pixels as fit a batch, in a square or two: rays of neighbours go the same way.
+    const auto pixels = static_cast<unsigned>(std::max(1, batch_samples / std::max(1, pass.count)));
+    const int levels = static_cast<int>(std::bit_width(pixels)) - 1;
+    visit.block_width = 1 << (levels + 1) / 2;
+    visit.block_height = 1 << levels / 2;
+    return visit;
+}
+
+/// False if it was cancelled.
+bool CpuExecutor::measure(const Visit& visit, Worker& worker) const {
+    FilmTile& values = worker.values;
+    values.pixels.clear();
+    if (visit.keeps_states) values.states.resize(film_.state_bytes(visit.tile));
+    const Rect& r = visit.rect;
+    for (int y = r.y; y < r.y + r.height; y += visit.block_height)
+        for (int x = r.x; x < r.x + r.width; x += visit.block_width) {
+            const std::size_t from = values.pixels.size();
+            collect_block(visit, x, y, values);
+            if (visit.pass.is_preview())
+                measure_centres(from, worker);
+            else
+                with_sum_type(film_.layout(),
+                              [&]<class T>(const T&) { measure_samples<T>(visit, from, worker); });
+            if (is_cancelled()) return false;
+        }
+    return true;
+}
+
+/// Adds the pixels of a block, as far as they lie in the tile and the pass is to measure them.
+void CpuExecutor::collect_block(const Visit& visit, int x, int y, FilmTile& values) const {
+    const Rect& r = visit.rect;
+    const std::size_t from = values.pixels.size();
+    const auto count = static_cast<std::size_t>(visit.block_width * visit.block_height);
+    values.pixels.resize(from + count);
+    Pixel* next = values.pixels.data() + from;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Pixel& offset = block_[i];
+        const Pixel pixel{x + offset.x, y + offset.y};
+        if (pixel.x >= r.x + r.width || pixel.y >= r.y + r.height) continue;
+        if (visit.pass.refines && pixel.x % 2 == 0 && pixel.y % 2 == 0) continue;
+        *next++ = {pixel.x * visit.pass.step, pixel.y * visit.pass.step};
+    }
+    values.pixels.resize(static_cast<std::size_t>(next - values.pixels.data()));
+    values.resize_to_pixels(film_.layout());
+}
+
+void CpuExecutor::measure_centres(std::size_t from, Worker& worker) const {
+    const std::size_t count = worker.values.pixels.size() - from;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Pixel& pixel = worker.values.pixels[from + i];
+        worker.samples[i] =
+            sampler_.centre({film_.layout().area.x + pixel.x, film_.layout().area.y + pixel.y});
+    }
+    estimate(worker.estimator, {worker.samples.data(), count}, {worker.channels.data(), count},
+             film_.layout().term.has_value());
+    for (std::size_t i = 0; i < count; ++i)
+        worker.values.shown[from + i] = measured<vec3>(worker.channels[i]);
+}
+
+/// Samples first … first + count − 1 of the pixels from number `from` on.
+void CpuExecutor::estimate_samples(std::size_t from, int first, int count, Worker& worker) const {
+    const bool centres = film_.layout().samples == 1;
+    std::size_t s = 0;
+    for (std::size_t i = from; i < worker.values.pixels.size(); ++i) {
+        const Pixel& of_area = worker.values.pixels[i];
+        const Pixel pixel{film_.layout().area.x + of_area.x, film_.layout().area.y + of_area.y};
+        for (int k = first; k < first + count; ++k, ++s)
+            worker.samples[s] = centres ? sampler_.centre(pixel) : sampler_.sample(pixel, k);
+    }
+    estimate(worker.estimator, {worker.samples.data(), s}, {worker.channels.data(), s},
+             film_.layout().needs_terms());
+}
+
+template <class T>
+void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, Worker& worker) const {
+    const int count = visit.pass.count;
+    if (count > batch_samples) return measure_pixel<T>(visit, worker);
+    estimate_samples(from, visit.pass.first, count, worker);
+    const std::size_t pixels = worker.values.pixels.size() - from;
+    if (film_.layout().samples == 1) {
+        for (std::size_t i = 0; i < pixels; ++i)
+            put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1 : 0, from + i, worker.values);
+        return;
+    }
+    for (std::size_t i = 0, s = 0; i < pixels; ++i) {
+        PixelSamples<T> samples(film_, visit, worker.values.pixels[from + i]);
+        for (int k = 0; k < count; ++k, ++s)
+            samples.add(measured<T>(worker.channels[s]), worker.samples[s], worker.channels[s]);
+        put_sums(samples, visit, from + i, worker.values);
+    }
+}
+
+/// The last of the worker's pixels, which alone has more samples than a batch.
+template <class T>
+void CpuExecutor::measure_pixel(const Visit& visit, Worker& worker) const {
+    const std::size_t pixel = worker.values.pixels.size() - 1;
+    PixelSamples<T> samples(film_, visit, worker.values.pixels[pixel]);
+    const int end = visit.pass.first + visit.pass.count;
+    for (int first = visit.pass.first; first < end && !is_cancelled(); first += batch_samples) {
+        const int count = std::min(batch_samples, end - first);
+        estimate_samples(pixel, first, count, worker);
+        for (std::size_t s = 0; s < static_cast<std::size_t>(count); ++s)
+            samples.add(measured<T>(worker.channels[s]), worker.samples[s], worker.channels[s]);
+    }
+    put_sums(samples, visit, pixel, worker.values);
+}
+
+template <class T>
+const T& CpuExecutor::measured(const Channels& channels) const {
+    if constexpr (std::is_same_v<T, Terms>) {
+        return channels.terms;
+    } else {
+        const std::optional<Term>& term = film_.layout().term;
+        return term ? channels.terms[*term] : channels.radiance;
+    }
+}
+
+template <class T>
+void CpuExecutor::put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
+                           FilmTile& values) const {
+    put(samples.sum.value(), samples.covered, pixel, values);
+    if (!visit.keeps_states) return;
+    const PixelState<T> state{samples.sum.part(), samples.covered};
+    const std::size_t index = index_in(visit.rect, values.pixels[pixel]);
+    std::memcpy(&values.states[index * sizeof state], &state, sizeof state);
+}
+
+template <class T>
+void CpuExecutor::put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const {
+    const FilmLayout& layout = film_.layout();
+    if constexpr (std::is_same_v<T, Terms>) {
+        values.shown[pixel] = layout.term ? value[*layout.term] : value.sum();
+        if (layout.terms) values.terms[pixel] = value;
+    } else {
+        values.shown[pixel] = value;
+    }
+    if (layout.coverage) values.covered[pixel] = covered;
+}
+
+} // namespace glint::rendering
 
 namespace glint {
 namespace {
@@ -17,19 +254,19 @@ double cpu_seconds() {
 } // namespace
 
 Picture render(const Scene& scene, const RenderOptions& options) {
-    const double wall = wall_seconds();
+    const double wall = rendering::wall_seconds();
     const double cpu = cpu_seconds();
-    Film film(film_layout(scene.render_settings(), options));
-    const FilmLayout& layout = film.layout();
-    TaskPool pool(options.threads);
-    ScheduleRun run(scene.data(), {layout.area, layout.tile_size, one_pass(layout.samples), {}}, film, pool,
-                    {options.show, options.kernel, options.cancel, options.progress});
-    run.run(no_deadline);
+    rendering::Film film(rendering::film_layout(scene.render_settings(), options));
+    parallel::TaskPool pool(options.threads);
+    rendering::CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
+    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
+                               options.progress);
+    run.run(rendering::no_deadline);
     Picture picture;
     film.move_to(picture);
     picture.complete = run.is_finished();
     run.add_stats(picture.stats);
-    picture.stats.wall_seconds = wall_seconds() - wall;
+    picture.stats.wall_seconds = rendering::wall_seconds() - wall;
     picture.stats.cpu_seconds = cpu_seconds() - cpu;
     return picture;
 }

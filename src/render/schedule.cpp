@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 /// In samples of a pixel.
@@ -27,10 +27,6 @@ Rect TileGrid::tile(std::size_t index) const {
     r.width = std::min(tile_size_, width_ - r.x);
     r.height = std::min(tile_size_, height_ - r.y);
     return r;
-}
-
-TileGrid Schedule::grid_of(const Pass& pass) const {
-    return {(area.width + pass.step - 1) / pass.step, (area.height + pass.step - 1) / pass.step, tile_size};
 }
 
 std::vector<Pass> one_pass(int samples) { return {{1, false, 0, samples}}; }
@@ -78,4 +74,4 @@ Refinement ScheduleCursor::reached(double of_pass) const {
     return reached;
 }
 
-} // namespace glint
+} // namespace glint::rendering

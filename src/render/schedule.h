@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Seconds of a steady clock.
 inline double wall_seconds() {
@@ -40,7 +40,8 @@ struct Pass {
     friend bool operator==(const Pass&, const Pass&) = default;
 };
 
-/// Part `index` of `count` equal parts of the work.
+/// Part `index` of `count` equal parts of the work: every `count`-th tile from tile `index` on, or samples as
+/// sample_shard() has them.
 struct Shard {
     int index = 0;
     int count = 1;
@@ -61,16 +62,6 @@ class TileGrid {
     int tile_size_ = 1;
     int columns_ = 0;
     int rows_ = 0;
-};
-
-/// Passes over the tiles of an area, in their order.
-struct Schedule {
-    Rect area;          ///< pixels of the whole picture
-    int tile_size = 16; ///< pixels of the grid of a pass
-    std::vector<Pass> passes;
-    Shard shard; ///< only every `count`-th tile, from tile `index` on
-
-    TileGrid grid_of(const Pass& pass) const;
 };
 
 /// All samples of a tile in one visit.
@@ -108,4 +99,4 @@ class ScheduleCursor {
     double done_ = 0; ///< of the passes before
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,109 +1,148 @@
 #pragma once
-// Runs a schedule over threads: tiles to workers, camera samples to estimators, what they measure to a film.
+// The scheduler of the CPU and of graphics cards: passes and tiles in order, deadline, cancelling, progress.
 
 #include "glint/progressive.h"
 #include "parallel/task_pool.h"
-#include "render/camera_sampler.h"
-#include "render/estimators/estimator.h"
-#include "render/film.h"
 #include "render/schedule.h"
 
 #include <atomic>
+#include <concepts>
 #include <functional>
 #include <limits>
 #include <mutex>
+#include <numeric>
+#include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 inline constexpr double no_deadline = std::numeric_limits<double>::infinity();
 
-struct RunOptions {
-    Aov show = Aov::final;
-    KernelChoice kernel;
-    const CancelFlag* cancel = nullptr;
-    std::function<void(const Progress&)> progress; ///< called from the threads, one at a time
+/// What measures the tiles of a schedule: CpuExecutor or, on a graphics card, DeviceExecutor. It has units of
+/// work of its own. A step on the CPU is a whole tile, or nothing if it was cancelled; on a card it is one
+/// dispatch, and the tile goes on in the next.
+template <class E>
+concept TileExecutor = requires(E& executor, const Pass& pass, std::size_t tile, int worker) {
+    /// With a worker for each tile that is measured at a time.
+    { executor.pool() } -> std::same_as<parallel::TaskPool&>;
+    /// The tiles of a pass: the work in each.
+    { executor.begin_pass(pass) } -> std::same_as<std::vector<std::uint32_t>>;
+    /// The work that became whole.
+    { executor.step(tile, worker) } -> std::same_as<std::uint32_t>;
+    /// Every tile of the pass is whole.
+    executor.end_pass();
+    /// Of a worker, so far.
+    { executor.rays(worker) } -> std::same_as<RayCounts>;
 };
 
-/// A schedule under way. Refers to scene, film and pool. The picture depends neither on threads nor on how
-/// often the run was interrupted or cancelled.
+/// A schedule under way. Neither threads nor interruptions nor cancelling change the picture.
+template <TileExecutor Executor>
 class ScheduleRun {
   public:
-    ScheduleRun(const SceneData& scene, Schedule schedule, Film& film, TaskPool& pool, RunOptions options);
+    /// `progress` is called from the threads, one at a time.
+    ScheduleRun(Executor& executor, std::vector<Pass> passes, const CancelFlag* cancel = nullptr,
+                std::function<void(const Progress&)> progress = {})
+        : executor_(executor), cursor_(std::move(passes)), cancel_(cancel), report_(std::move(progress)),
+          workers_(static_cast<std::size_t>(executor.pool().threads())) {
+        begin_pass();
+    }
 
     /// Goes on until wall_seconds() is `deadline`, but to the end of the first pass in any case, and over one
-    /// tile a thread at least. Once the flag is set it returns within milliseconds; the tiles that were whole
-    /// are kept.
-    void run(double deadline);
+    /// step of each worker at least. Once the flag is set it returns within milliseconds; the tiles that were
+    /// whole are kept.
+    void run(double deadline) {
+        const double begin = wall_seconds();
+        cancelled_ = false;
+        while (!is_finished() && !is_cancelled()) {
+            run_pass(deadline);
+            if (left_ == 0) end_pass();
+            if (wall_seconds() >= deadline) break;
+        }
+        const double left = static_cast<double>(left_.load());
+        reached_ = cursor_.reached(left > 0 ? 1 - left / static_cast<double>(work_of_pass_) : 0);
+        seconds_ += wall_seconds() - begin;
+        reached_.seconds = seconds_;
+        for (int worker = 0; worker < executor_.pool().threads(); ++worker)
+            reached_.rays += executor_.rays(worker).total();
+    }
 
     bool is_finished() const { return cursor_.is_finished(); }
-    bool is_cancelled() const { return glint::is_cancelled(options_.cancel); }
     const Refinement& reached() const { return reached_; }
     /// Rays and threads, so far.
-    void add_stats(RenderStats& stats) const;
+    void add_stats(RenderStats& stats) const {
+        for (std::size_t i = 0; i < workers_.size(); ++i) {
+            add_rays(executor_.rays(static_cast<int>(i)), stats);
+            if (workers_[i].has_worked) ++stats.threads;
+        }
+    }
 
   private:
     struct Worker {
-        explicit Worker(Estimator e) : estimator(std::move(e)) {}
-
-        Estimator estimator;
-        std::vector<CameraSample> samples = std::vector<CameraSample>(batch_samples);
-        std::vector<Channels> channels = std::vector<Channels>(batch_samples);
-        FilmTile values;
-        std::uint64_t tiles = 0;
         std::uint64_t rays_reported = 0;
-        bool may_stop = false; ///< it has done a tile since run() was called
-    };
-    /// One visit of a tile.
-    struct Visit {
-        Pass pass;
-        std::size_t tile = 0;
-        Rect rect;              ///< of the tile, in the grid of the pass
-        bool continues = false; ///< adds to the sums of earlier visits
-        bool keeps_states = false;
-        int block_width = 1; ///< pixels of the grid that are measured together
-        int block_height = 1;
+        bool has_worked = false;
+        bool may_stop = false; ///< it has made a step since run() was called
     };
 
-    const Pass& pass() const { return cursor_.pass(); }
-    void begin_pass();
-    void end_pass();
-    std::size_t task_count(const Pass& pass) const;
-    std::size_t tile_of(std::size_t task) const;
-    void run_pass(double deadline);
-    bool run_tile(std::size_t tile, Worker& worker);
-    Visit visit_of(const Pass& pass, std::size_t tile) const;
-    bool measure(const Visit& visit, Worker& worker) const;
-    void collect_block(const Visit& visit, int x, int y, FilmTile& values) const;
-    void measure_centres(std::size_t from, Worker& worker) const;
-    template <class T>
-    void measure_samples(const Visit& visit, std::size_t from, Worker& worker) const;
-    template <class T>
-    void measure_pixel(const Visit& visit, Worker& worker) const;
-    void estimate_samples(std::size_t from, int first, int count, Worker& worker) const;
-    template <class T>
-    const T& measured(const Channels& channels) const;
-    template <class T>
-    void put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const;
-    template <class T>
-    struct PixelSamples;
-    template <class T>
-    void put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
-                  FilmTile& values) const;
-    void report(Worker& worker);
-    void measure_progress();
+    void begin_pass() {
+        if (is_finished()) return;
+        tiles_ = executor_.begin_pass(cursor_.pass());
+        work_of_pass_ = std::accumulate(tiles_.begin(), tiles_.end(), std::uint64_t{0});
+        left_ = work_of_pass_;
+        progress_.tiles += work_of_pass_;
+    }
 
-    Schedule schedule_;
-    Film& film_;
-    TaskPool& pool_;
-    RunOptions options_;
-    CameraSampler sampler_;
-    std::vector<Pixel> block_; ///< the first batch_samples points of the Morton curve
-    std::vector<Worker> workers_;
+    void end_pass() {
+        executor_.end_pass();
+        cursor_.next();
+        begin_pass();
+    }
+
+    void run_pass(double deadline) {
+        for (Worker& worker : workers_) worker.may_stop = false;
+        executor_.pool().run(tiles_.size(), [&](std::size_t tile, int worker) {
+            while (tiles_[tile] > 0 && !is_cancelled() && !is_late(worker, deadline)) step(tile, worker);
+        });
+    }
+
+    void step(std::size_t tile, int number) {
+        Worker& worker = workers_[static_cast<std::size_t>(number)];
+        const std::uint32_t done = executor_.step(tile, number);
+        tiles_[tile] -= done;
+        left_.fetch_sub(done, std::memory_order_relaxed);
+        worker.has_worked |= done > 0;
+        worker.may_stop = true;
+        if (report_) report(worker, done, executor_.rays(number).total());
+    }
+
+    /// Once seen it holds for all tiles, even if the flag is cleared meanwhile.
+    bool is_cancelled() {
+        if (glint::rendering::is_cancelled(cancel_)) cancelled_.store(true, std::memory_order_relaxed);
+        return cancelled_.load(std::memory_order_relaxed);
+    }
+
+    bool is_late(int worker, double deadline) const {
+        return !cursor_.is_first() && workers_[static_cast<std::size_t>(worker)].may_stop &&
+               wall_seconds() >= deadline;
+    }
+
+    void report(Worker& worker, std::uint32_t done, std::uint64_t rays) {
+        const std::lock_guard lock(mutex_);
+        progress_.tiles_done += done;
+        progress_.rays += rays - worker.rays_reported;
+        progress_.seconds = wall_seconds() - start_;
+        worker.rays_reported = rays;
+        report_(progress_);
+    }
+
+    Executor& executor_;
     ScheduleCursor cursor_;
-    TileGrid grid_;                    ///< of the pass
-    std::vector<std::uint8_t> done_;   ///< by task of the pass: a tile of the shard
-    std::atomic<std::size_t> left_{0}; ///< tasks of the pass that are not done
+    const CancelFlag* cancel_;
+    std::function<void(const Progress&)> report_;
+    std::vector<Worker> workers_;
+    std::vector<std::uint32_t> tiles_; ///< of the pass: units of work that are left
+    std::uint64_t work_of_pass_ = 0;   ///< units
+    std::atomic<std::uint64_t> left_{0};
+    std::atomic<bool> cancelled_{false};
     double start_ = wall_seconds();
     double seconds_ = 0; ///< in run()
     std::mutex mutex_;
@@ -111,4 +150,4 @@ class ScheduleRun {
     Refinement reached_;
 };
 
-} // namespace glint
+} // namespace glint::rendering

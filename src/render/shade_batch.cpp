@@ -14,14 +14,25 @@
 #include "shading/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace glint {
+namespace glint::rendering {
 
 using trace::kernel_targets;
 namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+namespace lanes = glint::HWY_NAMESPACE::lanes;
 namespace {
 
 using namespace lanes;
+using lanes::integer;
+using lanes::LightArrival;
+using lanes::LocalTerms;
+using lanes::MaterialRecord;
 using lanes::real;
+using lanes::ShownLight;
+using lanes::SpawnedRay;
+using lanes::SurfaceRecord;
+using lanes::truth;
 using lanes::vec3;
 
 HWY_INLINE vec3 load(const PathStates::Vectors& from, std::size_t i) {
@@ -58,65 +69,60 @@ HWY_INLINE void for_vectors(Wave wave, Use&& use) {
     for (std::size_t i = wave.first; i < wave.first + wave.count; i += lane_count) use(i);
 }
 
-/// One number of each path's material.
-HWY_INLINE real gather(const glint::MaterialRecord* const* materials, float glint::MaterialRecord::*number) {
-    alignas(64) float numbers[lane_count];
-    for (std::size_t k = 0; k < lane_count; ++k) numbers[k] = materials[k]->*number;
-    return lanes::load(numbers);
-}
-HWY_INLINE vec3 gather(const glint::MaterialRecord* const* materials,
-                       glm::vec3 glint::MaterialRecord::*numbers) {
-    alignas(64) float rows[3][lane_count];
-    for (std::size_t k = 0; k < lane_count; ++k)
-        for (int axis = 0; axis < 3; ++axis) rows[axis][k] = (materials[k]->*numbers)[axis];
-    return {lanes::load(rows[0]), lanes::load(rows[1]), lanes::load(rows[2])};
-}
+// Lists of numbers of a material, for one path or a vector of them: list(material, use) calls use() for each.
+// What only glass has is left out: it is shaded by single rays.
+constexpr auto surface_numbers = [](auto& m, const auto& use) {
+    use(m.color.x);
+    use(m.color.y);
+    use(m.color.z);
+    lanes::for_shading_numbers(m, use);
+};
+constexpr auto terms_without_lights = [](auto& m, const auto& use) {
+    use(m.emission.x);
+    use(m.emission.y);
+    use(m.emission.z);
+    use(m.ambient);
+};
+constexpr std::size_t max_numbers = shading_numbers + 4;
 
-/// The materials of one vector of paths. Absorption, index and flags are left out: glass is shaded by single
-/// rays.
-HWY_INLINE MaterialRecord gather(const glint::MaterialRecord* const* materials) {
-    using M = glint::MaterialRecord;
+template <class List>
+HWY_INLINE MaterialRecord gather(const glint::MaterialRecord* const* materials, const List& list) {
+    alignas(64) float rows[max_numbers][lane_count];
+    for (std::size_t k = 0; k < lane_count; ++k) {
+        std::size_t n = 0;
+        list(*materials[k], [&](float x) { rows[n++][k] = x; });
+    }
     MaterialRecord m;
-    m.color = gather(materials, &M::color);
-    m.emission = gather(materials, &M::emission);
-    m.ambient = gather(materials, &M::ambient);
-    m.diffuse = gather(materials, &M::diffuse);
-    m.highlight = gather(materials, &M::highlight);
-    m.shininess = gather(materials, &M::shininess);
-    m.reflectivity = gather(materials, &M::reflectivity);
-    m.transparency = gather(materials, &M::transparency);
+    std::size_t n = 0;
+    list(m, [&](real& x) { x = lanes::load(rows[n++]); });
     return m;
 }
 
-HWY_INLINE MaterialRecord broadcast(const glint::MaterialRecord& of) {
+template <class List>
+HWY_INLINE MaterialRecord broadcast(const glint::MaterialRecord& of, const List& list) {
+    float numbers[max_numbers];
+    std::size_t n = 0;
+    list(of, [&](float x) { numbers[n++] = x; });
     MaterialRecord m;
-    m.color = vec3(of.color);
-    m.emission = vec3(of.emission);
-    m.ambient = of.ambient;
-    m.diffuse = of.diffuse;
-    m.highlight = of.highlight;
-    m.shininess = of.shininess;
-    m.reflectivity = of.reflectivity;
-    m.transparency = of.transparency;
+    n = 0;
+    list(m, [&](real& x) { x = numbers[n++]; });
     return m;
 }
 
-/// Neighbours mostly lie on one material.
-HWY_INLINE MaterialRecord materials_of(const PathStates& states, std::size_t i) {
+/// Numbers of the materials of one vector of paths. Neighbours mostly lie on one material.
+template <class List>
+HWY_INLINE MaterialRecord materials_of(const PathStates& states, std::size_t i, const List& list) {
     const glint::MaterialRecord* const* of = &states.materials[i];
     bool one = true;
     for (std::size_t k = 1; k < lane_count; ++k) one &= of[k] == of[0];
-    return one ? broadcast(**of) : gather(of);
+    return one ? broadcast(**of, list) : gather(of, list);
 }
 
-/// What set_up() noted of the materials.
-HWY_INLINE MaterialRecord noted_materials(const PathStates& states, std::size_t i) {
+/// The numbers of the materials that set_up() stored.
+HWY_INLINE MaterialRecord stored_materials(const PathStates& states, std::size_t i) {
     MaterialRecord m;
-    m.diffuse = load(states.diffuse, i);
-    m.highlight = load(states.highlight, i);
-    m.shininess = load(states.shininess, i);
-    m.reflectivity = load(states.reflectivity, i);
-    m.transparency = load(states.transparency, i);
+    std::size_t n = 0;
+    lanes::for_shading_numbers(m, [&](real& x) { x = load(states.material_numbers[n++], i); });
     return m;
 }
 
@@ -182,7 +188,7 @@ HWY_INLINE real passing_light(const PathStates& states, std::size_t i) {
 
 } // namespace
 
-// What the dispatcher calls: anonymous functions cannot be exported.
+// Called by the dispatcher: functions in an anonymous namespace cannot be exported.
 void set_up(Wave wave, PathStates& states) {
     for_vectors(wave, [&](std::size_t i) {
         const vec3 direction = directions_of(&states.rays[i]);
@@ -194,19 +200,16 @@ void set_up(Wave wave, PathStates& states) {
         store(-direction, states.v, i);
         store(pick(entering, 1.0f, 0.0f), states.entering, i);
         store(real(1.0f), states.lit_side, i);
-        const MaterialRecord m = materials_of(states, i);
+        const MaterialRecord m = materials_of(states, i, surface_numbers);
         store(m.color, states.color, i);
-        store(m.diffuse, states.diffuse, i);
-        store(m.highlight, states.highlight, i);
-        store(m.shininess, states.shininess, i);
-        store(m.reflectivity, states.reflectivity, i);
-        store(m.transparency, states.transparency, i);
+        std::size_t number = 0;
+        lanes::for_shading_numbers(m, [&](const real& x) { store(x, states.material_numbers[number++], i); });
     });
 }
 
 void start_terms(const glm::vec3& ambient_light, Wave wave, PathStates& states) {
     for_vectors(wave, [&](std::size_t i) {
-        const MaterialRecord m = materials_of(states, i);
+        const MaterialRecord m = materials_of(states, i, terms_without_lights);
         for (PathStates::Vectors& term : states.terms) store(vec3(0.0f), term, i);
         const LocalTerms local = ambient_terms(vec3(ambient_light), surfaces_of(states, i), m);
         store(local.ambient, row(states, Term::ambient), i);
@@ -219,7 +222,7 @@ std::size_t spawn_shadow_rays(const LightRecord& light, Wave wave, PathStates& s
     for_vectors(wave, [&](std::size_t i) {
         const SurfaceRecord s = surfaces_of(states, i);
         const LightArrival arrival = light_arrival(light, s);
-        const truth reached = is_worth_shadow_ray(noted_materials(states, i), arrival);
+        const truth reached = is_worth_shadow_ray(stored_materials(states, i), arrival);
         store(arrival.direction, states.to_light, i);
         store(pick(reached, arrival.arriving, vec3(0.0f)), states.arriving, i);
         count += hn::CountTrue(RealTag(), reached.m);
@@ -237,10 +240,12 @@ void add_light(const WhittedModes& modes, Wave wave, PathStates& states) {
         LightArrival arrival;
         arrival.direction = load(states.to_light, i);
         arrival.arriving = load(states.arriving, i);
-        const ShownLight shown = shown_light(modes, surfaces_of(states, i), noted_materials(states, i),
-                                             arrival, passing_light(states, i));
+        const real passing = passing_light(states, i);
+        if (!any_lane(is_lit(arrival, passing))) return;
+        const MaterialRecord m = stored_materials(states, i);
+        const ShownLight shown = shown_light(modes, surfaces_of(states, i), m, arrival, passing);
         add(shown.diffuse, row(states, Term::diffuse), i);
-        add(shown.highlight, row(states, Term::highlight), i);
+        if (any_lane(m.highlight > 0.0f)) add(shown.highlight, row(states, Term::highlight), i);
     });
 }
 
@@ -252,9 +257,9 @@ void limit_terms(const WhittedModes& modes, Wave wave, PathStates& states) {
 std::size_t spawn_reflected(const WhittedModes& modes, Wave wave, std::size_t next, PathStates& states) {
     const std::size_t first = next;
     for_vectors(wave, [&](std::size_t i) {
-        const MaterialRecord m = noted_materials(states, i);
+        const MaterialRecord m = stored_materials(states, i);
         const truth mirror = m.reflectivity > 0.0f && !(m.transparency > 0.0f);
-        if (!any(mirror)) return;
+        if (!any_lane(mirror)) return;
         store(weighted_terms(local_terms(states, i), pick(mirror, local_weight(modes, m), 1.0f)), states, i);
         const RayGroups rays(reflected_ray(surfaces_of(states, i)));
         // Each is written behind the last; what does not go on is written over.
@@ -265,7 +270,7 @@ std::size_t spawn_reflected(const WhittedModes& modes, Wave wave, std::size_t ne
             states.interiors[next] = states.interiors[i + k];
             states.parents[next] = static_cast<std::uint32_t>(i + k);
             states.parent_terms[next] = Term::reflection;
-            states.parent_weights[next] = states.reflectivity[i + k];
+            states.parent_weights[next] = states.materials[i + k]->reflectivity;
             next += goes_on[k] != 0.0f ? 1 : 0;
         }
     });
@@ -288,11 +293,11 @@ void add_to_parents(Wave wave, PathStates& states) {
 }
 
 } // namespace HWY_NAMESPACE
-} // namespace glint
+} // namespace glint::rendering
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace glint {
+namespace glint::rendering {
 
 #define GLINT_SHADE_KERNELS(CHOOSE)                                                                          \
     {                                                                                                        \
@@ -304,5 +309,5 @@ const std::array<ShadeKernels, kernel_targets> shade_kernels{
      GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX2), GLINT_SHADE_KERNELS(HWY_CHOOSE_AVX3)}};
 #undef GLINT_SHADE_KERNELS
 
-} // namespace glint
+} // namespace glint::rendering
 #endif

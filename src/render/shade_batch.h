@@ -1,5 +1,5 @@
 #pragma once
-// The steps of shading/whitted_steps.shared.h for many paths at once, compiled for each SIMD target.
+// The steps of shading/whitted.shared.h for many paths at once, compiled for each SIMD target.
 
 #include "render/estimators/path_states.h"
 #include "trace/simd/kernel_table.h"
@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace glint {
+namespace glint::rendering {
 
 struct ShadeKernels {
     /// After World::surfaces(): turns normals toward the viewer, copies what shading needs of the materials.
@@ -32,4 +32,4 @@ struct ShadeKernels {
 };
 extern const std::array<ShadeKernels, trace::kernel_targets> shade_kernels;
 
-} // namespace glint
+} // namespace glint::rendering

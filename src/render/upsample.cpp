@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 /// The known coordinate at or before x, the next one, and how far x is between them.
@@ -46,7 +46,7 @@ void fill_row_smoothly(const Image& known, int step, const std::vector<float>& s
 
 } // namespace
 
-void upsample(const Image& known, int step, bool smooth, Image& out, TaskPool& pool) {
+void upsample(const Image& known, int step, bool smooth, Image& out, parallel::TaskPool& pool) {
     constexpr int rows_per_task = 32;
     std::vector<float> shares(static_cast<std::size_t>(step));
     for (int k = 0; k < step; ++k)
@@ -60,4 +60,4 @@ void upsample(const Image& known, int step, bool smooth, Image& out, TaskPool& p
     });
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::scene {
 
 using Values = std::function<double(std::size_t)>;
 
@@ -59,4 +59,4 @@ double Timeline::at(double frame, const Values& value) const {
     return std::clamp(result, std::min(start, end), std::max(start, end));
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,13 +1,26 @@
 #pragma once
 // Interpolation of numbers between keyframes.
 
+#include "glint/enum_names.h"
+
 #include <cstddef>
 #include <functional>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 enum class Interpolation { linear, smooth, step };
+} // namespace glint::scene
+
+namespace glint {
+
+template <>
+inline constexpr NamesUpTo<scene::Interpolation::step> enum_names<scene::Interpolation>{"linear", "smooth",
+                                                                                        "step"};
+
+} // namespace glint
+
+namespace glint::scene {
 
 /// Keyframe times and the interpolation between them. linear: piecewise linear. smooth: the monotone cubic of
 /// Fritsch and Butland (A method for constructing local monotone piecewise cubic interpolants, 1984):
@@ -33,4 +46,4 @@ struct Timeline {
     double speed(std::size_t key, const std::function<double(std::size_t)>& value) const;
 };
 
-} // namespace glint
+} // namespace glint::scene

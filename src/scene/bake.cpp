@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 class Baker {
@@ -47,7 +47,7 @@ class Baker {
         std::visit(
             [&](const auto& shape) {
                 baked_.objects[id].solid = has_inside(shape);
-                glint::bake(shape, parts);
+                glint::scene::bake(shape, parts);
             },
             object.shape);
         check_bounds(object, baked_.objects[id].bounds);
@@ -73,4 +73,4 @@ Baked bake(const SceneDescription& description, bool need_closedness, const std:
     return Baker(description, need_closedness, between).run();
 }
 
-} // namespace glint
+} // namespace glint::scene

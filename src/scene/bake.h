@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace glint {
+namespace glint::scene {
 
 /// Output of baking: input of the tracing core, and attributes of meshes.
 struct Baked {
@@ -22,4 +22,4 @@ struct Baked {
 /// Error(input) for coordinates beyond 10^12.
 Baked bake(const SceneDescription& description, bool need_closedness, const std::function<void()>& between);
 
-} // namespace glint
+} // namespace glint::scene

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::scene {
 
 using trace::WorldInput;
 namespace {
@@ -64,7 +64,7 @@ Normals own(std::vector<vec3> normals) {
 Normals shared_normals(const MeshShape& s, const dmat4& m) {
     if (s.normals == NormalsMode::smooth) {
         const std::vector<vec3> smooth =
-            smooth_normals(transformed_positions(s.data->positions, m), s.data->triangles);
+            geometry::smooth_normals(transformed_positions(s.data->positions, m), s.data->triangles);
         return own(transformed_normals(smooth, glm::transpose(dmat3(m))));
     }
     if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return nullptr;
@@ -94,7 +94,7 @@ Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi) {
 void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t id, bool closed) {
     triangles.object = id;
     baked.objects[id].bounds = bounds_of_used(triangles.positions, triangles.triangles);
-    triangles.flip = closed && signed_volume(triangles.positions, triangles.triangles) < 0;
+    triangles.flip = closed && geometry::signed_volume(triangles.positions, triangles.triangles) < 0;
     baked.objects[id].turned = triangles.flip;
     baked.objects[id].solid = closed;
     baked.input.meshes.push_back(std::move(triangles));
@@ -126,7 +126,7 @@ void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id
     std::uint32_t prim = 0;
     for (const vec3& p : s.data->positions) {
         const dvec3 center = transform_point(m, dvec3(p));
-        baked_.input.quadrics.push_back({id, prim++, make_sphere(center, stretched), -1});
+        baked_.input.quadrics.push_back({id, prim++, geometry::make_sphere(center, stretched), -1});
         baked_.objects[id].bounds.grow(vec3(center - stretched));
         baked_.objects[id].bounds.grow(vec3(center + stretched));
     }
@@ -142,12 +142,12 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     between_();
     Normals normals;
     if (s.normals == NormalsMode::smooth)
-        normals = own(smooth_normals(triangles.positions, triangles.triangles));
+        normals = own(geometry::smooth_normals(triangles.positions, triangles.triangles));
     else if (s.normals == NormalsMode::automatic)
         normals = own(transformed_normals(s.data->normals, normal_matrix_of(m)));
     baked_.objects[id].attributes = add_attributes(s, std::move(normals));
     between_();
-    const bool closed = need_closedness_ && is_closed(triangles.positions, triangles.triangles);
+    const bool closed = need_closedness_ && geometry::is_closed(triangles.positions, triangles.triangles);
     between_();
     add_triangles(baked_, std::move(triangles), id, closed);
 }
@@ -169,9 +169,9 @@ const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
     baked_.input.shared_meshes.push_back({{s.data, &mesh.positions}, {s.data, &mesh.triangles}});
     shared.bounds = bounds_of_used(mesh.positions, mesh.triangles);
     between_();
-    shared.closed = need_closedness_ && is_closed(mesh.positions, mesh.triangles);
+    shared.closed = need_closedness_ && geometry::is_closed(mesh.positions, mesh.triangles);
     between_();
-    if (shared.closed) shared.volume = signed_volume(mesh.positions, mesh.triangles);
+    if (shared.closed) shared.volume = geometry::signed_volume(mesh.positions, mesh.triangles);
     shared.attributes = add_attributes(s, shared_normals(s, with_scale(source.transform, s.scale)));
     return shared_.emplace(&source, shared).first->second;
 }
@@ -192,4 +192,4 @@ void MeshBaker::add_instance(const Shared& mesh, const dmat4& m, std::uint32_t i
     baked_.input.instances.push_back({id, mesh.mesh, m, object.turned});
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace glint {
+namespace glint::scene {
 
 inline dvec3 transform_point(const dmat4& m, const dvec3& p) { return dvec3(m * dvec4(p, 1.0)); }
 
@@ -49,4 +49,4 @@ class MeshBaker {
     std::map<const Object*, Shared> shared_;
 };
 
-} // namespace glint
+} // namespace glint::scene

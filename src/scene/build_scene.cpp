@@ -16,6 +16,10 @@ using trace::PrimKind;
 using trace::World;
 using trace::WorldInput;
 using trace::WorldStats;
+} // namespace glint
+
+namespace glint::scene {
+
 namespace {
 
 MaterialRecord material_record(const Material& m) {
@@ -34,11 +38,14 @@ MaterialRecord material_record(const Material& m) {
     return f;
 }
 
+/// Ambient lights have none: they add up to one number.
+LightRecord light_record(const AmbientLight&) { return {}; }
+
 LightRecord light_record(const PointLight& l) {
     LightRecord f{};
     f.kind = light_point;
     f.position = vec3(l.position);
-    f.strength = vec3(l.color * l.intensity);
+    f.strength = vec3(l.strength());
     return f;
 }
 
@@ -46,7 +53,7 @@ LightRecord light_record(const DirectionalLight& l) {
     LightRecord f{};
     f.kind = light_directional;
     f.direction = vec3(glm::normalize(l.direction));
-    f.strength = vec3(l.color * l.irradiance);
+    f.strength = vec3(l.strength());
     return f;
 }
 
@@ -55,7 +62,7 @@ LightRecord light_record(const SpotLight& l) {
     f.kind = light_spot;
     f.position = vec3(l.position);
     f.direction = vec3(glm::normalize(l.direction));
-    f.strength = vec3(l.color * l.intensity);
+    f.strength = vec3(l.strength());
     f.cos_outer = static_cast<float>(cos_degrees(l.angle));
     f.cos_inner = static_cast<float>(cos_degrees(l.angle * (1 - l.blend)));
     return f;
@@ -65,11 +72,10 @@ void build_lights(SceneData& scene) {
     dvec3 ambient(0);
     scene.lights.clear();
     for (const Light& light : scene.description.lights) {
-        if (const auto* a = std::get_if<AmbientLight>(&light.kind)) ambient += a->color;
-        if (const auto* p = std::get_if<PointLight>(&light.kind)) scene.lights.push_back(light_record(*p));
-        if (const auto* d = std::get_if<DirectionalLight>(&light.kind))
-            scene.lights.push_back(light_record(*d));
-        if (const auto* s = std::get_if<SpotLight>(&light.kind)) scene.lights.push_back(light_record(*s));
+        if (const auto* a = std::get_if<AmbientLight>(&light.kind))
+            ambient += a->color;
+        else
+            scene.lights.push_back(std::visit([](const auto& l) { return light_record(l); }, light.kind));
     }
     scene.ambient = vec3(ambient);
 }
@@ -159,25 +165,25 @@ BuildQuality quality_for(const SceneDescription& description, const WorldInput& 
 }
 
 void check_cancel(const BuildSceneOptions& options) {
-    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed)) throw TasksCancelled();
+    if (options.cancel != nullptr && options.cancel->load(std::memory_order_relaxed))
+        throw parallel::TasksCancelled();
 }
 
-void tell(const BuildSceneOptions& options, const char* activity, double fraction) {
+void report(const BuildSceneOptions& options, const char* activity, double fraction) {
     check_cancel(options);
     if (options.progress) options.progress({activity, fraction});
 }
 
 std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
                                            const BuildSceneOptions& options) {
-    tell(options, "checking the scene", 0);
-    std::vector<Diagnostic> errors = find_errors(description);
-    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
+    report(options, "checking the scene", 0);
+    require_valid(description);
     auto scene = std::make_shared<SceneData>();
     scene->description = description;
     if (!description.camera) scene->description.camera = fit_camera(description);
     build_values(*scene);
 
-    tell(options, "placing the objects", 0);
+    report(options, "placing the objects", 0);
     scene->solids_known = scene->any_transparent || options.find_solids;
     Baked baked = bake(description, scene->solids_known, [&] { check_cancel(options); });
     scene->objects = std::move(baked.objects);
@@ -186,21 +192,25 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
     for (const WorldInput::Plane& plane : baked.input.planes)
         if (scene->objects[plane.object].solid) scene->half_spaces.push_back({plane.object, plane});
 
-    tell(options, "building the trees", 0);
-    TaskPool pool(options.threads, options.cancel);
+    report(options, "building the trees", 0);
+    parallel::TaskPool pool(options.threads, options.cancel);
     baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
-    tell(options, "building the trees", 1);
+    report(options, "building the trees", 1);
     find_camera_interiors(*scene);
     return scene;
 }
 
 } // namespace
 
+} // namespace glint::scene
+
+namespace glint {
+
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options) {
     try {
-        return Scene(make_scene_data(description, options));
-    } catch (const TasksCancelled&) {
+        return Scene(scene::make_scene_data(description, options));
+    } catch (const parallel::TasksCancelled&) {
         throw Error(ErrorKind::cancelled, "building the scene was cancelled");
     }
 }
@@ -211,8 +221,8 @@ SceneStats Scene::stats() const {
     SceneStats stats;
     stats.objects = data_->objects.size();
     stats.triangles = world.triangles;
-    for (std::size_t kind = 0; kind < quadric_names.size(); ++kind)
-        stats.quadrics.push_back({quadric_names[kind], world.quadrics[kind]});
+    for (std::size_t kind = 0; kind < geometry::quadric_names.size(); ++kind)
+        stats.quadrics.push_back({geometry::quadric_names[kind], world.quadrics[kind]});
     stats.planes = world.planes;
     stats.lights = data_->description.lights.size();
     stats.tree_nodes = world.nodes;

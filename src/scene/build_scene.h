@@ -3,7 +3,7 @@
 
 #include "scene/scene_data.h"
 
-namespace glint {
+namespace glint::scene {
 
 /// Whether a visible object is transparent.
 bool shows_glass(const SceneDescription& description);
@@ -14,4 +14,4 @@ void build_values(SceneData& scene);
 /// Determines the transparent solids around the eye.
 void find_camera_interiors(SceneData& scene);
 
-} // namespace glint
+} // namespace glint::scene

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 constexpr double framed_fov = 40; // degrees
@@ -57,22 +57,28 @@ CameraDescription fit_camera(const ViewAxes& view, const Lens& lens, const Suppo
     return camera;
 }
 
-CameraDescription fit_camera(const SceneDescription& description) {
-    Lens lens;
-    lens.fov = framed_fov;
-    lens.aov = static_cast<double>(description.render.width) / description.render.height;
-    const ViewAxes view = three_quarter_view(default_azimuth, default_elevation);
+} // namespace glint::scene
 
-    const dvec3 stand_in = something_to_look_at(description);
-    const double size =
-        support(description, view.right).value_or(0) + support(description, -view.right).value_or(0) +
-        support(description, view.up).value_or(0) + support(description, -view.up).value_or(0);
+namespace glint {
+
+CameraDescription fit_camera(const SceneDescription& description) {
+    scene::Lens lens;
+    lens.fov = scene::framed_fov;
+    lens.aov = static_cast<double>(description.render.width) / description.render.height;
+    const scene::ViewAxes view = scene::three_quarter_view(scene::default_azimuth, scene::default_elevation);
+
+    const dvec3 stand_in = scene::something_to_look_at(description);
+    const double size = scene::support(description, view.right).value_or(0) +
+                        scene::support(description, -view.right).value_or(0) +
+                        scene::support(description, view.up).value_or(0) +
+                        scene::support(description, -view.up).value_or(0);
     if (size > 0) {
-        return fit_camera(view, lens, [&](const dvec3& d) { return support(description, d).value_or(0); });
+        return fit_camera(view, lens,
+                          [&](const dvec3& d) { return scene::support(description, d).value_or(0); });
     }
     return fit_camera(view, lens, [&](const dvec3& d) {
-        const double ball = stand_in_radius * glm::length(d);
-        return support(description, d).value_or(glm::dot(d, stand_in)) + ball;
+        const double ball = scene::stand_in_radius * glm::length(d);
+        return scene::support(description, d).value_or(glm::dot(d, stand_in)) + ball;
     });
 }
 

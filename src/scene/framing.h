@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace glint {
+namespace glint::scene {
 
 /// Orthonormal axes of a camera.
 struct ViewAxes {
@@ -35,4 +35,4 @@ using SupportFunction = std::function<double(const dvec3&)>;
 /// picture.
 CameraDescription fit_camera(const ViewAxes& view, const Lens& lens, const SupportFunction& reach);
 
-} // namespace glint
+} // namespace glint::scene

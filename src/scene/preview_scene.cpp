@@ -8,6 +8,9 @@
 #include <cmath>
 
 namespace glint {
+
+using scene::support;
+
 namespace {
 
 // The exact rotation that takes `up` to +z.
@@ -85,7 +88,7 @@ Light preview_light(const Extent& extent, const dvec3& direction, const Vec3& co
     return {light, {}};
 }
 
-void add_lights(SceneDescription& scene, const Extent& extent, const ViewAxes& view) {
+void add_lights(SceneDescription& scene, const Extent& extent, const scene::ViewAxes& view) {
     // A warm key light over the camera's left shoulder and a weaker, cool light from the right.
     const dvec3 up(0, 0, 1);
     const dvec3 back = glm::normalize(-dvec3(view.forward.x, view.forward.y, 0));
@@ -123,8 +126,8 @@ SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::stri
     if (one_point) std::get<MeshShape>(scene.objects[0].shape).point_radius = extent.radius / 2;
 
     // Keep the horizon above the picture: look down by more than half the field of view.
-    const ViewAxes view = three_quarter_view(default_azimuth, default_elevation);
-    Lens lens;
+    const scene::ViewAxes view = scene::three_quarter_view(scene::default_azimuth, scene::default_elevation);
+    scene::Lens lens;
     lens.fov = 30;
     lens.aov = static_cast<double>(scene.render.width) / scene.render.height;
     lens.fill = 0.78;

@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 /// Vertex attributes of a mesh, shared by its instances.
 struct MeshAttributes {
@@ -64,7 +64,7 @@ struct SceneData {
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first
 };
 
-/// The settings in the form used by shading/whitted_steps.shared.h.
+/// The settings in the form used by shading/whitted.shared.h.
 inline WhittedModes whitted_modes(const WhittedSettings& settings) {
     WhittedModes modes{};
     modes.opaque_shadows = settings.shadows == Shadows::opaque ? 1 : 0;
@@ -81,4 +81,4 @@ std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& p
 /// The solids that contain a point, judged by the parity of crossings, including solid planes.
 std::vector<std::uint32_t> objects_around(const SceneData& scene, const vec3& point);
 
-} // namespace glint
+} // namespace glint::scene

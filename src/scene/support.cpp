@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 // d · (M p) = (Mᵀ d) · p + d · translation.
@@ -42,4 +42,4 @@ std::optional<double> support(const SceneDescription& description, const dvec3& 
     return if_finite(most);
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace glint {
+namespace glint::scene {
 
 /// The maximum of d · p over the visible, finite objects; d may have any length. None if there is no such
 /// object. Ignores points that are not finite and vertices without faces. Exact except for polyhedra other
@@ -19,4 +19,4 @@ std::optional<double> support(const SceneDescription& description, const Object&
 /// Support function of a mesh as stored.
 std::optional<double> support(const Mesh& mesh, const dvec3& d);
 
-} // namespace glint
+} // namespace glint::scene

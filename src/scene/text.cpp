@@ -1,12 +1,13 @@
+// Text of messages.
+
 #include "scene/text.h"
 
 #include "glint/error.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace glint {
+namespace glint::scene {
 
 std::string show(double x) {
     if (std::isnan(x)) return "nan";
@@ -21,8 +22,7 @@ std::string in_quotes(std::string_view text) {
     std::string shown(text.substr(0, longest));
     // A cut must not leave half a UTF-8 character behind.
     if (text.size() > longest) {
-        while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xc0u) == 0x80u)
-            shown.pop_back();
+        while (!shown.empty() && continues_utf8(shown.back())) shown.pop_back();
         if (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80u) != 0) shown.pop_back();
         shown += "…";
     }
@@ -31,15 +31,26 @@ std::string in_quotes(std::string_view text) {
     return '"' + shown + '"';
 }
 
-std::string listed(const std::vector<std::string>& words) {
+std::string listed(const std::vector<std::string>& words, std::string_view separator) {
     std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    for (const std::string& word : words) {
+        if (&word != &words.front()) text += separator;
+        text += word;
+    }
     return text;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
-    const auto nearest = nearest_name(std::string(word), candidates);
-    return nearest ? "did you mean " + in_quotes(*nearest) + "?" : "";
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
 }
 
-} // namespace glint
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
+                         std::string otherwise) {
+    const auto nearest = nearest_name(std::string(word), candidates);
+    return nearest ? "did you mean " + in_quotes(*nearest) + "?" : otherwise;
+}
+
+} // namespace glint::scene

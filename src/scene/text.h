@@ -1,11 +1,14 @@
 #pragma once
 // Text of messages about values and scene files.
 
+#include <charconv>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 /// The shortest text that reads back as x: "0.1", "4", "nan".
 std::string show(double x);
@@ -14,9 +17,25 @@ std::string show(double x);
 std::string in_quotes(std::string_view text);
 
 /// "a, b, c".
-std::string listed(const std::vector<std::string>& words);
+std::string listed(const std::vector<std::string>& words, std::string_view separator = ", ");
 
-/// "did you mean "glass"?", or nothing where no candidate is near.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
+/// "did you mean "glass"?", or `otherwise` where no candidate is near.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
+                         std::string otherwise = {});
 
-} // namespace glint
+/// With the letters of ASCII in lower case.
+std::string lower_case(std::string_view text);
+
+/// The number that the whole text says; none if it says none, or one that does not fit.
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
+    Number number{};
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = fault == std::errc() && end == text.data() + text.size();
+    return whole ? std::optional(number) : std::nullopt;
+}
+
+/// Whether a byte of UTF-8 is not the first of its character.
+constexpr bool continues_utf8(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; }
+
+} // namespace glint::scene

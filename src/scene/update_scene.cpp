@@ -7,6 +7,9 @@
 #include <variant>
 
 namespace glint {
+
+using scene::SceneData;
+
 namespace {
 
 /// Whether two objects result in the same trees. Names count, since instances refer to them.
@@ -19,14 +22,10 @@ bool same_objects(const std::vector<Object>& a, const std::vector<Object>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_object);
 }
 
-void throw_if_any(std::vector<Diagnostic> errors) {
-    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
-}
-
 void build_materials_of_objects(SceneData& scene) {
     const SceneDescription& description = scene.description;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Material* material = material_of(description, description.objects[i]);
+        const Material* material = scene::material_of(description, description.objects[i]);
         scene.objects[i].material = static_cast<std::uint32_t>(material - description.materials.data());
     }
 }
@@ -37,15 +36,16 @@ Scene update_scene(const Scene& scene, const SceneDescription& description,
                    const BuildSceneOptions& options) {
     if (!same_objects(scene.description().objects, description.objects))
         return build_scene(description, options);
-    throw_if_any(find_errors(description, Shapes::checked));
-    if (shows_glass(description) && !scene.data().solids_known) return build_scene(description, options);
+    scene::require_valid(description, scene::Shapes::checked);
+    if (scene::shows_glass(description) && !scene.data().solids_known)
+        return build_scene(description, options);
 
     auto scene_data = std::make_shared<SceneData>(scene.data());
     scene_data->description = description;
     if (!description.camera) scene_data->description.camera = fit_camera(description);
-    build_values(*scene_data);
+    scene::build_values(*scene_data);
     build_materials_of_objects(*scene_data);
-    find_camera_interiors(*scene_data);
+    scene::find_camera_interiors(*scene_data);
     return Scene(std::move(scene_data));
 }
 
@@ -54,12 +54,12 @@ Scene with_view(const Scene& scene, const CameraDescription& camera, int width, 
     view.camera = camera;
     view.render.width = width;
     view.render.height = height;
-    throw_if_any(find_errors(view));
+    scene::require_valid(view);
     auto scene_data = std::make_shared<SceneData>(scene.data());
     scene_data->description.camera = camera;
     scene_data->description.render.width = width;
     scene_data->description.render.height = height;
-    find_camera_interiors(*scene_data);
+    scene::find_camera_interiors(*scene_data);
     return Scene(std::move(scene_data));
 }
 

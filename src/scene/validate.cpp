@@ -2,17 +2,18 @@
 
 #include "scene/validate.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
 #include "scene/shapes/shapes.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 class Checker {
@@ -78,9 +79,8 @@ class Checker {
     void fail_material(const Object& object) {
         std::vector<std::string> names;
         for (const Material& m : scene_.materials) names.push_back(m.name);
-        const auto near = nearest_name(object.material, names);
-        fail(object.where, "unknown material \"" + object.material + "\"",
-             near ? "did you mean \"" + *near + "\"?" : "define it as [material." + object.material + "]");
+        fail(object.where, "unknown material " + in_quotes(object.material),
+             did_you_mean(object.material, names, "define it as [material." + object.material + "]"));
     }
 
     void check_shape(const MeshShape& s, const Object& o) {
@@ -109,7 +109,7 @@ class Checker {
                     (mesh.colors.empty() || mesh.colors.size() == vertices),
                 o.where, "the mesh has not one normal and one colour a vertex",
                 "as many as positions, or none");
-        require(!inside || has_valid_positions(mesh), o.where, "a vertex of the mesh is not a place",
+        require(!inside || has_valid_positions(mesh), o.where, "a vertex of the mesh is not finite",
                 "coordinates of what is shown must be finite");
     }
     // Vertices that no face uses do not matter.
@@ -129,17 +129,8 @@ class Checker {
         const std::size_t before = found_.size();
         check_keys("light", light, light.where);
         if (found_.size() == before)
-            std::visit([&](const auto& kind) { check_strength(kind, light.where); }, light.kind);
-    }
-    void check_strength(const AmbientLight&, const Location&) {}
-    void check_strength(const PointLight& l, const Location& where) {
-        check_strength(l.color * l.intensity, where);
-    }
-    void check_strength(const DirectionalLight& l, const Location& where) {
-        check_strength(l.color * l.irradiance, where);
-    }
-    void check_strength(const SpotLight& l, const Location& where) {
-        check_strength(l.color * l.intensity, where);
+            check_strength(std::visit([](const auto& kind) { return kind.strength(); }, light.kind),
+                           light.where);
     }
     /// Lights are summed in single precision.
     void check_strength(const Vec3& strength, const Location& where) {
@@ -156,6 +147,11 @@ class Checker {
 
 std::vector<Diagnostic> find_errors(const SceneDescription& description, Shapes shapes) {
     return Checker(description).run(shapes);
+}
+
+void require_valid(const SceneDescription& description, Shapes shapes) {
+    std::vector<Diagnostic> errors = find_errors(description, shapes);
+    if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
 }
 
 const Object* find_mesh(const SceneDescription& description, const std::string& name) {
@@ -175,4 +171,4 @@ const Material* material_of(const SceneDescription& description, const Object& o
     return nullptr;
 }
 
-} // namespace glint
+} // namespace glint::scene

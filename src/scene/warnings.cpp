@@ -1,5 +1,7 @@
+// Warnings about valid but suspicious scenes.
+
 #include "geometry/mesh.h"
-#include "glint/names.h"
+#include "glint/keys.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
 
@@ -24,19 +26,19 @@ std::string title(const Object& object) {
     return object.name.empty() ? type : type + " \"" + object.name + "\"";
 }
 
-class Watcher {
+class WarningFinder {
   public:
-    explicit Watcher(const SceneData& scene) : scene_(scene), description_(scene.description) {
+    explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {
         for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
             if (glass(id) && scene.objects[id].solid) glass_solids_.push_back(id);
     }
 
     std::vector<Diagnostic> run() {
-        watch_lights();
-        watch_camera();
-        for (const Material& m : description_.materials) watch_gain(m);
-        watch_open_glass();
-        if (scene_.any_transparent) watch_overlaps();
+        check_lights();
+        check_camera();
+        for (const Material& m : description_.materials) check_gain(m);
+        check_open_glass();
+        if (scene_.any_transparent) check_overlaps();
         return std::move(found_);
     }
 
@@ -49,26 +51,25 @@ class Watcher {
         return object(id).visible && scene_.materials[scene_.objects[id].material].transparency > 0;
     }
 
-    void watch_lights() {
+    void check_lights() {
         if (description_.lights.empty()) {
             const bool glows = std::any_of(description_.materials.begin(), description_.materials.end(),
                                            [](const Material& m) { return m.emission != Vec3(0); });
             if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
         }
         for (const Light& light : description_.lights) {
-            if (const auto* p = std::get_if<PointLight>(&light.kind)) watch_inside(p->position, light.where);
-            if (const auto* s = std::get_if<SpotLight>(&light.kind)) watch_inside(s->position, light.where);
+            const KeySpec* position = find_key(description_table("light"), "position", name_of(light));
+            if (position) check_inside(std::get<Vec3>(position->get(KeyOwner(light))), light.where);
         }
     }
 
-    // Without glass nobody needed to know which meshes are closed: here it is asked of the few that may
-    // matter.
+    // Without glass it is not known which meshes are closed: find out for those around the position.
     std::vector<std::uint32_t> everything_around(const Vec3& position) const {
-        std::vector<std::uint32_t> around = objects_around(scene_, vec3(position));
+        std::vector<std::uint32_t> around = scene::objects_around(scene_, vec3(position));
         if (scene_.any_transparent) return around;
-        for (const std::uint32_t id : surfaces_around(scene_, vec3(position)))
+        for (const std::uint32_t id : scene::surfaces_around(scene_, vec3(position)))
             if (const Mesh* mesh = mesh_of(id);
-                mesh != nullptr && is_closed(mesh->positions, mesh->triangles))
+                mesh != nullptr && geometry::is_closed(mesh->positions, mesh->triangles))
                 around.push_back(id);
         return around;
     }
@@ -76,16 +77,16 @@ class Watcher {
         if (const auto* mesh = std::get_if<MeshShape>(&object(id).shape)) return mesh->data.get();
         const auto* instance = std::get_if<InstanceShape>(&object(id).shape);
         if (instance == nullptr) return nullptr;
-        return std::get<MeshShape>(find_mesh(description_, instance->mesh)->shape).data.get();
+        return std::get<MeshShape>(scene::find_mesh(description_, instance->mesh)->shape).data.get();
     }
 
-    void watch_inside(const Vec3& position, const Location& where) {
+    void check_inside(const Vec3& position, const Location& where) {
         for (const std::uint32_t id : everything_around(position))
             warn(where, "the light is inside " + title(object(id)),
                  "what is outside will be in its shadow; move the light out if that is not meant");
     }
 
-    void watch_camera() {
+    void check_camera() {
         const CameraDescription& camera = *description_.camera;
         for (const std::uint32_t id : everything_around(camera.eye))
             warn(camera.where, "the camera is inside " + title(object(id)),
@@ -93,10 +94,11 @@ class Watcher {
     }
 
     // More light leaves than arrives.
-    void watch_gain(const Material& m) {
+    void check_gain(const Material& m) {
         const double brightest = std::max({m.color.x, m.color.y, m.color.z});
         const bool balanced = description_.whitted.energy == Energy::balanced;
-        const double gain = light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
+        const double gain =
+            shading::light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
         if (gain <= 1.0000001) return;
         char number[32];
         std::snprintf(number, sizeof number, "%.2f", gain);
@@ -104,7 +106,7 @@ class Watcher {
              "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]");
     }
 
-    void watch_open_glass() {
+    void check_open_glass() {
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
             const bool mesh = std::holds_alternative<MeshShape>(object(id).shape) ||
                               std::holds_alternative<InstanceShape>(object(id).shape);
@@ -114,17 +116,18 @@ class Watcher {
         }
     }
 
-    // Rays through the box of each glass object meet its faces wherever they are; what else lies there shows
-    // too.
-    void watch_overlaps() {
+    // Samples the faces of each solid by chords of its box: is a face inside another solid that owns the
+    // space, or does it coincide with a face of glass?
+    void check_overlaps() {
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
             if (!object(id).visible || !scene_.objects[id].solid || scene_.objects[id].bounds.empty())
                 continue;
             Probe probe;
             for (std::uint32_t i = 0; i < probes_per_object; ++i) shoot(id, i, probe);
-            if (probe.twin != invalid_index)
+            if (probe.coincident != invalid_index)
                 warn(object(id).where,
-                     title(object(id)) + " and " + title(object(probe.twin)) + " have coincident glass faces",
+                     title(object(id)) + " and " + title(object(probe.coincident)) +
+                         " have coincident glass faces",
                      "let one overlap the other a little, or leave a gap");
             if (probe.faces > 0 && probe.hidden == probe.faces)
                 warn(object(id).where,
@@ -137,7 +140,7 @@ class Watcher {
     struct Probe {
         int faces = 0;
         int hidden = 0;
-        std::uint32_t twin = invalid_index;
+        std::uint32_t coincident = invalid_index;
         std::uint32_t owner = invalid_index;
     };
 
@@ -164,7 +167,7 @@ class Watcher {
             if (hits_[k].object != id) continue;
             ++probe.faces;
             find_owner(id, ray.origin + ray.direction * hits_[k].t, probe);
-            if (glass(id) && k + 1 < hits_.size()) find_twin(hits_[k], hits_[k + 1], probe);
+            if (glass(id) && k + 1 < hits_.size()) find_coincident(hits_[k], hits_[k + 1], probe);
         }
     }
 
@@ -176,7 +179,7 @@ class Watcher {
                                                        glm::all(glm::lessThanEqual(p, box.hi))));
             });
         if (!near_glass) return;
-        for (const std::uint32_t around : objects_around(scene_, p)) {
+        for (const std::uint32_t around : scene::objects_around(scene_, p)) {
             if (around == id || !glass(around) || scene_.objects[around].rank < scene_.objects[id].rank)
                 continue;
             ++probe.hidden;
@@ -185,13 +188,13 @@ class Watcher {
         }
     }
 
-    void find_twin(const Hit& a, const Hit& b, Probe& probe) const {
+    void find_coincident(const Hit& a, const Hit& b, Probe& probe) const {
         const bool solid_glass = glass(b.object) && scene_.objects[b.object].solid;
         if (a.object == b.object || !solid_glass) return;
-        if (b.t - a.t <= a.t * 0x1p-20f) probe.twin = b.object;
+        if (b.t - a.t <= a.t * 0x1p-20f) probe.coincident = b.object;
     }
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     const SceneDescription& description_;
     std::vector<std::uint32_t> glass_solids_;
     std::vector<Hit> hits_;
@@ -200,6 +203,6 @@ class Watcher {
 
 } // namespace
 
-std::vector<Diagnostic> warnings(const Scene& scene) { return Watcher(scene.data()).run(); }
+std::vector<Diagnostic> warnings(const Scene& scene) { return WarningFinder(scene.data()).run(); }
 
 } // namespace glint

@@ -1,7 +1,7 @@
 // The shared headers for vectors of rays, for every SIMD target: the same text as for one ray, read once more
 // in the vocabulary of math/lanes-inl.h.
 
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <hwy/highway.h>
 
@@ -30,10 +30,9 @@
 #undef GLINT_MATH_ELEMENTARY_SHARED_H
 #undef GLINT_SHADING_RECORDS_SHARED_H
 #undef GLINT_SHADING_WHITTED_SHARED_H
-#undef GLINT_SHADING_WHITTED_STEPS_SHARED_H
 
 HWY_BEFORE_NAMESPACE();
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 HWY_AFTER_NAMESPACE();
 
 #undef GLINT_LANES

@@ -1,9 +1,9 @@
 #pragma once
-// How much light a material gives back.
+// The gain of a material.
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::shading {
 
 /// The light that can leave a surface for each light that arrives: w max(c) k_d + ρ + τ, w as local_weight().
 /// Above 1 more leaves than arrives. `brightest` is the colour's largest channel.
@@ -14,4 +14,4 @@ Real light_gain(Real brightest, Real k_d, Real reflectivity, Real transparency, 
     return weight * brightest * k_d + reflectivity + transparency;
 }
 
-} // namespace glint
+} // namespace glint::shading

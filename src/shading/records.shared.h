@@ -26,6 +26,19 @@ struct MaterialRecord {
     integer reserved[3]; ///< 0; std430 rounds the size up to a multiple of 16 bytes
 };
 
+#ifndef GLINT_GLSL
+/// Calls use() for the numbers of a material, for one ray or for a vector of them, that the steps for vectors
+/// of rays need for each light.
+template <class Material, class Use>
+constexpr GLINT_FN void for_shading_numbers(Material& m, const Use& use) {
+    use(m.diffuse);
+    use(m.highlight);
+    use(m.shininess);
+    use(m.reflectivity);
+    use(m.transparency);
+}
+#endif
+
 /// A hit, ready to be shaded.
 struct SurfaceRecord {
     vec3 p;
@@ -62,11 +75,11 @@ struct LightRecord {
 const int highlight_blinn = 0;
 const int highlight_phong = 1;
 
-/// The settings of the light model that its steps ask for; 0 or 1 where nothing else is said.
+/// The settings of the light model for its steps; 0 or 1 unless noted.
 struct WhittedModes {
-    int opaque_shadows; ///< else light passes glass, unbent
-    int clamp;          ///< each light's diffuse light and the local sum are limited to 1 a channel
-    int balanced;       ///< local light is weighed so that no more leaves than arrives
+    int opaque_shadows; ///< 0: light passes glass, unbent
+    int clamp;          ///< limit each light's diffuse light, and the local sum, to 1 a channel
+    int balanced;       ///< weight local light so that no more leaves than arrives
     int highlight;      ///< highlight_blinn or highlight_phong
 };
 

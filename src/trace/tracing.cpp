@@ -2,39 +2,83 @@
 
 #include "glint/trace.h"
 
-#include "trace/tracing.h"
+#include "trace/mesh/tree.h"
+#include "trace/world/instance_tree.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace glint::tracing {
 
 using trace::build_mesh_tree;
+using trace::InstanceTree;
+using trace::MeshInstance;
 using trace::MeshTree;
 
+struct Mesh::Data {
+    trace::MeshTree tree;
+};
+
+struct Scene::Data {
+    std::vector<Mesh> meshes; ///< each once
+    InstanceTree tree;
+};
+
 namespace {
+
+// Rays and hits are passed to the kernels without conversion. This is safe because nothing here accesses them
+// through both types: the kernels are compiled separately.
+static_assert(sizeof(Ray) == sizeof(glint::Ray) && std::is_standard_layout_v<glint::Ray>);
+static_assert(offsetof(Ray, tmin) == offsetof(glint::Ray, tmin));
+static_assert(offsetof(Ray, direction) == offsetof(glint::Ray, direction));
+static_assert(offsetof(Ray, tmax) == offsetof(glint::Ray, tmax));
+
+std::span<const glint::Ray> inner(std::span<const Ray> rays) {
+    return {reinterpret_cast<const glint::Ray*>(rays.data()), rays.size()};
+}
+
+glint::Ray inner(const Ray& ray) {
+    return {vec3(ray.origin[0], ray.origin[1], ray.origin[2]), ray.tmin,
+            vec3(ray.direction[0], ray.direction[1], ray.direction[2]), ray.tmax};
+}
+
+Box outer(const Bounds& b) { return {{b.lo.x, b.lo.y, b.lo.z}, {b.hi.x, b.hi.y, b.hi.z}}; }
+
+MeshInstance inner(const MeshTree& mesh, const Transform& transform) {
+    MeshInstance instance;
+    instance.mesh = &mesh;
+    for (int row = 0; row < 3; ++row) {
+        const std::array<float, 4>& from = transform.m[static_cast<std::size_t>(row)];
+        for (int column = 0; column < 3; ++column)
+            instance.linear[column][row] = from[static_cast<std::size_t>(column)];
+        instance.translation[row] = from[3];
+    }
+    return instance;
+}
 
 static_assert(sizeof(vec3) == 12 && sizeof(uvec3) == 12);
 
 template <class T>
-std::size_t threes(std::span<const T> values, const char* message) {
+StridedView<T> viewed(std::span<const T> values, const char* message) {
     if (values.size() % 3 != 0) throw std::invalid_argument(message);
-    return values.size() / 3;
+    return {values.data(), values.size() / 3, 12};
 }
 
-/// Elements of three values as a contiguous array: the view itself if it is contiguous, otherwise a copy in
-/// `copy`.
-template <class V, class View>
-std::span<const V> packed(const View& view, std::vector<V>& copy) {
+/// The groups of a view as a contiguous array: the view itself if it is contiguous, otherwise `copy`.
+template <class V, class T>
+std::span<const V> packed(const StridedView<T>& view, std::vector<V>& copy) {
     if (view.count == 0) return {};
     if (view.stride % 4 != 0 || view.stride < sizeof(V))
         throw std::invalid_argument("a stride is no multiple of 4 bytes or below 12");
     if (view.stride == sizeof(V)) return {reinterpret_cast<const V*>(view.first), view.count};
     copy.reserve(view.count);
     for (std::size_t i = 0; i < view.count; ++i) {
-        const auto* at = view.first + i * (view.stride / 4);
+        const T* at = view.first + i * (view.stride / 4);
         copy.emplace_back(at[0], at[1], at[2]);
     }
     return copy;
@@ -46,9 +90,7 @@ class Source {
     Source(const Vertices& vertices, const Triangles& triangles)
         : positions_(packed(vertices, positions_copy_)), corners_(packed(triangles, corners_copy_)) {
         if (corners_.size() >= none) throw std::length_error("a mesh has too many triangles");
-        for (const uvec3& t : corners_)
-            if (std::max({t.x, t.y, t.z}) >= positions_.size())
-                throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
+        trace::check_corners(positions_, corners_);
     }
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
@@ -64,11 +106,11 @@ class Source {
 };
 
 Vertices viewed(std::span<const float> vertices) {
-    return {vertices.data(), threes(vertices, "the vertices are not three floats each"), 12};
+    return viewed(vertices, "the vertices are not three floats each");
 }
 
 Triangles viewed(std::span<const std::uint32_t> triangles) {
-    return {triangles.data(), threes(triangles, "the triangles are not three numbers each"), 12};
+    return viewed(triangles, "the triangles are not three numbers each");
 }
 
 } // namespace
@@ -128,6 +170,55 @@ Box Mesh::bounds() const { return outer(data_->tree.bounds); }
 MeshStats Mesh::stats() const {
     const MeshTree& tree = data_->tree;
     return {tree.triangles, tree.left_out, tree.nodes.size(), tree.bytes(), tree.depth, tree.quality};
+}
+
+Scene::Scene() : data_(std::make_shared<Data>()) {}
+
+Scene::Scene(std::span<const Instance> instances, const BuildOptions& options) {
+    auto data = std::make_shared<Data>();
+    std::vector<std::pair<const MeshTree*, std::size_t>> trees; // and the first instance of each
+    std::vector<MeshInstance> tree_input;
+    tree_input.reserve(instances.size());
+    for (const Instance& instance : instances) {
+        const MeshTree& tree = instance.mesh.data_->tree;
+        trees.emplace_back(&tree, tree_input.size());
+        tree_input.push_back(inner(tree, instance.world_from_local));
+    }
+    std::sort(trees.begin(), trees.end());
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        if (i == 0 || trees[i].first != trees[i - 1].first)
+            data->meshes.push_back(instances[trees[i].second].mesh);
+    parallel::TaskPool pool(options.threads);
+    data->tree = InstanceTree(tree_input, pool);
+    data_ = std::move(data);
+}
+
+void Scene::closest(std::span<const Ray> rays, std::span<InstanceHit> hits, RayHint hint,
+                    const KernelChoice& choice) const {
+    if (rays.size() != hits.size()) throw std::invalid_argument("rays and hits differ in number");
+    data_->tree.closest(inner(rays), hits, hint, choice);
+}
+
+InstanceHit Scene::closest(const Ray& ray, const KernelChoice& choice) const {
+    return data_->tree.closest(inner(ray), choice);
+}
+
+void Scene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
+                     const KernelChoice& choice) const {
+    if (rays.size() != blocked.size()) throw std::invalid_argument("rays and blocked differ in number");
+    data_->tree.occluded(inner(rays), blocked, hint, choice);
+}
+
+bool Scene::occluded(const Ray& ray, const KernelChoice& choice) const {
+    return data_->tree.occluded(inner(ray), choice);
+}
+
+Box Scene::bounds() const { return outer(data_->tree.bounds()); }
+
+SceneStats Scene::stats() const {
+    SceneStats stats{data_->tree.size(), data_->meshes.size(), data_->tree.bytes()};
+    for (const Mesh& mesh : data_->meshes) stats.bytes += mesh.stats().bytes;
+    return stats;
 }
 
 } // namespace glint::tracing

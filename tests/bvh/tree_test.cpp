@@ -1,4 +1,4 @@
-// Trees of boxes: complete, tight, bounded in depth, the same on any number of threads.
+// Trees of boxes: complete, tight, bounded in depth, and independent of the number of threads.
 
 #include "bvh/traverse.h"
 #include "bvh/tree.h"
@@ -111,7 +111,7 @@ TEST(Tree, HalvesWhatCannotBeToldApart) {
 }
 
 TEST(Tree, IsNotDeepUnderGeometricSpacing) {
-    // Each box half as far from the origin as the last: every cut by area takes off one end only.
+    // Each box is half as far from the origin as the last, so every SAH split separates one box only.
     std::vector<BoxRef> boxes;
     for (std::uint32_t i = 0; i < 3000; ++i) {
         const float x = std::ldexp(1.0f, 100 - static_cast<int>(i % 240));

@@ -1,6 +1,6 @@
 // --backend and info --devices, with and without devices. No display is passed on to the program.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-class Backend : public Workplace {};
+class Backend : public CliTest {};
 
 TEST_F(Backend, GpuRendersWithoutADisplay) {
     GLINT_NEEDS_DEVICE();

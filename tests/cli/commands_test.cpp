@@ -1,13 +1,13 @@
 // check, info, diff and new.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <nlohmann/json.hpp>
 
 namespace glint::test {
 namespace {
 
-class Check : public Workplace {};
+class Check : public CliTest {};
 
 TEST_F(Check, TellsOfEveryFile) {
     const Outcome outcome = glint("check good.toml bad.toml dark.toml mesh.ply");
@@ -39,7 +39,7 @@ TEST_F(Check, KeepsQuiet) {
     EXPECT_NE(unsound.err.find("error: "), std::string::npos) << unsound.err;
 }
 
-class Info : public Workplace {};
+class Info : public CliTest {};
 
 TEST_F(Info, PrintsToStdout) {
     const Outcome outcome = glint("info good.toml");
@@ -64,7 +64,7 @@ TEST_F(Info, FailsWhenStdoutIsFull) {
     EXPECT_NE(outcome.err.find("cannot write to stdout: No space left"), std::string::npos) << outcome.err;
 }
 
-class Diff : public Workplace {
+class Diff : public CliTest {
   public:
     Diff() {
         write_pfm("a.pfm", 4, 3, 0.5f);
@@ -132,7 +132,7 @@ TEST_F(Diff, RefusesPicturesOfDifferentSizes) {
     EXPECT_NE(outcome.err.find("different sizes: 4×3 and 5×3"), std::string::npos) << outcome.err;
 }
 
-class New : public Workplace {
+class New : public CliTest {
   public:
     std::vector<std::string> templates() const { return words_of(glint("new --list").out); }
 };

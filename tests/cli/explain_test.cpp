@@ -1,6 +1,6 @@
 // explain: what it writes, and that its page says in a browser what its JSON says.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,7 +76,7 @@ blend = 0.5
 intensity = 30
 )";
 
-class Explain : public Workplace {
+class Explain : public CliTest {
   public:
     Explain() { write("cabinet.toml", cabinet); }
 };
@@ -194,7 +194,7 @@ ready.then(() => {
     for (const name of names) if ($('layer-' + name)) {
       $('layer-' + name).click(); layers[name] = sum_shown(shown); $('layer-' + name).click(); }
     found.push({ pixel: [shown.x, shown.y], color: shown.color, sum: sum_shown(shown), layers,
-      terms: Object.fromEntries(names.map((n, i) => [n, shown.terms[i]])), text: $('place').textContent,
+      terms: Object.fromEntries(names.map((n, i) => [n, shown.terms[i]])), text: $('pixel').textContent,
       boxes: document.querySelectorAll('.ray').length,
       rays: shown.rays.map(ray => ({ kind: ray.shape.kind, label: ray.shape.label, steps: told(ray.shape.steps, ray.at),
         lights: ray.lights.map(l => ({ label: l.shape.label, steps: told(l.shape.steps, l.at) })) })) });
@@ -239,7 +239,7 @@ void expect_steps(const json& shown, const json& printed, const std::string& whe
 
 class Page : public Explain {
   protected:
-    /// What the browser shows of the page of a scene, after a visit to all places.
+    /// What the browser shows of the page of a scene, after a visit to all its pixels.
     json visited(const std::string& line) const {
         EXPECT_EQ(glint("explain " + line + " --format html -o page.html").exit, 0);
         std::string page = content("page.html");

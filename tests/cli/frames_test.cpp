@@ -1,6 +1,6 @@
 // --frames and --frame.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <csignal>
 
@@ -27,7 +27,7 @@ frames = [0, 4]
 values = [0.5, 1.5]
 )";
 
-class Frames : public Workplace {
+class Frames : public CliTest {
   public:
     Frames() { write("moving.toml", moving); }
 };

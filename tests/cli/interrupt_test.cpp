@@ -1,13 +1,13 @@
 // Ctrl-C and SIGTERM. The signal is sent once the first progress line shows that rendering has begun.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <csignal>
 
 namespace glint::test {
 namespace {
 
-class Interrupt : public Workplace {
+class Interrupt : public CliTest {
   public:
     Outcome stopped(const std::string& line, int signal) const {
         Setting setting;

@@ -1,6 +1,6 @@
 // What render writes, and where it says what.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,7 +33,7 @@ std::string hash_of(const Outcome& outcome) {
     return end == begin + 32 && outcome.err[end] == '\n' ? outcome.err.substr(begin, 32) : "none";
 }
 
-class Render : public Workplace {};
+class Render : public CliTest {};
 
 TEST_F(Render, WithoutACommandIsRender) {
     EXPECT_EQ(glint("good.toml -o a.png").exit, 0);

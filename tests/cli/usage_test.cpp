@@ -1,6 +1,6 @@
 // What the command line takes and refuses. A new case is a line of the table.
 
-#include "workplace.h"
+#include "cli_test.h"
 
 #include <algorithm>
 #include <sstream>
@@ -17,7 +17,7 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << "glint " << c.line; }
 
-class CommandLine : public Workplace, public testing::WithParamInterface<Case> {};
+class CommandLine : public CliTest, public testing::WithParamInterface<Case> {};
 
 TEST_P(CommandLine, EndsAsItShould) {
     const Case& c = GetParam();
@@ -126,7 +126,7 @@ const Case cases[] = {
 INSTANTIATE_TEST_SUITE_P(, CommandLine, testing::ValuesIn(cases),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-class Help : public Workplace, public testing::WithParamInterface<const char*> {};
+class Help : public CliTest, public testing::WithParamInterface<const char*> {};
 
 /// Characters, not bytes.
 std::size_t width(const std::string& line) {

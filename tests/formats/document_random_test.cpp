@@ -1,12 +1,16 @@
 // SceneDocument under random edits: its promises over every scene and every way of writing.
 
 #include "document_support.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 
 #include <algorithm>
 #include <random>
 
 namespace glint::test {
+
+using formats::TreeEntry;
+using formats::TreeValue;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -15,9 +19,9 @@ namespace fs = std::filesystem;
 class Drawer {
   public:
     Drawer(const std::string& text, unsigned seed) : random_(seed) {
-        const SceneSource source(text, "a", {});
-        const TreeValue root = parse_tree(source);
-        for (const TableSpec& spec : table_specs()) {
+        const formats::SceneSource source(text, "a", {});
+        const TreeValue root = formats::parse_tree(source);
+        for (const TableSpec& spec : formats::table_specs()) {
             const TreeEntry* entry = root.find(spec.name);
             if (spec.form == TableForm::root)
                 add(spec, "", root);
@@ -39,7 +43,7 @@ class Drawer {
 
   private:
     void add(const TableSpec& spec, const std::string& path, const TreeValue& table) {
-        const std::string type = selected_type(table, spec);
+        const std::string type = formats::selected_type(table, spec);
         for (const KeySpec& key : spec.keys)
             if (find_key(spec, key.key, type) == &key) keys_.push_back({path + std::string(key.key), &key});
     }
@@ -54,7 +58,7 @@ class Drawer {
             for (std::size_t k = 0; transform && k < transform->value.items.size(); ++k)
                 for (const TreeEntry& entry : transform->value.items[k].entries)
                     keys_.push_back({path + "transform." + std::to_string(k) + "." + entry.key,
-                                     find_key(*find_table("transform"), entry.key, {})});
+                                     find_key(*formats::find_table("transform"), entry.key, {})});
         }
     }
 
@@ -73,7 +77,7 @@ class Drawer {
         case KeyType::size:
             return "[" + std::to_string(1 + below(99)) + ", 7]";
         case KeyType::choice: {
-            const auto words = choice_names(key);
+            const auto words = formats::choice_names(key);
             return words[below(words.size())];
         }
         case KeyType::text:

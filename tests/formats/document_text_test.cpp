@@ -10,6 +10,9 @@
 #include <random>
 
 namespace glint::test {
+
+using formats::default_text;
+
 namespace {
 
 // ── Values ─────────────────────────────────────────────────────────────────────────────────────────────────
@@ -37,7 +40,7 @@ TEST(SceneValue, ReadsBackAsExactlyTheSameNumber) {
         numbers.push_back(static_cast<double>(bits));
     }
     for (const double x : numbers) {
-        const auto tree = parse_tree_value(scene_value(x), {});
+        const auto tree = formats::parse_tree_value(scene_value(x), {});
         ASSERT_TRUE(tree) << scene_value(x);
         EXPECT_EQ(std::memcmp(&tree->number, &x, sizeof x), 0) << scene_value(x);
     }
@@ -45,7 +48,7 @@ TEST(SceneValue, ReadsBackAsExactlyTheSameNumber) {
 
 TEST(SceneValue, ReadsBackAsExactlyTheSameText) {
     for (const std::string text : {"", "a", "\"", "\\", "a\nb\tc", "\x01\x7f", "ä # =", "'"})
-        EXPECT_EQ(parse_tree_value(scene_value(text), {}).value().text, text);
+        EXPECT_EQ(formats::parse_tree_value(scene_value(text), {}).value().text, text);
 }
 
 // ── Scenes written anew ────────────────────────────────────────────────────────────────────────────────────
@@ -58,7 +61,7 @@ std::string other_value(const KeySpec& key) {
     case KeyType::whole_number:
         return key.key == "version" ? "1" : "7";
     case KeyType::choice:
-        for (const std::string& word : choice_names(key))
+        for (const std::string& word : formats::choice_names(key))
             if (scene_value(word) != default_text(key)) return scene_value(word);
         return default_text(key);
     case KeyType::text:
@@ -94,11 +97,12 @@ std::string full_table(const TableSpec& spec, const std::string& type) {
 TEST(SceneText, SaysEveryKeyOfTheKeyTable) {
     const std::string around = "[material.m]\n";
     int tables = 0;
-    for (const TableSpec& spec : table_specs()) {
+    for (const TableSpec& spec : formats::table_specs()) {
         if (spec.form == TableForm::root || spec.form == TableForm::entry) continue;
         if (spec.name == "animation" || spec.name == "animate") continue; // no part of a description
         const KeySpec* selector = spec.selector.empty() ? nullptr : find_key(spec, spec.selector, {});
-        for (const std::string& type : selector ? choice_names(*selector) : std::vector<std::string>{""}) {
+        for (const std::string& type :
+             selector ? formats::choice_names(*selector) : std::vector<std::string>{""}) {
             std::string text = full_table(spec, type) + around;
             if (spec.name == "instance")
                 text += "[[mesh]]\nname = \"m\"\nfile = \"a.ply\"\nmaterial = \"m\"\n";

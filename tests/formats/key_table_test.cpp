@@ -2,10 +2,10 @@
 // reads back as the same, and files and descriptions made in memory are refused for the same cause.
 
 #include "formats/scene/key_table.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "formats/scene/write.h"
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/keys/check.h"
 #include "scene/validate.h"
 #include "scene_support.h"
@@ -16,6 +16,9 @@
 #include <set>
 
 namespace glint::test {
+
+using formats::toml_text;
+
 namespace {
 
 template <class Variant, std::size_t... index>
@@ -74,13 +77,13 @@ struct Reading {
     std::string fault;
 };
 Reading read(const TableSpec& table, const KeySpec& key, const std::string& type, const std::string& text) {
-    const SceneSource source({}, "a.toml", {});
-    Problems problems(source);
-    const ReadContext context{problems, ColorValues::srgb, true};
-    TreeValue tree;
-    tree.entries.push_back({std::string(key.key), {}, parse_tree_value(text, {}).value()});
+    const formats::SceneSource source({}, "a.toml", {});
+    formats::Problems problems(source);
+    const formats::ReadContext context{problems, formats::ColorValues::srgb, true};
+    formats::TreeValue tree;
+    tree.entries.push_back({std::string(key.key), {}, formats::parse_tree_value(text, {}).value()});
     Reading reading;
-    reading.value = TableReader(tree, table, table.header(), type, context).value(key);
+    reading.value = formats::TableReader(tree, table, table.header(), type, context).value(key);
     try {
         problems.throw_if_any();
     } catch (const Error& error) {
@@ -95,8 +98,8 @@ TEST(KeyTable, TheDefaultOfAKeyIsWhatItsMemberIsInitializedWith) {
     for_each_key(scene, [&](const TableSpec& table, const KeySpec& key, const KeyOwner& owner, auto& type) {
         if (!key.initial) return;
         EXPECT_EQ(key.get(owner), key.initial()) << table.name << "." << key.key;
-        if (default_text(key).empty()) return;
-        EXPECT_EQ(read(table, key, type, default_text(key)).value, key.initial())
+        if (formats::default_text(key).empty()) return;
+        EXPECT_EQ(read(table, key, type, formats::default_text(key)).value, key.initial())
             << table.name << "." << key.key;
         seen.insert(&key);
     });
@@ -254,7 +257,7 @@ std::string faults_with(const KeySpec& wrong, const KeyValue& value, const std::
         if (&key == &wrong && its_type == type) key.set(owner, value);
     });
     std::string faults;
-    for (const Diagnostic& fault : find_errors(scene)) faults += fault.message + "\n";
+    for (const Diagnostic& fault : scene::find_errors(scene)) faults += fault.message + "\n";
     return faults;
 }
 
@@ -267,7 +270,7 @@ TEST(KeyTable, NumbersOutOfRangeAreRefusedAlikeFromFilesAndFromMemory) {
         for (const double x : numbers_outside(key)) {
             const KeyValue value = std::visit(WithNumber{x}, key.get(owner));
             if (std::holds_alternative<std::monostate>(value)) continue;
-            const auto cause = number_fault(key, x);
+            const auto cause = scene::number_fault(key, x);
             ASSERT_TRUE(cause) << table.name << "." << key.key << " = " << x;
             EXPECT_EQ(read(table, key, type, toml_text(key, value)).fault, cause->message);
             EXPECT_NE(faults_with(key, value, type).find(cause->message), std::string::npos)
@@ -297,7 +300,7 @@ TEST(KeyTable, ValuesWrongAsAWholeAreRefusedAlikeFromFilesAndFromMemory) {
         const TableSpec& table = description_table(c.table);
         const KeySpec& key = *find_key(table, c.key, {});
         const std::string type = key.types.empty() ? "" : std::string(key.types.front());
-        const auto cause = fault_of(key, c.value);
+        const auto cause = scene::fault_of(key, c.value);
         ASSERT_TRUE(cause) << c.key;
         const std::string text = faults_with(key, c.value, type);
         EXPECT_NE(text.find(cause->message), std::string::npos) << c.key << ": " << text;

@@ -20,7 +20,7 @@ std::vector<int> codes(const LoadedPicture& picture) {
 TEST_F(Png, EveryCodeSurvivesWritingAndReading) {
     Image ramp(16, 16);
     for (std::size_t i = 0; i < ramp.pixels.size(); ++i)
-        ramp.pixels[i] = linear_from_srgb8(static_cast<std::uint8_t>(i * 7 % 256));
+        ramp.pixels[i] = imaging::linear_from_srgb8(static_cast<std::uint8_t>(i * 7 % 256));
     write_picture(file("ramp.png"), ramp);
     const LoadedPicture read = read_picture(file("ramp.png"));
     EXPECT_EQ(read.bits, 8);
@@ -32,7 +32,7 @@ TEST_F(Png, EveryCodeSurvivesWritingAndReading) {
 TEST_F(Png, EverySixteenBitCodeSurvivesWritingAndReading) {
     Image ramp(256, 86);
     for (std::size_t i = 0; i < ramp.pixels.size(); ++i)
-        ramp.pixels[i] = linear_from_srgb16(static_cast<std::uint16_t>(i % 65536));
+        ramp.pixels[i] = imaging::linear_from_srgb16(static_cast<std::uint16_t>(i % 65536));
     PictureOptions options;
     options.bits = 16;
     write_picture(file("ramp.png"), ramp, options);

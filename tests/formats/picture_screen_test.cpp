@@ -16,7 +16,7 @@ TEST(ScreenPixels, AreTheCodesOfEachChannel) {
     for (const View view : {View::srgb, View::raw}) {
         screen_pixels(image, view, shown);
         ASSERT_EQ(shown.size(), 29u * 31u);
-        const auto code = view == View::srgb ? srgb8_from_linear : raw8_from_linear;
+        const auto code = view == View::srgb ? imaging::srgb8_from_linear : imaging::raw8_from_linear;
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
                 const float* c = image.at(x, y);

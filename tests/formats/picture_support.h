@@ -2,7 +2,7 @@
 // What the tests of pictures share.
 
 #include "formats/picture/codecs.h"
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ inline void expect_error(ErrorKind kind, const std::vector<std::string>& parts,
 }
 
 /// The picture in these bytes, as if they came from a file of the name "picture".
-inline LoadedPicture read(const Bytes& bytes) { return decode_picture(bytes, "picture"); }
+inline LoadedPicture read(const Bytes& bytes) { return formats::decode_picture(bytes, "picture"); }
 
 /// Bytes of a text.
 inline Bytes bytes_of(std::string_view text) {

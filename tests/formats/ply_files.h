@@ -1,7 +1,7 @@
 #pragma once
 // PLY files made in memory, and what tests expect of them.
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using namespace ply_test;
@@ -167,4 +167,4 @@ TEST(PlyPlain, VerticesBeyondReachAreSeen) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::formats

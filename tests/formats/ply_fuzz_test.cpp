@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using namespace ply_test;
@@ -138,4 +138,4 @@ TEST(PlyFuzz, EveryCutOfAFileGivesASoundMeshOrAnError) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::formats

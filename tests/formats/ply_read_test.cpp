@@ -12,7 +12,7 @@
 #include <limits>
 #include <locale>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using namespace ply_test;
@@ -268,7 +268,8 @@ TEST(PlyRead, DecodesColoursOfWholeNumbersFromSrgbAndKeepsFloatsLinear) {
             with_properties(p + "red\n" + p + "green\n" + p + "blue\nproperty uchar alpha\n", row + " 128"));
         return loaded.mesh->colors.at(0);
     };
-    const vec3 codes(linear_from_srgb8(0), linear_from_srgb8(128), linear_from_srgb8(255));
+    const vec3 codes(imaging::linear_from_srgb8(0), imaging::linear_from_srgb8(128),
+                     imaging::linear_from_srgb8(255));
     EXPECT_EQ(codes.z, 1.0f);
     EXPECT_EQ(color("uchar", "0 128 255"), codes);
     EXPECT_EQ(color("uchar", "0 128 255", ""), codes);
@@ -414,4 +415,4 @@ TEST(PlyRead, MayBeCancelledBetweenThePassesAfterItsBody) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::formats

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using namespace ply_test;
@@ -348,4 +348,4 @@ TEST(PlyRefuse, AFileThatCannotBeRead) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::formats

@@ -12,7 +12,7 @@
 #include <random>
 #include <unistd.h>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using glm::uvec3;
@@ -109,8 +109,8 @@ TEST_F(PlyWrite, WritesColoursAsBytesWhereBytesSayItAll) {
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.triangles = {{0, 1, 2}};
     for (int i = 0; i < 3; ++i)
-        mesh.colors.emplace_back(linear_from_srgb8(static_cast<std::uint8_t>(i)), linear_from_srgb8(100),
-                                 1.0f);
+        mesh.colors.emplace_back(imaging::linear_from_srgb8(static_cast<std::uint8_t>(i)),
+                                 imaging::linear_from_srgb8(100), 1.0f);
     for (const PlyFormat format : all_formats) {
         EXPECT_NE(written(mesh, format).find("property uchar red"), std::string::npos);
         expect_same(*load_mesh(path_).mesh, mesh);
@@ -161,4 +161,4 @@ TEST_F(PlyWrite, FailsWithAPlaceThatCannotBeWritten) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::formats

@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace glint::test {
+
+using formats::color_codes;
+using formats::css_colors;
+using formats::x11_shades;
+
 namespace {
 
 Vec3 color(const std::string& written, const std::string& top = "") {
@@ -82,7 +87,7 @@ TEST(SceneColors, TheTablesAreCompleteAndSorted) {
         EXPECT_LT(css_colors()[i - 1].name, css_colors()[i].name);
     for (std::size_t i = 1; i < x11_shades().size(); ++i)
         EXPECT_LT(x11_shades()[i - 1].name, x11_shades()[i].name);
-    for (const std::string& name : color_names()) EXPECT_TRUE(color_codes(name)) << name;
+    for (const std::string& name : formats::color_names()) EXPECT_TRUE(color_codes(name)) << name;
 }
 
 } // namespace

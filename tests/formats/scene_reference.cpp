@@ -22,7 +22,7 @@ TEST(SceneReference, TheReferencePageIsUpToDate) {
 
 TEST(SceneReference, TheReferencePageNamesEveryKey) {
     const std::string page = scene_key_reference();
-    for (const TableSpec& table : table_specs())
+    for (const TableSpec& table : formats::table_specs())
         for (const KeySpec& key : table.keys)
             EXPECT_NE(page.find("`" + std::string(key.key) + "`"), std::string::npos)
                 << table.name << "." << key.key;

@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of scene files share.
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 

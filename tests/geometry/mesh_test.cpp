@@ -11,7 +11,7 @@
 #include <numbers>
 #include <random>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 struct TestMesh {
@@ -30,7 +30,7 @@ TestMesh cube() {
     return mesh;
 }
 
-/// The same surface with three corners of its own for each triangle.
+/// The same surface with three separate corners for each triangle.
 TestMesh soup_of(const TestMesh& mesh) {
     TestMesh soup;
     for (const uvec3& t : mesh.triangles) {
@@ -138,7 +138,7 @@ TEST(Angle, AgreesWithTheLibrarysArcTangent) {
 }
 
 TEST(SmoothNormals, WeighByAngleSoThatACubesPointAlongItsDiagonals) {
-    // Corners have one or two triangles on a side, which any weight but the angle would show.
+    // Corners have one or two triangles on a side, so weights other than angles give other normals.
     for (const TestMesh& mesh : {cube(), soup_of(cube())}) {
         const std::vector<vec3> normals = smooth_normals(mesh.positions, mesh.triangles);
         for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -157,7 +157,7 @@ TEST(SmoothNormals, AreZeroWithoutAFaceAndWhereFacesCancel) {
     EXPECT_EQ(two[0], vec3(0, 0, 0));
 }
 
-/// Triangulates corners 0 … n − 1 and checks what holds for every polygon; gives the triangles.
+/// Triangulates corners 0 … n − 1 and checks the invariants of all polygons; returns the triangles.
 std::vector<uvec3> split(const std::vector<vec3>& polygon) {
     std::vector<std::uint32_t> corners(polygon.size());
     for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
@@ -167,8 +167,8 @@ std::vector<uvec3> split(const std::vector<vec3>& polygon) {
     return triangles;
 }
 
-/// Checks that the triangles cover a flat polygon in the plane z = 0 once: all run like it, and their areas
-/// add up.
+/// Checks that the triangles cover a flat polygon in the plane z = 0 once: all have its orientation, and
+/// their areas add up.
 void expect_covered(const std::vector<vec3>& polygon) {
     double twice_area = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -302,4 +302,4 @@ TEST(Polygon, OfManyCornersIsAFanWhenConvexAndRefusedWhenConcave) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

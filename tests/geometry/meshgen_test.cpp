@@ -1,7 +1,7 @@
 // The meshes that tools/meshgen makes for the scenes.
 
 #include "geometry/mesh.h"
-#include "make.h"
+#include "request.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ constexpr Kind closed_kinds[] = {Kind::gyroid, Kind::knot, Kind::torus, Kind::sh
 TEST(Meshgen, SolidsAreClosedAndFaceOutward) {
     for (Kind kind : closed_kinds) {
         const Mesh mesh = make_mesh(request(kind, 8000));
-        EXPECT_TRUE(is_closed(mesh.positions, mesh.triangles)) << static_cast<int>(kind);
-        EXPECT_GT(signed_volume(mesh.positions, mesh.triangles), 0) << static_cast<int>(kind);
+        EXPECT_TRUE(geometry::is_closed(mesh.positions, mesh.triangles)) << static_cast<int>(kind);
+        EXPECT_GT(geometry::signed_volume(mesh.positions, mesh.triangles), 0) << static_cast<int>(kind);
     }
 }
 
@@ -41,7 +41,7 @@ TEST(Meshgen, MakesAboutAsManyTrianglesAsAskedFor) {
 TEST(Meshgen, HasNoDegenerateTriangles) {
     for (Kind kind : {Kind::gyroid, Kind::knot, Kind::torus, Kind::shell, Kind::icosphere, Kind::terrain}) {
         Mesh mesh = make_mesh(request(kind, 120000));
-        EXPECT_EQ(drop_degenerate(mesh.positions, mesh.triangles), 0u) << static_cast<int>(kind);
+        EXPECT_EQ(geometry::drop_degenerate(mesh.positions, mesh.triangles), 0u) << static_cast<int>(kind);
     }
 }
 
@@ -60,8 +60,8 @@ TEST(Meshgen, VerticesHaveNormalsAndColoursOnlyWhereAskedFor) {
 
 TEST(Meshgen, TorusHasItsVolume) {
     const Mesh mesh = make_mesh(request(Kind::torus, 200000));
-    EXPECT_NEAR(signed_volume(mesh.positions, mesh.triangles), 2 * std::numbers::pi * std::numbers::pi * 0.16,
-                1e-2);
+    EXPECT_NEAR(geometry::signed_volume(mesh.positions, mesh.triangles),
+                2 * std::numbers::pi * std::numbers::pi * 0.16, 1e-2);
 }
 
 TEST(Meshgen, GyroidStaysInItsBall) {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 struct Named {
@@ -117,8 +117,8 @@ TEST(Polyhedron, PlatonicCornersLieOnTheCircumscribedSphere) {
     }
 }
 
-// The corners nearest to each corner are its neighbours: a regular solid has as many for each, all equally
-// far.
+// The corners nearest to each corner are its neighbours; in a regular solid all have the same number of them,
+// at the same distance.
 void expect_equal_edges(const Polyhedron& p, int neighbours) {
     double shortest = 1e30;
     for (const dvec3& v : p.positions) {
@@ -205,4 +205,4 @@ TEST(Polyhedron, AxisOfAnyLengthGivesTheDirectionOnly) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

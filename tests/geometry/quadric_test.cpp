@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 const QuadricShape unit_sphere = make_sphere(dvec3(0), 1.0);
@@ -50,7 +50,7 @@ TEST(Sphere, IsTouchedByATangent) {
 }
 
 TEST(Sphere, IsExactFromFarAway) {
-    // The square of the distance swallows the radius; the roots must not mind.
+    // The radius vanishes in the square of the distance; the roots must stay accurate.
     SolidSpan t{};
     ASSERT_TRUE(intersect({{0.6, 0, -1e7}, {0, 0, 1}}, unit_sphere, t));
     EXPECT_NEAR(t.enter, 1e7 - 0.8, 4e-9);
@@ -130,7 +130,7 @@ TEST(Cylinder, HasOneWayInAndOneOutAtItsRim) {
 }
 
 TEST(Cylinder, TurnsWithItsAxis) {
-    // The drum along any axis, and mirrored, to the bit.
+    // The drum along any axis, and mirrored, with equal bits.
     SolidSpan reference{};
     const Line line{{-3.1, 0.4, 0.3}, {1.1, 0.2, 0.7}};
     ASSERT_TRUE(intersect(line, drum, reference));
@@ -191,7 +191,7 @@ TEST(Cylinder, SurfaceIsNearestOnThePartHit) {
     EXPECT_EQ(surface(drum, top_cap, {1, 0, 4.1}).n, dvec3(0, 0, 1));
 }
 
-/// Radius 0.5 about z, square to it at z = 2.
+/// Radius 0.5 about z, perpendicular to it at z = 2.
 const QuadricShape coin = make_disk({0, 0, 2}, {0, 0, 1}, 0.5);
 
 TEST(Disk, IsMetOnceFromEitherSide) {
@@ -254,7 +254,7 @@ TEST(Cone, IsCrossedParallelToItsSide) {
 }
 
 TEST(Cone, IsNotMetByLinesParallelToItsSideThatPassTheApex) {
-    // Level with the apex at their nearest point: the quadratic has no root at all.
+    // Level with the apex at their nearest point: the quadratic has no root.
     const QuadricShape cone = make_cone({0, 0, 0}, {0, 0, 1}, 1.0, 1.0);
     SolidSpan t{};
     for (const double aside : {-2.0, -0.5, 0.25, 4.0}) {
@@ -340,8 +340,10 @@ TEST(Plane, IsMetWhereItsEquationHolds) {
     ASSERT_TRUE(intersect({{7, 8, 1}, {0, 1, 4}}, plane, t));
     EXPECT_EQ(t, 0.5);
     EXPECT_FALSE(intersect({{0, 0, 3}, {1, 1, 0}}, plane, t)) << "parallel";
-    EXPECT_EQ(surface(plane, {7, 8, 5}).p, dvec3(7, 8, 3));
-    EXPECT_EQ(surface(plane, {7, 8, 5}).n, dvec3(0, 0, 1)) << "of unit length";
+    ExactPoint point;
+    point_of_plane(plane.normal, plane.offset, {7, 8, 5}, point.p, point.n);
+    EXPECT_EQ(point.p, dvec3(7, 8, 3));
+    EXPECT_EQ(point.n, dvec3(0, 0, 1)) << "of unit length";
 }
 
 TEST(Extent, IsTight) {
@@ -370,4 +372,4 @@ TEST(Extent, IsTight) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

@@ -1,4 +1,4 @@
-// Points of surfaces rounded once: with bounds that hold, and the interpolation over triangles.
+// Error bounds of surface points, and interpolation over triangles.
 
 #include "geometry/quadric.h"
 #include "geometry/surface.shared.h"
@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 const vec3 a(0.0f, 0.0f, 1.0f);
@@ -64,7 +64,7 @@ TEST(Surface, ShadingNormalsAreUnitAndOnTheGeometricSide) {
     EXPECT_EQ(shading_normal(vec3(0, 0, 4), n_g), n_g);
     EXPECT_EQ(shading_normal(vec3(0, 3, -4), n_g), vec3(0, -0.6f, 0.8f));
     EXPECT_EQ(shading_normal(vec3(0.0f), n_g), n_g);
-    EXPECT_EQ(interpolated(a, b, c, 0.25f, 0.5f), vec3(0.25f, 0.5f, 1.0f));
+    EXPECT_EQ(interpolated(mat3(a, b, c), 0.25f, 0.5f), vec3(0.25f, 0.5f, 1.0f));
 }
 
 TEST(Surface, TransformedNormalsAreUnitOrZero) {
@@ -75,4 +75,4 @@ TEST(Surface, TransformedNormalsAreUnitOrZero) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

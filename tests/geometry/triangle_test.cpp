@@ -1,5 +1,6 @@
 // The triangle test against closed forms, and against itself across edges.
 
+#include "geometry/quadric.h"
 #include "geometry/triangle.h"
 #include "math/offset.shared.h"
 
@@ -9,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace glint {
+namespace glint::geometry {
 namespace {
 
 constexpr float largest = std::numeric_limits<float>::max();
@@ -172,7 +173,7 @@ TEST(Triangle, PointHasTheNormalOfTheWinding) {
     EXPECT_EQ(exact_point(line, 0.25, 0.5, {0, 3, 0}).n, dvec3(0, -1, 0)) << "no area: toward the viewer";
 }
 
-/// Random numbers in [-1, 1) and needles made of them.
+/// Random numbers in [-1, 1), and thin triangles made of them.
 struct Needles {
     std::mt19937_64 engine{11};
 
@@ -187,12 +188,12 @@ struct Needles {
         return {x, y, z};
     }
     TriangleVertices triangle() {
-        const dvec3 place = point() * power_of_ten(-3) * 1000.0;
+        const dvec3 offset = point() * power_of_ten(-3) * 1000.0;
         const dvec3 a = point();
         const dvec3 b = point();
         const dvec3 c = engine() % 2 == 0 ? point() : b + point() * power_of_ten(-4);
         TriangleVertices result{};
-        const dvec3 corners[3] = {a + place, b + place, c + place};
+        const dvec3 corners[3] = {a + offset, b + offset, c + offset};
         for (std::size_t i = 0; i < 3; ++i)
             result[i] = {static_cast<float>(corners[i].x), static_cast<float>(corners[i].y),
                          static_cast<float>(corners[i].z)};
@@ -219,7 +220,7 @@ TEST(Triangle, SpawnedRayNeverReintersects) {
         const vec3 error =
             error_of_triangle(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), p);
 
-        // Toward one corner, raised off the plane by anything from nothing to a right angle.
+        // Toward one corner, at angles from 0 to 90 degrees to the plane.
         const auto& goal = triangle[random.engine() % 3];
         const dvec3 along =
             glm::normalize(dvec3(goal[0], goal[1], goal[2]) - exact.p + random.point() * 1e-3);
@@ -240,7 +241,7 @@ TEST(Triangle, SpawnedRayNeverReintersects) {
 }
 
 TEST(Triangle, NeighboursAgreeOnTheirEdge) {
-    // Rays at points of the common edge of two triangles always meet one of them.
+    // Rays toward points of the common edge of two triangles always hit one of them.
     Needles random;
     int on_edge = 0;
     for (int i = 0; i < 300'000; ++i) {
@@ -258,7 +259,7 @@ TEST(Triangle, NeighboursAgreeOnTheirEdge) {
         const dvec3 side = glm::cross(b - a, across);
         const vec3 origin(grid ? glm::round(middle + side) : middle + side * 3.0 + random.point() * 0.01);
         const vec3 goal(grid ? middle : a + (b - a) * (0.5 + 0.45 * random.number()));
-        // Seen edge-on the two triangles are no surface.
+        // Skip triangles seen edge-on.
         if (!(glm::dot(dvec3(origin) - middle, side) > 0.1 * glm::dot(side, side))) continue;
         TriangleHit first{};
         TriangleHit second{};
@@ -276,4 +277,4 @@ TEST(Triangle, NeighboursAgreeOnTheirEdge) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::geometry

@@ -4,7 +4,7 @@
 #include "gallery.h"
 #include "gpu_kit.h"
 
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <tuple>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST(GpuAgreement, EveryFilterLooksAsOnTheCpu) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 Image shown_on_gpu(Aov aov) {
@@ -87,4 +87,4 @@ TEST(GpuAovs, LightOnABackThatIsLitAsStored) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -14,7 +14,7 @@
 #include <memory>
 #include <thread>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 /// Does something on a thread of its own, on which no context is current.
@@ -62,4 +62,4 @@ TEST(GpuContexts, WhatEndsWhereTheyCannotBeEnteredIsLeftToThem) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -3,11 +3,12 @@
 #include "gpu_kit.h"
 #include "scene_kit.h"
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 GpuLimits dispatches_of(std::uint32_t pixels, std::uint32_t rays) {
@@ -73,4 +74,4 @@ TEST(GpuDispatches, WhatADriverCutShortIsToldAndNotShown) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

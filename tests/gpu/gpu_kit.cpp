@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 struct Device {
@@ -98,4 +98,4 @@ std::string refusal(const std::function<void()>& work) {
     return "nothing was refused";
 }
 
-} // namespace glint
+} // namespace glint::gpu

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace glint {
+namespace glint::gpu {
 
 /// The renderer of this process, or null where no device can be used; then `why_no_gpu` has the reason.
 GpuRenderer* gpu();
@@ -15,7 +15,7 @@ const std::string& why_no_gpu();
 
 /// Ends a test where there is no device, and says so.
 #define GLINT_NEEDS_GPU()                                                                                    \
-    if (glint::gpu() == nullptr) GTEST_SKIP() << "no GPU: " << glint::why_no_gpu()
+    if (glint::gpu::gpu() == nullptr) GTEST_SKIP() << "no GPU: " << glint::gpu::why_no_gpu()
 
 /// How a picture of the GPU agrees with the CPU's.
 struct Agreement {
@@ -36,4 +36,4 @@ SceneDescription exhibit(const std::string& name, int width, int height, int sam
 /// What the device says against some work; it must be an Error(device).
 std::string refusal(const std::function<void()>& work);
 
-} // namespace glint
+} // namespace glint::gpu

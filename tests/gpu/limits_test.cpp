@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 /// A renderer whose buffers hold so many bytes.
@@ -161,4 +161,4 @@ TEST(GpuLimits, ScenesOverTheSameTreeKeepIt) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

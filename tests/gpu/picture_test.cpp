@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 TEST(GpuPictures, ThoseLetGoWithoutAContextAreKeptUntilThereIsOne) {
@@ -54,4 +54,4 @@ TEST(GpuPictures, OneThatCouldNotBeMadeIsNotKept) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 TEST(GpuProgram, LogsNameFilesInTheFormsOfAllDrivers) {
@@ -65,4 +65,4 @@ TEST(GpuProgram, DriversHaveNothingToComplainOf) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 /// One for all tests, as there is one renderer.
@@ -242,4 +242,4 @@ TEST(GpuProgressive, WhatItCannotDrawIsRefused) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::gpu {
 
 using trace::Hit;
 namespace {
@@ -64,4 +64,4 @@ TEST(GpuRays, MeetWhatTheyMeetOnTheCpu) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

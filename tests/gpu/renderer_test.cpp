@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 TEST(GpuRenderer, GivesTheSameBitsTwice) {
@@ -167,4 +167,4 @@ TEST(GpuRenderer, DevicesAreDescribed) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace glint {
+namespace glint::gpu {
 
 using trace::LeafCode;
 using trace::WorldData;
@@ -98,4 +98,4 @@ TEST(GpuTree, HoldsEverythingOnce) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

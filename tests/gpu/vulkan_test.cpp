@@ -11,7 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace glint {
+namespace glint::gpu {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST_F(GpuShaders, AMistakeIsNamedByFileAndLine) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::gpu

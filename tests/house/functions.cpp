@@ -1,4 +1,4 @@
-// Where functions and types begin and end, found by counting braces: enough for code formatted as ours is.
+// Finds functions and types by counting braces, which suffices for code formatted by clang-format.
 
 #include "sources.h"
 
@@ -42,8 +42,7 @@ std::string squeeze(const std::string& text) {
 }
 
 bool starts_with_word(const std::string& text, const std::string& word) {
-    return text.compare(0, word.size(), word) == 0 &&
-           (text.size() == word.size() || !is_word(text[word.size()]));
+    return text.starts_with(word) && (text.size() == word.size() || !is_word(text[word.size()]));
 }
 
 /// The head without the template<...> before it.
@@ -72,7 +71,7 @@ std::size_t initialiser(const std::string& head) {
 }
 
 /// A function of JavaScript: "(a, b) =>".
-bool is_arrow(const std::string& head) { return head.size() > 2 && head.substr(head.size() - 2) == "=>"; }
+bool is_arrow(const std::string& head) { return head.ends_with("=>"); }
 
 enum class Brace { scope, function, data };
 

@@ -1,4 +1,4 @@
-// Who may include whom. The second lock is the linker: a room is linked against the rooms it names.
+// Which room may include which. The linker checks it too: a room is linked only with the rooms it names.
 
 #include "rooms.h"
 
@@ -27,9 +27,9 @@ TEST(Layers, EveryIncludeIsOneThatTheTableAllows) {
     EXPECT_TRUE(all.empty()) << joined(all);
 }
 
-TEST(Layers, NoFilesIncludeEachOtherInARing) {
+TEST(Layers, NoFilesIncludeEachOtherInACycle) {
     EXPECT_EQ(
-        joined(include_ring(sources_under({"src", "include", "apps", "tests", "tools", "bench"})), " -> "),
+        joined(include_cycle(sources_under({"src", "include", "apps", "tests", "tools", "bench"})), " -> "),
         "");
 }
 
@@ -125,11 +125,11 @@ TEST(Layers, APublicHeaderThatNeedsAPrivateOneIsFound) {
               "include/glint/scene.h:1: a public header includes the private \"math/vec.h\"");
 }
 
-TEST(Layers, ARingOfIncludesIsFound) {
-    const std::vector<Source> ring = {{"src/math/a.h", "#include \"math/b.h\"\n"},
-                                      {"src/math/b.h", "#include \"math/c.h\"\n"},
-                                      {"src/math/c.h", "#include \"math/b.h\"\n"}};
-    EXPECT_EQ(joined(include_ring(ring), " "), "src/math/b.h src/math/c.h src/math/b.h");
+TEST(Layers, ACycleOfIncludesIsFound) {
+    const std::vector<Source> cycle = {{"src/math/a.h", "#include \"math/b.h\"\n"},
+                                       {"src/math/b.h", "#include \"math/c.h\"\n"},
+                                       {"src/math/c.h", "#include \"math/b.h\"\n"}};
+    EXPECT_EQ(joined(include_cycle(cycle), " "), "src/math/b.h src/math/c.h src/math/b.h");
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// What the pages say of the project holds.
+// README.md, CHANGELOG.md and the pages of docs/: what they name exists, and lines keep their width.
 
 #include "sources.h"
 
@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace glint::house {
@@ -14,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// README.md and all pages under docs/, from the project's root.
+/// README.md, CHANGELOG.md and all pages under docs/, from the project's root.
 std::vector<std::string> pages() {
     const fs::path root = GLINT_SOURCE_DIR;
     std::vector<std::string> paths = {"README.md", "CHANGELOG.md"};
@@ -42,14 +43,16 @@ std::string block_of(const std::string& text, const std::string& opening) {
     return text.substr(begin, text.find("```", begin) - begin);
 }
 
-/// The paths in backquotes that name something of the project: those with a slash, and no space.
+/// The paths in backquotes: those with a slash. Not formulas and patterns, nor what is run as `./NAME`.
 std::vector<std::string> named_paths(const std::string& text) {
     std::vector<std::string> paths;
     for (std::size_t at = text.find('`'); at != std::string::npos;) {
         const std::size_t end = text.find('`', at + 1);
         if (end == std::string::npos) break;
         const std::string code = text.substr(at + 1, end - at - 1);
-        if (code.find('/') != std::string::npos && code.find_first_of(" \n") == std::string::npos)
+        if (code.find('/') != std::string::npos && !code.starts_with("./") &&
+            std::all_of(code.begin(), code.end(),
+                        [](char c) { return is_word(c) || c == '/' || c == '.' || c == '-'; }))
             paths.push_back(code);
         at = text.find('`', end + 1);
     }
@@ -64,11 +67,37 @@ TEST(Pages, LinksLeadToFilesThatAreThere) {
         }
 }
 
-TEST(Pages, TheTourNamesFilesThatAreThere) {
+TEST(Pages, PathsInBackquotesExist) {
+    for (const std::string& page : pages())
+        for (const std::string& path : named_paths(read_project_file(page))) {
+            const fs::path root = GLINT_SOURCE_DIR;
+            EXPECT_TRUE(fs::exists(root / path) || fs::exists(root / "src" / path) ||
+                        fs::exists(root / "include" / path))
+                << page << " names " << path;
+        }
+}
+
+TEST(Pages, TheTourNamesWholePaths) {
     const std::vector<std::string> paths = named_paths(read_project_file("docs/reading.md"));
     EXPECT_GT(paths.size(), 50u);
     for (const std::string& path : paths)
         EXPECT_TRUE(fs::exists(fs::path(GLINT_SOURCE_DIR) / path)) << "docs/reading.md names " << path;
+}
+
+/// Code points of UTF-8.
+std::ptrdiff_t width(const std::string& line) {
+    return std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; });
+}
+
+TEST(Pages, LinesHaveAtMost110CharactersButRowsOfTables) {
+    for (const std::string& page : pages()) {
+        int number = 0;
+        for (const std::string& line : lines_of(read_project_file(page))) {
+            ++number;
+            if (line.starts_with('|')) continue;
+            EXPECT_LE(width(line), 110) << page << ":" << number;
+        }
+    }
 }
 
 TEST(Pages, TheSceneOfTheReadmeIsGood) {
@@ -81,8 +110,8 @@ TEST(Pages, TheSceneOfTheReadmeIsGood) {
 }
 
 TEST(Pages, TheExplainPageEmbedsItsStyleAndScript) {
-    EXPECT_EQ(page_style(), read_project_file("src/formats/explain/page.css"));
-    EXPECT_EQ(page_script(), read_project_file("src/formats/explain/page.js"));
+    EXPECT_EQ(formats::page_style(), read_project_file("src/formats/explain/page.css"));
+    EXPECT_EQ(formats::page_script(), read_project_file("src/formats/explain/page.js"));
 }
 
 TEST(Pages, TheReadmeNamesAllScriptsAndNoOthers) {

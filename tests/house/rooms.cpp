@@ -1,3 +1,5 @@
+// The table of rooms, that of headers of other projects, and the check of includes.
+
 #include "rooms.h"
 
 #include <algorithm>
@@ -76,10 +78,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool starts_with(const std::string& text, const std::string& prefix) {
-    return text.compare(0, prefix.size(), prefix) == 0;
-}
-
 /// The n-th part of a path, from 0; empty if there is none.
 std::string part(const std::string& path, int n) {
     std::size_t begin = 0;
@@ -108,12 +106,12 @@ std::string owner_of(const std::string& path) {
 std::string against_foreign(const Source& source, const std::string& owner, const std::string& name) {
     for (const Foreign& foreign : foreign_headers()) {
         // A prefix ending in '/' or one of a family of files stands for all of them, any other for itself.
-        const bool family = foreign.prefix.back() == '/' || starts_with(foreign.prefix, "I");
-        if (family ? !starts_with(name, foreign.prefix) : name != foreign.prefix) continue;
+        const bool family = foreign.prefix.back() == '/' || foreign.prefix.starts_with("I");
+        if (family ? !name.starts_with(foreign.prefix) : name != foreign.prefix) continue;
         if (!foreign.users.empty() && !contains(foreign.users, owner))
             return "<" + name + "> is not for " + owner;
-        const bool header = source.path.size() > 2 && source.path.substr(source.path.size() - 2) == ".h";
-        if (header && !foreign.in_headers) return "<" + name + "> belongs in a .cpp, not in a header";
+        if (source.path.ends_with(".h") && !foreign.in_headers)
+            return "<" + name + "> belongs in a .cpp, not in a header";
         return {};
     }
     if (name.find_first_of("./") != std::string::npos)
@@ -126,12 +124,12 @@ bool stays_in_program(const std::string& path, const std::string& name) {
     const std::filesystem::path target =
         (std::filesystem::path(path).parent_path() / name).lexically_normal();
     const std::string program = part(path, 0) + "/" + part(path, 1) + "/";
-    return find_room(part(name, 0)) == nullptr && starts_with(target.generic_string(), program);
+    return find_room(part(name, 0)) == nullptr && target.generic_string().starts_with(program);
 }
 
 /// Why a file may not include one of our headers; empty if it may.
 std::string against_own(const Source& source, const std::string& owner, const std::string& name) {
-    const bool is_public = starts_with(name, "glint/");
+    const bool is_public = name.starts_with("glint/");
     if (owner == "apps") {
         if (is_public || stays_in_program(source.path, name)) return {};
         return "programs use public headers and their own, not \"" + name + "\"";
@@ -146,6 +144,11 @@ std::string against_own(const Source& source, const std::string& owner, const st
 }
 
 } // namespace
+
+std::string namespace_of(const std::string& room) {
+    if (room == "errors" || room == "math") return "glint";
+    return "glint::" + (room == "render" ? "rendering" : room); // glint::render() is a public function
+}
 
 std::string room_of_public_header(const std::string& name) {
     static const std::map<std::string, std::string> owners = {
@@ -163,7 +166,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/progressive.h", "render"},
         {"glint/pick.h", "render"},
         {"glint/gpu.h", "gpu"},
-        {"glint/names.h", "scene"},
+        {"glint/enum_names.h", "imaging"},
         {"glint/limits.h", "scene"},
         {"glint/filter.h", "imaging"},
         {"glint/fov_axis.h", "imaging"},
@@ -172,6 +175,7 @@ std::string room_of_public_header(const std::string& name) {
         {"glint/picture_files.h", "formats"},
         {"glint/explanation_files.h", "formats"},
         {"glint/keys.h", "scene"},
+        {"glint/write_file.h", "formats"},
     };
     const auto found = owners.find(name);
     return found == owners.end() ? "" : found->second;
@@ -191,10 +195,10 @@ std::vector<std::string> complaints(const Source& source) {
 
 namespace {
 
-/// Depth-first search for a ring among the files that include each other.
-class RingSearch {
+/// Depth-first search for a cycle among the files that include each other.
+class CycleSearch {
   public:
-    explicit RingSearch(const std::vector<Source>& sources) {
+    explicit CycleSearch(const std::vector<Source>& sources) {
         for (const Source& source : sources)
             for (const Include& include : includes_of(source.text)) {
                 if (include.angled) continue;
@@ -233,8 +237,8 @@ class RingSearch {
 
 } // namespace
 
-std::vector<std::string> include_ring(const std::vector<Source>& sources) {
-    return RingSearch(sources).run();
+std::vector<std::string> include_cycle(const std::vector<Source>& sources) {
+    return CycleSearch(sources).run();
 }
 
 } // namespace glint::house

@@ -1,4 +1,4 @@
-// Files and functions stay small enough to be read at once.
+// Limits on the sizes of files and functions.
 
 #include "sources.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string> everywhere = {"include", "src", "apps", "tools", "tests", "bench", "examples"};
 
-/// What is measured by itself: the few functions of a small language would not show among those of C++.
+/// Each language is measured separately: GLSL and JavaScript have few functions beside those of C++.
 struct Language {
     std::string name;
     std::vector<std::string> folders;

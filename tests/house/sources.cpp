@@ -1,3 +1,5 @@
+// Reads files, blanks comments and literals, finds includes.
+
 #include "sources.h"
 
 #include <algorithm>
@@ -134,8 +136,7 @@ std::vector<Include> includes_of(const std::string& text) {
     const std::vector<std::string> written = lines_of(text);
     const std::vector<std::string> code = lines_of(code_only(text));
     for (std::size_t i = 0; i < code.size(); ++i) {
-        // That it is an include is read from the code, the name from what is written: literals are blank in
-        // code.
+        // The name is read from the written line: literals are blank in code.
         std::size_t at = code[i].find_first_not_of(" \t");
         if (at == std::string::npos || code[i][at] != '#') continue;
         at = code[i].find_first_not_of(" \t", at + 1);

@@ -1,5 +1,5 @@
 #pragma once
-// The project's own sources as text, and what can be read off them without a compiler.
+// The project's files as text, and a scanner for includes, functions and types.
 
 #include <string>
 #include <vector>
@@ -60,7 +60,7 @@ struct Type {
     int line = 0;     ///< of the head, from 1
 };
 
-/// The types of one file, but those in unnamed namespaces: these are the file's own.
+/// The types of one file, without those in unnamed namespaces.
 std::vector<Type> types_of(const std::string& text);
 
 } // namespace glint::house

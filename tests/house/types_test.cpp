@@ -10,21 +10,21 @@
 namespace glint::house {
 namespace {
 
-/// Sources of which the build takes either these or those that they stand for.
+/// Sources that the build takes in place of others if an optional part is off.
 bool is_alternative(const std::string& path) {
     return path == "src/gpu/none.cpp" || path == "src/formats/picture/exr_none.cpp";
 }
 
 /// "name: path:line and path:line" for each type that several files define.
 std::string doubles(const std::vector<Source>& sources) {
-    std::map<std::string, std::string> places;
+    std::map<std::string, std::string> definitions;
     std::string out;
     for (const Source& source : sources)
         for (const Type& type : types_of(source.text)) {
             if (is_alternative(source.path)) continue;
-            const std::string place = source.path + ":" + std::to_string(type.line);
-            const auto [found, is_new] = places.emplace(type.name, place);
-            if (!is_new) out += type.name + ": " + found->second + " and " + place + "\n";
+            const std::string location = source.path + ":" + std::to_string(type.line);
+            const auto [found, is_new] = definitions.emplace(type.name, location);
+            if (!is_new) out += type.name + ": " + found->second + " and " + location + "\n";
         }
     return out;
 }

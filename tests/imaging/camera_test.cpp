@@ -7,6 +7,7 @@
 namespace {
 
 using namespace glint;
+using namespace glint::imaging;
 
 constexpr double pi = 3.14159265358979323846;
 

@@ -13,8 +13,8 @@ namespace {
 using glint::compare;
 using glint::Comparison;
 using glint::Image;
-using glint::infinity;
-using glint::no_number;
+using glint::imaging::infinity;
+using glint::imaging::no_number;
 
 Image gray(int width, int height, float value) {
     Image image(width, height);

@@ -9,6 +9,7 @@
 namespace {
 
 using namespace glint;
+using namespace glint::imaging;
 
 constexpr std::array kinds{PixelFilter::box, PixelFilter::tent, PixelFilter::gaussian, PixelFilter::mitchell};
 

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace glint;
+using namespace glint::imaging;
 
 TEST(PairwiseSum, AddsByTheFixedTree) {
     // A sum of texts shows the order in which they were added.

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-namespace glint {
+namespace glint::imaging {
 
 inline constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
-} // namespace glint
+} // namespace glint::imaging

@@ -9,6 +9,7 @@
 namespace {
 
 using namespace glint;
+using namespace glint::imaging;
 
 /// The definition, with the C library's pow: good for checks that are not about the last bit.
 double encode(double linear) {

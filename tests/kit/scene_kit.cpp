@@ -126,7 +126,7 @@ Mesh sphere_mesh(double radius, unsigned rings) {
 }
 
 Mesh box_mesh(const Vec3& center, const Vec3& size) {
-    const Polyhedron box = make_box(center, size);
+    const geometry::Polyhedron box = geometry::make_box(center, size);
     Mesh mesh;
     for (const dvec3& p : box.positions) mesh.positions.emplace_back(p);
     mesh.triangles = box.triangles;
@@ -146,8 +146,8 @@ Mat4 rotation(unsigned number) {
     return m;
 }
 
-CameraSample camera_ray(const vec3& origin, const vec3& direction) {
-    CameraSample sample;
+rendering::CameraSample camera_ray(const vec3& origin, const vec3& direction) {
+    rendering::CameraSample sample;
     sample.origin = origin;
     sample.direction = direction;
     return sample;
@@ -162,7 +162,7 @@ Look look(SceneDescription scene, const Vec3& eye, const Vec3& direction) {
     BuildSceneOptions one_thread;
     one_thread.threads = 1;
     Look result{build_scene(scene, one_thread), {}, {}, vec3(0.0f), {}};
-    Whitted tracer(result.scene.data());
+    rendering::Whitted tracer(result.scene.data());
     result.terms = tracer.trace(camera_ray(vec3(eye), vec3(glm::normalize(direction))), &result.tree).terms;
     result.light = result.terms.sum();
     result.counts = tracer.counts();

@@ -49,17 +49,17 @@ Mesh box_mesh(const Vec3& center, const Vec3& size);
 Mat4 rotation(unsigned number);
 
 /// A camera sample of a ray alone.
-CameraSample camera_ray(const vec3& origin, const vec3& direction);
+rendering::CameraSample camera_ray(const vec3& origin, const vec3& direction);
 
 /// One ray with all that it met. The camera is put at its origin, so that media around it are found.
 struct Look {
     Scene scene;
-    Terms terms;
-    RayTree tree;
+    rendering::Terms terms;
+    rendering::RayTree tree;
     vec3 light{0.0f}; ///< sum of the terms
-    RayCounts counts;
+    rendering::RayCounts counts;
 
-    const RayNode& node(std::size_t i) const { return tree.nodes.at(i); }
+    const rendering::RayNode& node(std::size_t i) const { return tree.nodes.at(i); }
 };
 Look look(SceneDescription scene, const Vec3& eye, const Vec3& direction);
 

@@ -1,4 +1,4 @@
-// Things made on many threads and taken in order.
+// Items produced on many threads and consumed in order.
 
 #include "parallel/in_order.h"
 
@@ -26,7 +26,7 @@ TEST_P(InOrderOn, TakesEachThingOnceInOrderAndNeverTwoAtATime) {
             [&](std::size_t task, int worker, std::vector<std::size_t>& made) {
                 ASSERT_GE(worker, 0);
                 ASSERT_LT(worker, pool.threads());
-                // Now and then one is late, so that others are finished ahead of their turn.
+                // Delay some, so that later ones finish first.
                 if (task % 7 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
                 made.assign(task % 5 + 1, task);
             },

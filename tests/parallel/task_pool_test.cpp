@@ -1,4 +1,4 @@
-// Threads: exactly as many as asked for, all at work, none lost.
+// The pool runs exactly the requested number of threads, uses all and joins all.
 
 #include "parallel/task_pool.h"
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -87,8 +87,8 @@ TEST(Aovs, ShadowsCountTheLightsThatAreHidden) {
     const SceneDescription scene = ball_over_floor();
     const Image hidden = shown(scene, Aov::shadows);
     const auto at = [&](double x, double y) {
-        // The floor's places by the camera above: 10 away, half of the picture is 10 wide.
-        const auto pixel = [](double place) { return static_cast<int>(32.5 + place / 10 * 32.5); };
+        // Pixels of points on the floor, seen from 10 above: half of the picture is 10 wide.
+        const auto pixel = [](double on_floor) { return static_cast<int>(32.5 + on_floor / 10 * 32.5); };
         return hidden.at(pixel(x), pixel(-y))[0];
     };
     EXPECT_EQ(at(0, 8), 0);
@@ -141,4 +141,4 @@ TEST(Pick, FindsObjectMaterialAndPlace) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

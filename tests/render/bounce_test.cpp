@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -279,4 +279,4 @@ TEST(Depth, AThousandBouncesAreNoTrouble) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -129,4 +129,4 @@ TEST(Progress, AnExceptionInItEndsTheRendering) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

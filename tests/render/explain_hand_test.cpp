@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -160,4 +160,4 @@ TEST_F(ByHand, TheFormulasAreThoseOfTheReport) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -5,7 +5,8 @@
 #include "scene_kit.h"
 
 #include "glint/explain.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
+#include "glint/scene.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -129,4 +130,4 @@ TEST_P(JsonOf, StepsLeadFromRayToRay) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -4,11 +4,12 @@
 #include "scene_kit.h"
 
 #include "glint/explain.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
+#include "glint/scene.h"
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -120,4 +121,4 @@ TEST(Labels, CountAllObjectsAndAllLights) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

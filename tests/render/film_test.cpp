@@ -1,5 +1,6 @@
 // Films that are cut into parts, kept as bytes and joined: bit for bit the picture that is rendered at once.
 
+#include "render/cpu_executor.h"
 #include "render/film.h"
 #include "render/schedule_run.h"
 
@@ -12,7 +13,7 @@
 #include <cstring>
 #include <random>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -33,20 +34,20 @@ RenderOptions in_tiles(int tile_size) {
     return options;
 }
 
-/// Runs passes over a film; `tiles` calls, each over one tile a thread at least.
-void run(const Scene& scene, const RenderOptions& options, Film& film, std::vector<Pass> passes,
-         const Shard& shard = {}, const CancelFlag* cancel = nullptr,
-         std::function<void(const Progress&)> progress = {}) {
-    TaskPool pool(1);
-    ScheduleRun run(scene.data(), {film.layout().area, film.layout().tile_size, std::move(passes), shard},
-                    film, pool, {options.show, {}, cancel, std::move(progress)});
+/// Runs passes over a film. Returns the number of rays.
+std::uint64_t run(const Scene& scene, Film& film, std::vector<Pass> passes, const Shard& shard = {},
+                  const CancelFlag* cancel = nullptr, std::function<void(const Progress&)> progress = {}) {
+    parallel::TaskPool pool(1);
+    CpuExecutor executor(scene.data(), film, pool, {}, cancel, shard);
+    ScheduleRun run(executor, std::move(passes), cancel, std::move(progress));
     run.run(no_deadline);
+    return run.reached().rays;
 }
 
 Film film_of(const Scene& scene, const RenderOptions& options, std::vector<Pass> passes,
              const Shard& shard = {}) {
     Film film(film_layout(scene.render_settings(), options));
-    run(scene, options, film, std::move(passes), shard);
+    run(scene, film, std::move(passes), shard);
     return film;
 }
 
@@ -103,10 +104,9 @@ TEST(Film, RandomCancelsSavesAndLoadsChangeNoBit) {
             film = Film::load(film.save());
             CancelFlag cancel{false};
             int tiles = static_cast<int>(random() % 8);
-            run(scene, options, film, one_pass(samples), {}, &cancel,
-                [&](const Progress&) { cancel = --tiles <= 0; });
+            run(scene, film, one_pass(samples), {}, &cancel, [&](const Progress&) { cancel = --tiles <= 0; });
         }
-        run(scene, options, film, one_pass(samples));
+        run(scene, film, one_pass(samples));
         EXPECT_TRUE(film.is_complete());
         film = Film::load(film.save());
         expect_same(film, render(scene, options), std::to_string(samples) + " samples");
@@ -119,7 +119,7 @@ TEST(Film, PassesThatDoubleGoOnAfterALoad) {
     options.show = Aov::diffuse;
     Film film(film_layout(scene.render_settings(), options));
     for (const Pass& pass : refining_passes(1, 11)) {
-        run(scene, options, film, {pass});
+        run(scene, film, {pass});
         film = Film::load(film.save());
     }
     expect_same(film, render(scene, options), "diffuse");
@@ -129,13 +129,8 @@ TEST(Film, WhatIsDoneIsNotMeasuredAgain) {
     const Scene scene = exhibit(4);
     const RenderOptions options = in_tiles(4);
     Film film = film_of(scene, options, one_pass(4), {0, 2});
-    TaskPool pool(1);
-    ScheduleRun rest(scene.data(), {film.layout().area, 4, one_pass(4), {}}, film, pool, {});
-    rest.run(no_deadline);
     Film odd(film_layout(scene.render_settings(), options));
-    ScheduleRun alone(scene.data(), {film.layout().area, 4, one_pass(4), {1, 2}}, odd, pool, {});
-    alone.run(no_deadline);
-    EXPECT_EQ(rest.reached().rays, alone.reached().rays);
+    EXPECT_EQ(run(scene, film, one_pass(4)), run(scene, odd, one_pass(4), {1, 2}));
     EXPECT_TRUE(film.is_complete());
 }
 
@@ -143,7 +138,7 @@ TEST(Film, RefinesWhatWasRenderedInPart) {
     const Scene scene = exhibit(6);
     const RenderOptions options = in_tiles(4);
     Film film = film_of(scene, options, one_pass(6), {1, 3});
-    run(scene, options, film, refining_passes(8, 6));
+    run(scene, film, refining_passes(8, 6));
     EXPECT_TRUE(film.is_complete());
     expect_same(film, render(scene, options), "refined");
 }
@@ -155,7 +150,7 @@ TEST(Film, ManyBlocksWithGapsCanBeSaved) {
     options.crop = Rect{3, 2, 2, 2};
     Film film(film_layout(scene.render_settings(), options));
     for (const int odd : {0, 1}) {
-        for (int first = 2 * odd; first < 256; first += 4) run(scene, options, film, {{1, false, first, 2}});
+        for (int first = 2 * odd; first < 256; first += 4) run(scene, film, {{1, false, first, 2}});
         film = Film::load(film.save());
     }
     expect_same(film, render(scene, options), "every second block first");
@@ -242,4 +237,4 @@ TEST(Film, DamageIsFoundWhereverItIs) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

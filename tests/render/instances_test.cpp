@@ -1,4 +1,4 @@
-// Instances show what the same meshes show baked in their places, and are solids as these are.
+// Instances show what the same meshes show when baked, and are solids as these are.
 
 #include "scene_kit.h"
 
@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::rendering {
+
+using scene::objects_around;
+
 namespace {
 
 using namespace kit;
@@ -192,4 +195,4 @@ TEST(Instances, TakeTheMemoryOfTheirMeshOnce) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::rendering {
+
+using scene::SceneData;
+
 namespace {
 
 /// Glass balls, ranked by `ranks`; object i has index 1 + i / 10.
@@ -16,7 +19,7 @@ SceneData balls(const std::vector<std::uint32_t>& ranks) {
         m.transparency = 1;
         m.index = 1 + static_cast<float>(i) / 10;
         scene.materials.push_back(m);
-        ObjectData o;
+        scene::ObjectData o;
         o.material = i;
         o.rank = ranks[i];
         o.solid = true;
@@ -112,4 +115,4 @@ TEST(InteriorArena, HoldsMoreThanOneBlockAndForgets) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -414,4 +414,4 @@ TEST(LocalWeight, BalancedEnergyKeepsWhatIsNeitherReflectedNorTransmitted) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -251,4 +251,4 @@ TEST(Solids, APointCloudOfGlassIsAUnion) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -11,12 +11,12 @@
 #include <cmath>
 #include <thread>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
 
-/// To the end, in slices of so many seconds.
+/// To the end, in slices of `slice` seconds.
 void finish(Progressive& progressive, double slice = 10) {
     while (progressive.advance(slice)) {
     }
@@ -171,4 +171,4 @@ TEST(Progressive, TheWayIsToldFromNothingToTheEnd) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

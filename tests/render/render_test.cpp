@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -260,4 +260,4 @@ TEST(TermNames, StandInTheOrderOfTheSum) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

@@ -1,7 +1,8 @@
 // The scenes that come with glint are sound.
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 #include "glint/render.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +125,4 @@ TEST(Scenes, FiguresMatchThoseOfTheReport) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

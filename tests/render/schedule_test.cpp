@@ -1,6 +1,7 @@
 // In which order pictures are measured.
 
 #include "render/schedule.h"
+#include "render/schedule_run.h"
 
 #include "glint/error.h"
 
@@ -8,7 +9,7 @@
 
 #include <bit>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 TEST(Schedule, PreviewsHalveTheStepAndSamplesDouble) {
@@ -67,5 +68,65 @@ TEST(Schedule, TheCursorCountsWorkBySamples) {
     EXPECT_EQ(cursor.reached(0).fraction, 1);
 }
 
+/// Three tiles a pass, each of two units, of which a step does one.
+struct SteppingExecutor {
+    parallel::TaskPool threads{1};
+    std::vector<std::size_t> steps; ///< their tiles
+
+    parallel::TaskPool& pool() { return threads; }
+    std::vector<std::uint32_t> begin_pass(const Pass&) { return {2, 2, 2}; }
+    std::uint32_t step(std::size_t tile, int) {
+        steps.push_back(tile);
+        return 1;
+    }
+    void end_pass() {}
+    RayCounts rays(int) const {
+        RayCounts rays;
+        rays.primary = steps.size();
+        return rays;
+    }
+};
+
+TEST(ScheduleRun, EndsTheFirstPassAndLaterMakesOneStepAtLeast) {
+    SteppingExecutor executor;
+    ScheduleRun run(executor, refining_passes(2, 1));
+    run.run(0);
+    EXPECT_EQ(executor.steps, (std::vector<std::size_t>{0, 0, 1, 1, 2, 2}));
+    EXPECT_EQ(run.reached().step, 2);
+    run.run(0);
+    EXPECT_EQ(executor.steps.size(), 7u);
+    EXPECT_EQ(run.reached().step, 2);
+    EXPECT_FALSE(run.is_finished());
+    run.run(no_deadline);
+    EXPECT_EQ(executor.steps.size(), 12u);
+    EXPECT_TRUE(run.reached().finished);
+    EXPECT_EQ(run.reached().rays, 12u);
+    RenderStats stats;
+    run.add_stats(stats);
+    EXPECT_EQ(stats.primary_rays, 12u);
+    EXPECT_EQ(stats.threads, 1);
+}
+
+TEST(ScheduleRun, GoesOnWithinATileThatWasCancelled) {
+    SteppingExecutor executor;
+    CancelFlag cancel{false};
+    Progress last;
+    ScheduleRun run(executor, one_pass(1), &cancel, [&](const Progress& progress) {
+        last = progress;
+        cancel = executor.steps.size() == 3;
+    });
+    run.run(no_deadline);
+    EXPECT_EQ(executor.steps, (std::vector<std::size_t>{0, 0, 1}));
+    EXPECT_EQ(last.tiles_done, 3u);
+    EXPECT_EQ(last.tiles, 6u);
+    EXPECT_FALSE(run.is_finished());
+    EXPECT_EQ(run.reached().fraction, 0.5);
+    cancel = false;
+    run.run(no_deadline);
+    EXPECT_EQ(executor.steps, (std::vector<std::size_t>{0, 0, 1, 1, 2, 2}));
+    EXPECT_TRUE(run.is_finished());
+    EXPECT_EQ(last.tiles_done, last.tiles);
+}
+
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

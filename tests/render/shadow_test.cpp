@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -234,4 +234,4 @@ TEST(Shadow, NoSurfaceShadowsItself) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

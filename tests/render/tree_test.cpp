@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::rendering {
 namespace {
 
 using namespace kit;
@@ -20,7 +20,8 @@ class RayTreeOf : public testing::TestWithParam<Exhibit> {
         const Scene scene = build_scene(GetParam().scene);
         Whitted tracer(scene.data());
         const CameraDescription& c = scene.camera();
-        const PinholeCamera camera = pinhole_camera(c.eye, c.direction, c.up, c.fov, FovAxis::y, 97, 83);
+        const PinholeCamera camera =
+            imaging::pinhole_camera(c.eye, c.direction, c.up, c.fov, FovAxis::y, 97, 83);
         for (int i = 0; i < 300; ++i)
             check(camera.eye, pinhole_direction(camera, (i * 37) % 97, (i * 53) % 83, 0.1f, -0.2f), tracer);
     }
@@ -137,4 +138,4 @@ TEST_P(RayTreeOf, EveryRayGoesToTheSideOfItsKind) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::rendering

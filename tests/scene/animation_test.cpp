@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 struct Curve {
@@ -94,4 +94,4 @@ TEST(Timeline, ALoopRepeatsItself) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

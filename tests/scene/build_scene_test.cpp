@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 using namespace kit;
@@ -210,4 +210,4 @@ TEST(ObjectsAround, IsRightWhereRaysMeetEdges) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

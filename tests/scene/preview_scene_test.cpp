@@ -1,5 +1,5 @@
 #include "geometry/polyhedron.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 #include "glint/scene.h"
 #include "math/trig.h"
 #include "scene/validate.h"
@@ -11,17 +11,17 @@
 #include <limits>
 #include <memory>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
-Mesh to_mesh(const Polyhedron& p, double size = 1, const dvec3& offset = dvec3(0)) {
+Mesh to_mesh(const geometry::Polyhedron& p, double size = 1, const dvec3& offset = dvec3(0)) {
     Mesh mesh;
     for (const dvec3& v : p.positions) mesh.positions.emplace_back(v * size + offset);
     mesh.triangles = p.triangles;
     return mesh;
 }
 
-Mesh pyramid_along(const dvec3& axis) { return to_mesh(make_pyramid({dvec3(0), axis, 5, 1, 2})); }
+Mesh pyramid_along(const dvec3& axis) { return to_mesh(geometry::make_pyramid({dvec3(0), axis, 5, 1, 2})); }
 
 // Hills over the plane of the other two axes, with a rim at different heights.
 Mesh landscape(int up) {
@@ -85,7 +85,7 @@ TEST(UpAxis, FollowsTheLandscapesUpperSide) {
 }
 
 TEST(UpAxis, IsZWhereBothAreAlike) {
-    EXPECT_EQ(guess_up_axis(to_mesh(make_box(dvec3(0), dvec3(1)))), Axis::z);
+    EXPECT_EQ(guess_up_axis(to_mesh(geometry::make_box(dvec3(0), dvec3(1)))), Axis::z);
 }
 
 TEST(UpAxis, LooksAtPointsWithoutFaces) {
@@ -125,7 +125,7 @@ TEST(PreviewScene, TurnsTheUpAxisToZExactly) {
 }
 
 TEST(PreviewScene, IsValidAndFilledForAnySizeAndPlace) {
-    const Polyhedron shape = make_dodecahedron(dvec3(0), 1);
+    const geometry::Polyhedron shape = geometry::make_dodecahedron(dvec3(0), 1);
     for (double size : {1e-6, 1e-3, 1.0, 1e6}) {
         for (double offset : {0.0, 10.0, -1000.0}) {
             const SceneDescription scene = staged(to_mesh(shape, size, dvec3(offset, 2 * offset, 0) * size));
@@ -136,7 +136,7 @@ TEST(PreviewScene, IsValidAndFilledForAnySizeAndPlace) {
 }
 
 TEST(PreviewScene, FloorLiesJustUnderTheLowestPoint) {
-    const Mesh mesh = to_mesh(make_box(dvec3(5, 6, 7), dvec3(2, 4, 6)));
+    const Mesh mesh = to_mesh(geometry::make_box(dvec3(5, 6, 7), dvec3(2, 4, 6)));
     const double radius = std::sqrt(14.0);
     EXPECT_NEAR(floor_of(staged(mesh)).offset, 4, 2e-4 * radius);
     EXPECT_LT(floor_of(staged(mesh)).offset, 4);
@@ -144,7 +144,7 @@ TEST(PreviewScene, FloorLiesJustUnderTheLowestPoint) {
 }
 
 TEST(PreviewScene, LightGrowsWithTheSquareOfTheSize) {
-    const Polyhedron shape = make_icosahedron(dvec3(0), 1);
+    const geometry::Polyhedron shape = geometry::make_icosahedron(dvec3(0), 1);
     const SceneDescription small = staged(to_mesh(shape));
     const SceneDescription large = staged(to_mesh(shape, 1024));
     ASSERT_EQ(small.lights.size(), large.lights.size());
@@ -158,7 +158,7 @@ TEST(PreviewScene, LightGrowsWithTheSquareOfTheSize) {
 }
 
 TEST(PreviewScene, ShowsVertexColoursInWhiteLight) {
-    Mesh mesh = to_mesh(make_icosahedron(dvec3(0), 1));
+    Mesh mesh = to_mesh(geometry::make_icosahedron(dvec3(0), 1));
     EXPECT_NE(staged(mesh).materials.at(0).color, Vec3(1));
     mesh.colors.assign(mesh.positions.size(), glm::vec3(0.5f));
     EXPECT_EQ(staged(mesh).materials.at(0).color, Vec3(1));
@@ -236,7 +236,7 @@ TEST(Frame, SeesABoxAtTheMarginOfThePicture) {
 }
 
 TEST(Frame, FollowsTransformsAndInstances) {
-    auto box = std::make_shared<Mesh>(to_mesh(make_box(dvec3(0), dvec3(1))));
+    auto box = std::make_shared<Mesh>(to_mesh(geometry::make_box(dvec3(0), dvec3(1))));
     MeshShape shape;
     shape.data = box;
     shape.scale = Vec3(4);
@@ -308,4 +308,4 @@ TEST(Frame, LooksAtThePlaneWhereThereIsNothingElse) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <random>
 
-namespace glint {
+namespace glint::scene {
 
 using trace::Hit;
 namespace {
@@ -141,4 +141,4 @@ TEST(Shapes, KnowWhetherTheyBoundAVolume) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-namespace glint {
+namespace glint::scene {
 
 using trace::World;
 namespace {
@@ -208,4 +208,4 @@ TEST(BuildSceneCancel, AFlagThatIsNotSetChangesNothing) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

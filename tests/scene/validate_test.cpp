@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 using namespace kit;
@@ -199,8 +199,8 @@ TEST(Validate, FindsFaultsOfMeshes) {
          with_mesh([](Mesh& m) { m.normals.emplace_back(0, 0, 1); })},
         {"the mesh has not one normal and one colour a vertex", 15,
          with_mesh([](Mesh& m) { m.colors.resize(m.positions.size() + 1); })},
-        {"a vertex of the mesh is not a place", 15, with_mesh([=](Mesh& m) { m.positions[2].z = bad; })},
-        {"a vertex of the mesh is not a place", 15, with_mesh([=](Mesh& m) {
+        {"a vertex of the mesh is not finite", 15, with_mesh([=](Mesh& m) { m.positions[2].z = bad; })},
+        {"a vertex of the mesh is not finite", 15, with_mesh([=](Mesh& m) {
              m.triangles.clear();
              m.positions[2].z = bad;
          })},
@@ -285,4 +285,4 @@ TEST(Validate, BuildSceneReportsAllErrorsTogether) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 using namespace kit;
@@ -149,4 +149,4 @@ TEST(Warnings, TellOfThingsHiddenInsideGlassThatOwnsTheirSpace) {
 }
 
 } // namespace
-} // namespace glint
+} // namespace glint::scene

@@ -3,8 +3,8 @@
 
 #include "session/renderer.h"
 
-#include "patience.h"
 #include "scene_kit.h"
+#include "wait_until.h"
 
 #include <gtest/gtest.h>
 
@@ -103,7 +103,7 @@ class Backend : public testing::Test {
     }
     std::shared_ptr<const RenderedFrame> finished(const std::string& device) const {
         std::shared_ptr<const RenderedFrame> frame;
-        EXPECT_TRUE(comes_true([&] {
+        EXPECT_TRUE(wait_until([&] {
             frame = renderer.latest(ViewSlot::main);
             return frame && frame->reached.finished && frame->device == device;
         })) << "not finished by "
@@ -133,7 +133,7 @@ TEST_F(Backend, TheCardDrawsWhenItIsToldTo) {
 
 TEST_F(Backend, SwitchingWhileItRendersShowsNothingButPictures) {
     show(ball(4096));
-    ASSERT_TRUE(comes_true([&] {
+    ASSERT_TRUE(wait_until([&] {
         return renderer.latest(ViewSlot::main) && renderer.latest(ViewSlot::main)->reached.step == 1;
     }));
     std::atomic<bool> done{false};
@@ -159,11 +159,11 @@ TEST_F(Backend, SwitchingWhileItRendersShowsNothingButPictures) {
         std::this_thread::sleep_for(std::chrono::milliseconds(i % 7));
         const std::string device = i % 2 == 0 ? "card" : "";
         if (i % 25 == 24) {
-            EXPECT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->device == device; }));
+            EXPECT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::main)->device == device; }));
         }
     }
     renderer.set_backend(card.maker());
-    EXPECT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->device == "card"; }));
+    EXPECT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::main)->device == "card"; }));
     done = true;
     window.join();
     EXPECT_EQ(black, 0);
@@ -180,7 +180,7 @@ TEST_F(Backend, TheCardDrawsEveryView) {
     options.show = Aov::normal;
     const Image numbers = render(with_view(*scene, scene->camera(), 48, 36), options).image;
     renderer.set_show(ViewSlot::main, Aov::normal);
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->show == Aov::normal; }));
+    ASSERT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::main)->show == Aov::normal; }));
     const auto normals = finished("card");
     EXPECT_EQ(normals->why_cpu, "");
     EXPECT_EQ(picture_hash(normals->image), picture_hash(visible(numbers, Aov::normal, *scene)));
@@ -199,7 +199,7 @@ TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
     camera.eye.x += 0.5;
     const std::uint64_t number = renderer.latest(ViewSlot::main)->number;
     renderer.set_camera(camera, 48, 36);
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->number > number; }));
+    ASSERT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::main)->number > number; }));
     EXPECT_EQ(finished("")->why_cpu, "there is no card");
     EXPECT_EQ(card.made, 0);
     show(ball(3));
@@ -210,7 +210,7 @@ TEST_F(Backend, AfterAFaultTheCpuDrawsUntilThereIsAReasonToTryAgain) {
 TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
     renderer.set_backend(card.maker());
     show(ball(512)); // not finished before the card is lost
-    ASSERT_TRUE(comes_true([&] {
+    ASSERT_TRUE(wait_until([&] {
         return renderer.latest(ViewSlot::main) && renderer.latest(ViewSlot::main)->device == "card";
     }));
     card.is_lost = true;
@@ -222,7 +222,7 @@ TEST_F(Backend, ACardThatFailsInAnyStateIsLetGo) {
         *fault = true;
         renderer.set_backend(card.maker());
         ASSERT_TRUE(
-            comes_true([&] { return !renderer.latest(ViewSlot::main)->why_cpu.empty() && card.alive == 0; }));
+            wait_until([&] { return !renderer.latest(ViewSlot::main)->why_cpu.empty() && card.alive == 0; }));
         EXPECT_EQ(picture_hash(finished("")->image), expected());
         *fault = false;
         renderer.set_backend(card.maker());
@@ -249,12 +249,12 @@ TEST_F(Backend, AFaultMakesNothingCoarserThanItWas) {
         renderer.set_backend(card.maker());
         if (!same_view) show(ball(3));
         // The card's picture of the scene before may be there already.
-        ASSERT_TRUE(comes_true([&] { return picture_hash(finished("card")->image) == expected(); }));
+        ASSERT_TRUE(wait_until([&] { return picture_hash(finished("card")->image) == expected(); }));
         std::uint64_t number = renderer.latest(ViewSlot::main)->number;
         card.cannot_show = true;
         renderer.set_tone(same_view ? View::raw : View::srgb);
         int coarse = 0;
-        EXPECT_TRUE(comes_true([&] {
+        EXPECT_TRUE(wait_until([&] {
             const auto frame = renderer.latest(ViewSlot::main);
             if (frame->number != number) coarse += frame->reached.step > 1;
             number = frame->number;
@@ -272,7 +272,7 @@ TEST_F(Backend, TheCardRendersBothViews) {
     show(ball(2));
     renderer.set_scene(ViewSlot::reference, build_scene(ball(3)));
     finished("card");
-    ASSERT_TRUE(comes_true([&] {
+    ASSERT_TRUE(wait_until([&] {
         const auto frame = renderer.latest(ViewSlot::reference);
         return frame && frame->reached.finished && frame->device == "card";
     }));
@@ -287,18 +287,18 @@ TEST_F(Backend, ARemovedSceneLeavesNoFrameBehind) {
     const Scene other = build_scene(ball(4096));
     for (int i = 0; i < 20; ++i) {
         renderer.set_scene(ViewSlot::reference, other);
-        ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::reference) != nullptr; }));
+        ASSERT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::reference) != nullptr; }));
         renderer.set_scene(ViewSlot::reference, std::nullopt);
         // Frames of the first pass after it come from the newer request.
         const std::uint64_t number = renderer.latest(ViewSlot::main)->number;
-        ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main)->number > number + 2; }));
+        ASSERT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::main)->number > number + 2; }));
         ASSERT_EQ(renderer.latest(ViewSlot::reference), nullptr);
     }
 }
 
 TEST_F(Backend, WithoutAnySceneNothingIsRendered) {
     show(ball(4096));
-    ASSERT_TRUE(comes_true([&] { return renderer.latest(ViewSlot::main) != nullptr; }));
+    ASSERT_TRUE(wait_until([&] { return renderer.latest(ViewSlot::main) != nullptr; }));
     renderer.set_scene(ViewSlot::main, std::nullopt);
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     EXPECT_EQ(renderer.latest(ViewSlot::main), nullptr);

@@ -160,7 +160,7 @@ TEST(CameraControl, TheTargetIsWhatStandsInTheMiddle) {
 
 // ── Frame times ──────────────────────────────────────────────────────────────────────────────────────────
 
-TEST(FrameTimes, SharesAreThoseOfTheSortedTimes) {
+TEST(FrameTimes, QuantilesAreThoseOfTheSortedTimes) {
     std::mt19937 random(6);
     std::lognormal_distribution<double> time(-4, 1);
     FrameTimes times;
@@ -175,17 +175,11 @@ TEST(FrameTimes, SharesAreThoseOfTheSortedTimes) {
         EXPECT_GE(times.quantile(share), exact * (1 - 1e-12));
         EXPECT_LE(times.quantile(share), std::max(exact * 1.0501, 1e-4));
     }
-    EXPECT_EQ(times.longest(), all.back());
-    const double within =
-        static_cast<double>(std::upper_bound(all.begin(), all.end(), 0.05) - all.begin()) / 5000;
-    EXPECT_LE(times.share_within(0.05), within);
-    EXPECT_GE(times.share_within(0.05), within - 0.05);
 }
 
 TEST(FrameTimes, NoFramesAreNoTrouble) {
     const FrameTimes times;
     EXPECT_EQ(times.quantile(0.5), 0);
-    EXPECT_EQ(times.share_within(0.05), 1);
     EXPECT_EQ(times.summary(), "no frames");
     EXPECT_EQ(times.histogram(), "");
 }
@@ -196,7 +190,6 @@ TEST(FrameTimes, TheSummarySaysWhatMatters) {
     times.add(0.2);
     EXPECT_EQ(times.count(), 1000u);
     EXPECT_NEAR(times.quantile(0.5), 0.010, 0.0005);
-    EXPECT_EQ(times.share_within(0.05), 0.999);
     EXPECT_NE(times.summary().find("1000 frames, median 10."), std::string::npos) << times.summary();
     EXPECT_NE(times.summary().find("longest 200.0 ms"), std::string::npos) << times.summary();
     EXPECT_NE(times.histogram().find("999 ####"), std::string::npos) << times.histogram();

@@ -2,8 +2,8 @@
 
 #include "session/explainer.h"
 
-#include "patience.h"
 #include "scene_kit.h"
+#include "wait_until.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class ExplainerTest : public testing::Test {
     }
     /// The answer, once the explainer is idle.
     std::shared_ptr<const PixelAnswer> answer() const {
-        EXPECT_TRUE(comes_true([&] { return !explainer.is_busy(); }));
+        EXPECT_TRUE(wait_until([&] { return !explainer.is_busy(); }));
         return explainer.latest();
     }
     static void expect_same(const PixelAnswer& answer, const Scene& scene) {

@@ -2,8 +2,11 @@
 
 #include "session/session.h"
 
-#include "patience.h"
 #include "scene_kit.h"
+#include "wait_until.h"
+
+#include "glint/mesh_files.h"
+#include "glint/pick.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -61,7 +64,7 @@ class SessionTest : public testing::Test {
     }
 
     static bool finished(const Session& session, ViewSlot slot = ViewSlot::main) {
-        return comes_true([&] {
+        return wait_until([&] {
             const auto frame = session.frame(slot);
             return frame && frame->reached.finished;
         });
@@ -75,19 +78,19 @@ class SessionTest : public testing::Test {
     }
     static bool shows_what_it_should(const Session& session, ViewSlot slot = ViewSlot::main) {
         const std::string wanted = expected(session, slot);
-        return comes_true([&] {
+        return wait_until([&] {
             const auto frame = session.frame(slot);
             return frame && frame->reached.finished && picture_hash(frame->image) == wanted;
         });
     }
     static bool is_shown(const Session& session, std::uint64_t loads) {
-        return comes_true([&] {
+        return wait_until([&] {
             const auto scene = session.scene();
             return scene && scene->loads >= loads;
         });
     }
     static bool has_problem(const Session& session) {
-        return comes_true([&] { return !session.load_status().problems.empty(); });
+        return wait_until([&] { return !session.load_status().problems.empty(); });
     }
 
     fs::path folder_;
@@ -100,7 +103,7 @@ TEST_F(SessionTest, OpensAFileAndFinishesThePictureThatRenderGives) {
     session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
     EXPECT_TRUE(shows_what_it_should(session));
-    EXPECT_TRUE(comes_true([&] { return !session.load_status().busy; }));
+    EXPECT_TRUE(wait_until([&] { return !session.load_status().busy; }));
     EXPECT_TRUE(session.load_status().problems.empty());
 }
 
@@ -154,7 +157,7 @@ TEST_F(SessionTest, EditsOfMaterialsLightsAndObjectsShow) {
     std::get<SphereShape>(edited.objects[0].shape).radius = 1.5;
     session.edit(edited);
     ASSERT_TRUE(
-        comes_true([&] { return session.scene()->scene.description().materials[0].transparency == 0.75; }));
+        wait_until([&] { return session.scene()->scene.description().materials[0].transparency == 0.75; }));
     EXPECT_TRUE(shows_what_it_should(session));
     EXPECT_EQ(std::get<SphereShape>(session.scene_in_view()->description().objects[0].shape).radius, 1.5);
 }
@@ -203,7 +206,7 @@ TEST_F(SessionTest, ABrokenFileIsToldWhileTheLastGoodSceneStays) {
     EXPECT_EQ(picture_hash(session.frame()->image), shown);
     write("ball.toml", ball_text + "# better\n");
     ASSERT_TRUE(is_shown(session, 2));
-    EXPECT_TRUE(comes_true([&] { return session.load_status().problems.empty(); }));
+    EXPECT_TRUE(wait_until([&] { return session.load_status().problems.empty(); }));
 }
 
 TEST_F(SessionTest, SavingAMeshShowsItToo) {
@@ -234,7 +237,7 @@ TEST_F(SessionTest, ComparingShowsBothFromTheSameCamera) {
     other.materials[0].color = Vec3(0, 1, 0);
     session.compare(other);
     session.set_show(Aov::diffuse, ViewSlot::reference);
-    ASSERT_TRUE(comes_true([&] { return session.scene_in_view(ViewSlot::reference).has_value(); }));
+    ASSERT_TRUE(wait_until([&] { return session.scene_in_view(ViewSlot::reference).has_value(); }));
     session.move([](CameraControl& c) { c.zoom(2); });
     EXPECT_TRUE(shows_what_it_should(session, ViewSlot::main));
     EXPECT_TRUE(shows_what_it_should(session, ViewSlot::reference));
@@ -248,14 +251,15 @@ TEST_F(SessionTest, PickingFindsWhatStandsThere) {
     Session session(options());
     session.open(write("ball.toml", ball_text));
     ASSERT_TRUE(is_shown(session, 1));
-    const auto found = session.pick(24, 18);
+    const Scene seen = session.scene_in_view().value();
+    const auto found = pick(seen, 24, 18);
     ASSERT_TRUE(found);
     EXPECT_EQ(session.scene()->scene.description().objects[found->object].name, "ball");
     EXPECT_NEAR(found->distance, 5, 1e-5);
     EXPECT_NEAR(glm::length(found->position - Vec3(0, -1, 0)), 0, 1e-5);
     EXPECT_NEAR(glm::length(found->normal - Vec3(0, -1, 0)), 0, 1e-5);
-    EXPECT_FALSE(session.pick(0, 0)) << "nothing is there";
-    EXPECT_FALSE(session.pick(-1, 5)) << "outside the picture";
+    EXPECT_FALSE(pick(seen, 0, 0)) << "nothing is there";
+    EXPECT_FALSE(pick(seen, -1, 5)) << "outside the picture";
 }
 
 TEST_F(SessionTest, APictureComesForEveryMovementWhileTheCameraNeverRests) {
@@ -265,7 +269,7 @@ TEST_F(SessionTest, APictureComesForEveryMovementWhileTheCameraNeverRests) {
     ASSERT_TRUE(is_shown(session, 1));
     std::uint64_t seen = 0;
     for (int i = 0; i < 30; ++i)
-        ASSERT_TRUE(comes_true([&] {
+        ASSERT_TRUE(wait_until([&] {
             session.move([](CameraControl& c) { c.orbit(0.01, 0); });
             const auto frame = session.frame();
             const bool is_new = frame && frame->number > seen;
@@ -307,7 +311,7 @@ TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
     const std::uint64_t before = session.scene()->loads;
     session.open(path);
     ASSERT_TRUE(is_shown(session, before + 1));
-    ASSERT_TRUE(comes_true([&] { return !session.load_status().busy; }));
+    ASSERT_TRUE(wait_until([&] { return !session.load_status().busy; }));
     EXPECT_TRUE(shows_what_it_should(session));
 }
 
@@ -329,7 +333,7 @@ TEST_F(SessionTest, GivingUpAFileLeavesTheSceneBefore) {
     ASSERT_TRUE(is_shown(session, 1));
     session.open(large);
     session.cancel_loading();
-    ASSERT_TRUE(comes_true([&] { return !session.load_status().busy; }));
+    ASSERT_TRUE(wait_until([&] { return !session.load_status().busy; }));
     EXPECT_EQ(fs::path(session.scene()->path).filename(), "ball.toml");
     EXPECT_TRUE(session.load_status().problems.empty());
     EXPECT_TRUE(shows_what_it_should(session));

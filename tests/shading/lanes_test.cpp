@@ -1,7 +1,7 @@
 // Vectors of rays through the shared equations: lane by lane the bits of one ray (shading/lanes-inl.h).
 
 #include "math/random.shared.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <algorithm>
 #include <cstring>
@@ -24,7 +24,7 @@
 namespace glint {
 constexpr std::size_t inputs = 12;
 constexpr std::size_t outputs = 19;
-constexpr int no_light = -1;      ///< terms alone
+constexpr int no_light = -1;      ///< terms only
 constexpr std::size_t width = 16; ///< rays at a time: as many as the widest vector holds
 } // namespace glint
 #define GLINT_TESTS_EQUATIONS                                                                                \
@@ -42,8 +42,8 @@ constexpr std::size_t width = 16; ///< rays at a time: as many as the widest vec
                             pow_of(x, y),                                                                    \
                             exp2_of(x),                                                                      \
                             spot_falloff(x, y, z),                                                           \
-                            blinn_lobe(a, b, c, y),                                                          \
-                            phong_lobe(a, b, c, y),                                                          \
+                            lobe_of(blinn_cosine(a, b, c), y),                                               \
+                            lobe_of(phong_cosine(a, b, c), y),                                               \
                             light_cosine(a, b, c),                                                           \
                             origin.x,                                                                        \
                             origin.y,                                                                        \
@@ -180,13 +180,13 @@ void compare(std::int64_t target, uint round, int kind) {
     HWY_DYNAMIC_DISPATCH(equations)(rays, answers, kind);
     for (std::size_t i = 0; i < width; ++i) {
         float in[inputs];
-        float alone[outputs];
+        float single[outputs];
         for (std::size_t k = 0; k < inputs; ++k) in[k] = rays[k][i];
-        equations_of_one(in, alone, kind);
+        equations_of_one(in, single, kind);
         for (std::size_t k = 0; k < outputs; ++k)
-            ASSERT_TRUE(same_bits(alone[k], answers[k][i]))
+            ASSERT_TRUE(same_bits(single[k], answers[k][i]))
                 << hwy::TargetName(target) << ", round " << round << ", light " << kind << ", ray " << i
-                << ", result " << k << ": " << answers[k][i] << ", alone " << alone[k];
+                << ", result " << k << ": " << answers[k][i] << ", one ray: " << single[k];
     }
 }
 

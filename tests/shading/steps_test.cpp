@@ -1,7 +1,7 @@
-// The steps of a bounce for one ray (shading/whitted_steps.shared.h).
+// The steps of a bounce for one ray (shading/whitted.shared.h).
 
 #include "shading/light_gain.h"
-#include "shading/whitted_steps.shared.h"
+#include "shading/whitted.shared.h"
 
 #include <gtest/gtest.h>
 
@@ -111,10 +111,10 @@ TEST(ShownLightStep, ChoosesTheLobe) {
     WhittedModes modes = report;
     const LightArrival arrival = light_arrival(lamp(light_directional), s);
     const float blinn = shown_light(modes, s, m, arrival, 1).highlight.x;
-    EXPECT_EQ(blinn, 8 * blinn_lobe(s.n, arrival.direction, s.v, 20));
+    EXPECT_EQ(blinn, 8 * lobe_of(blinn_cosine(s.n, arrival.direction, s.v), 20));
     modes.highlight = highlight_phong;
     EXPECT_EQ(shown_light(modes, s, m, arrival, 1).highlight.x,
-              8 * phong_lobe(s.n, arrival.direction, s.v, 20));
+              8 * lobe_of(phong_cosine(s.n, arrival.direction, s.v), 20));
     EXPECT_NE(shown_light(modes, s, m, arrival, 1).highlight.x, blinn);
 }
 
@@ -143,11 +143,11 @@ TEST(LightGain, WeighsDiffuseLightLikeTheEstimator) {
         for (const float reflectivity : {0.0f, 0.3f, 0.7f})
             for (const float transparency : {0.0f, 0.2f, 0.3f, 0.5f}) {
                 const float weight = local_weight(reflectivity, transparency, balanced);
-                EXPECT_EQ(light_gain(0.8f, 0.9f, reflectivity, transparency, balanced),
+                EXPECT_EQ(shading::light_gain(0.8f, 0.9f, reflectivity, transparency, balanced),
                           weight * 0.8f * 0.9f + reflectivity + transparency);
             }
-    EXPECT_DOUBLE_EQ(light_gain(1.0, 1.0, 0.5, 0.0, false), 1.5);
-    EXPECT_DOUBLE_EQ(light_gain(1.0, 1.0, 0.5, 0.0, true), 1);
+    EXPECT_DOUBLE_EQ(shading::light_gain(1.0, 1.0, 0.5, 0.0, false), 1.5);
+    EXPECT_DOUBLE_EQ(shading::light_gain(1.0, 1.0, 0.5, 0.0, true), 1);
 }
 
 TEST(RefractionStep, FallsBackToTheGeometricNormal) {

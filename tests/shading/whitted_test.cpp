@@ -19,6 +19,13 @@ vec3 at(double degrees) {
                 static_cast<float>(std::cos(degrees * degree)));
 }
 
+float blinn_lobe(const vec3& n, const vec3& l, const vec3& v, float m) {
+    return lobe_of(blinn_cosine(n, l, v), m);
+}
+float phong_lobe(const vec3& n, const vec3& l, const vec3& v, float m) {
+    return lobe_of(phong_cosine(n, l, v), m);
+}
+
 TEST(LightCosine, IsZeroBelowEitherHorizon) {
     EXPECT_FLOAT_EQ(light_cosine(up, up, at(60)), 0.5f);
     EXPECT_EQ(light_cosine(up, up, at(91)), 0);

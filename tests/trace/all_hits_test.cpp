@@ -1,4 +1,4 @@
-// Surfaces one after another: next() and crossings().
+// Enumerating hits: next() and all_hits().
 
 #include "worlds.h"
 
@@ -14,7 +14,7 @@ using trace::World;
 using trace::WorldInput;
 namespace {
 
-/// closest(), then next() until nothing is left.
+/// closest(), then next() until there is none.
 std::vector<Hit> walk(const World& world, const Ray& ray) {
     std::vector<Hit> hits;
     for (Hit hit = world.closest(ray); hit; hit = world.next(ray, hit)) hits.push_back(hit);
@@ -34,7 +34,7 @@ void expect_walk_is_crossings(const World& world, const Ray& ray) {
     }
 }
 
-/// A pile of squares z = 1, 2, …
+/// A stack of squares z = 1, 2, …
 WorldInput pile(int count) {
     WorldInput input;
     for (int i = 1; i <= count; ++i) input.meshes.push_back(square(static_cast<std::uint32_t>(i), float(i)));
@@ -99,9 +99,9 @@ TEST(Crossings, OfTwoMeshesAtOnePlaceCountForEach) {
 }
 
 TEST(Crossings, OfAThinWallCountBothFaces) {
-    // A box thinner than the tolerance of t: the faces differ in facing, on edges too.
+    // A box thinner than the tolerance of t: its faces differ in facing, also at edges.
     WorldInput input;
-    const Polyhedron box = make_box({0, 0, 1000}, {2, 2, 1e-3});
+    const geometry::Polyhedron box = geometry::make_box({0, 0, 1000}, {2, 2, 1e-3});
     input.meshes.resize(1);
     for (const dvec3& p : box.positions) input.meshes[0].positions.push_back(vec3(p));
     input.meshes[0].triangles = box.triangles;
@@ -116,7 +116,7 @@ TEST(Crossings, OfAThinWallCountBothFaces) {
 TEST(Crossings, OfASphereSmallerThanTheSpacingOfTAreTwo) {
     // At t = 2^24 floats are 2 apart; the ray still enters and leaves.
     WorldInput input;
-    input.quadrics.push_back({3, 0, make_sphere({0, 0, 16777216.0}, 0.25)});
+    input.quadrics.push_back({3, 0, geometry::make_sphere({0, 0, 16777216.0}, 0.25)});
     const World world = world_of(input);
     const Ray ray = ray_from({0, 0, 0}, {0, 0, 1});
     const std::vector<Hit> hits = walk(world, ray);
@@ -129,8 +129,8 @@ TEST(Crossings, OfASphereSmallerThanTheSpacingOfTAreTwo) {
 
 TEST(Crossings, FromInsideAreOneForAConvexSolid) {
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_sphere({0, 0, 0}, 1.0)});
-    input.quadrics.push_back({1, 0, make_cylinder({0, 0, -1}, {0, 0, 1}, 2.0, 1.0)});
+    input.quadrics.push_back({0, 0, geometry::make_sphere({0, 0, 0}, 1.0)});
+    input.quadrics.push_back({1, 0, geometry::make_cylinder({0, 0, -1}, {0, 0, 1}, 2.0, 1.0)});
     const World world = world_of(input);
     Numbers random(3);
     for (int i = 0; i < 10'000; ++i) {
@@ -145,13 +145,15 @@ TEST(Crossings, AreRealWherePlacesAreCrowded) {
     Numbers random(4);
     WorldInput input;
     for (std::uint32_t k = 0; k < 6; ++k) {
-        const Polyhedron shape = make_icosahedron(glm::round(random.point() * 2.0) * 0.25, 1.0);
+        const geometry::Polyhedron shape =
+            geometry::make_icosahedron(glm::round(random.point() * 2.0) * 0.25, 1.0);
         WorldInput::Triangles mesh;
         mesh.object = k;
         for (const dvec3& p : shape.positions) mesh.positions.push_back(vec3(p));
         mesh.triangles = shape.triangles;
         input.meshes.push_back(mesh);
-        input.quadrics.push_back({10 + k, k, make_sphere(glm::round(random.point() * 2.0) * 0.25, 0.75)});
+        input.quadrics.push_back(
+            {10 + k, k, geometry::make_sphere(glm::round(random.point() * 2.0) * 0.25, 0.75)});
     }
     const World world = world_of(input);
     for (int i = 0; i < 5000; ++i) {

@@ -3,7 +3,7 @@
 #include "worlds.h"
 
 #include "geometry/mesh.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(ClosedScan, IsCrossedEvenly) {
     const std::string path = std::string(GLINT_SOURCE_DIR) + "/../shared/models/igea.ply";
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
     const auto mesh = load_mesh(path).mesh;
-    ASSERT_TRUE(is_closed(mesh->positions, mesh->triangles));
+    ASSERT_TRUE(geometry::is_closed(mesh->positions, mesh->triangles));
     WorldInput input;
     input.meshes.push_back({0, mesh->positions, mesh->triangles, false});
     const World world = world_of(std::move(input), 0);

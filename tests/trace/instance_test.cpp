@@ -1,4 +1,4 @@
-// Instances give the bits of brute force over all of them, and refuse what is no place.
+// Instances give the bits of brute force over all of them; invalid transforms are rejected.
 
 #include "trace/world/instance_tree.h"
 #include "traced.h"
@@ -20,7 +20,7 @@ namespace {
 /// In [-1, 1), a function of both.
 float around_zero(std::uint32_t key, std::uint32_t index) { return 2 * draw(key, index) - 1; }
 
-/// Turned, sheared, mirrored, of sizes between 2^-spread and 1, within the cube [-reach, reach]^3.
+/// Rotated, sheared, mirrored, of sizes between 2^-spread and 1, within the cube [-reach, reach]^3.
 Transform random_transform(std::uint32_t key, float reach, int spread) {
     Transform transform;
     const int smaller = static_cast<int>(draw(key, 20) * static_cast<float>(spread + 1));
@@ -35,7 +35,7 @@ Transform random_transform(std::uint32_t key, float reach, int spread) {
     return transform;
 }
 
-/// Two meshes at `count` places, the first few of them twice.
+/// `count` instances of two meshes, the first few duplicated.
 std::vector<Instance> random_instances(const std::vector<Mesh>& meshes, std::uint32_t seed,
                                        std::uint32_t count, float reach, int spread) {
     std::vector<Instance> instances;
@@ -46,7 +46,7 @@ std::vector<Instance> random_instances(const std::vector<Mesh>& meshes, std::uin
     return instances;
 }
 
-/// Rays from anywhere around, half of them to the middle of an instance.
+/// Rays from random origins, half of them to the centre of an instance.
 std::vector<Ray> rays_at(const std::vector<Instance>& instances, std::uint32_t seed, std::uint32_t count,
                          float reach) {
     std::vector<Ray> rays;
@@ -83,27 +83,27 @@ Ray outer(const glint::Ray& ray) {
             ray.tmax};
 }
 
-/// Only for its arithmetic of taking rays to local space.
+/// Used only to transform rays to local space.
 InstanceTree arithmetic_of(const std::vector<Instance>& instances) {
     static const MeshTree nothing;
-    std::vector<MeshInstance> places;
+    std::vector<MeshInstance> tree_instances;
     for (const Instance& instance : instances) {
-        MeshInstance place;
-        place.mesh = &nothing;
+        MeshInstance tree_instance;
+        tree_instance.mesh = &nothing;
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 3; ++column)
-                place.linear[column][row] =
+                tree_instance.linear[column][row] =
                     instance.world_from_local
                         .m[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-            place.translation[row] = instance.world_from_local.m[static_cast<std::size_t>(row)][3];
+            tree_instance.translation[row] = instance.world_from_local.m[static_cast<std::size_t>(row)][3];
         }
-        places.push_back(place);
+        tree_instances.push_back(tree_instance);
     }
     parallel::TaskPool pool(1);
-    return {places, pool};
+    return {tree_instances, pool};
 }
 
-/// The least (t, instance, triangle), asking every instance.
+/// The least (t, instance, triangle) by testing every instance.
 InstanceHit brute_force(const std::vector<Instance>& instances, const InstanceTree& arithmetic,
                         const Ray& ray) {
     InstanceHit best;
@@ -182,8 +182,8 @@ TEST(Instances, SqueezedOnesAreHitAsBruteForceHitsThem) {
 }
 
 TEST(Instances, BoxesLetThroughWhatRoundingBringsToTheirEdges) {
-    // A cube, turned and then squeezed along the world's z: what its own space rounds is rounded by as many
-    // times more along the world's x and y. One of its corners reaches furthest along x.
+    // A cube, rotated and then squeezed along the world's z, which amplifies rounding in local space along
+    // the world's x and y. One corner is extreme along x.
     constexpr float turn[3][3] = {
         {2.0f / 3, -1.0f / 3, 2.0f / 3}, {2.0f / 3, 2.0f / 3, -1.0f / 3}, {-1.0f / 3, 2.0f / 3, 2.0f / 3}};
     constexpr float squeeze[3] = {1, 1, 1e-5f};
@@ -196,7 +196,7 @@ TEST(Instances, BoxesLetThroughWhatRoundingBringsToTheirEdges) {
         for (std::size_t column = 0; column < 3; ++column)
             cube.world_from_local.m[row][column] = squeeze[row] * turn[row][column];
     const std::array<float, 2> furthest{5.0f / 3, -1.0f / 3};
-    // Behind it another, so that there is a tree.
+    // Another behind it, so that the tree has a node.
     Instance behind = cube;
     behind.world_from_local.m[2][3] = -50;
     std::vector<Ray> rays;
@@ -231,7 +231,7 @@ TEST(Instances, AMovedMeshIsHitWhereItWasMovedTo) {
     const std::vector<float> xyz{-1, -1, 0, 1, -1, 0, 0, 1, 0};
     const std::vector<std::uint32_t> corners{0, 1, 2};
     Instance instance{Mesh(xyz, corners), {}};
-    // Twice as large, x to y, y to -x, then away.
+    // Scaled by 2, x to y, y to -x, then translated.
     instance.world_from_local.m = {{{0, -2, 0, 10}, {2, 0, 0, 20}, {0, 0, 2, 30}}};
     const Scene scene(std::span(&instance, 1));
     Ray ray;

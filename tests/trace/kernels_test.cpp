@@ -1,6 +1,6 @@
-// Every kernel on every SIMD target gives the bits of the plain walk.
+// Every kernel gives the bits of the scalar one on every SIMD target.
 
-#include "trace/mesh/tree.h"
+#include "trace/mesh/scalar.h"
 
 #include "math/random.shared.h"
 
@@ -49,7 +49,7 @@ Triangles soup(uint seed, std::size_t count, float scale) {
     return s;
 }
 
-/// A closed ball of `rings` rings of 2 · rings quads.
+/// A closed sphere of `rings` rings of 2 · rings quads.
 Triangles ball(uint rings) {
     Triangles s;
     const uint around = 2 * rings;
@@ -70,8 +70,8 @@ Triangles ball(uint rings) {
     return s;
 }
 
-/// Parallel and scattered rays, along axes too, short and long, from before their origins, NaN and infinite
-/// ones, those without direction.
+/// Parallel, axis-parallel and scattered rays, short and long, with negative tmin, with NaN or infinity, and
+/// without direction.
 std::vector<Ray> scattered_rays(uint seed, std::size_t count, float scale) {
     std::vector<Ray> rays;
     for (uint i = 0; i < count; ++i) {
@@ -113,7 +113,7 @@ std::vector<Ray> aimed_rays(const Triangles& mesh, vec3 from, uint seed) {
     return rays;
 }
 
-/// A narrow bundle of rays of one octant and axis, of which some, the last often among them, make no sense.
+/// A narrow bundle of rays of one octant and axis, some of them invalid, often the last.
 std::vector<Ray> bundle_with_odd_rays(uint seed, std::size_t count) {
     std::vector<Ray> rays;
     for (uint i = 0; i < count; ++i) {
@@ -214,7 +214,7 @@ TEST(Kernels, FollowTheWholeLineWhereRaysBeginBeforeTheirOrigins) {
     const Triangles mesh = ball(24);
     const MeshTree tree = mesh.tree();
     for (const float tmin : {-std::numeric_limits<float>::infinity(), -1.5f, -0.25f}) {
-        // From within, from beyond the ball, and each way with one ray in 64 that begins at its origin.
+        // From inside and outside the sphere, each also with one ray in 64 that starts at its origin.
         for (const vec3& from : {vec3(0.25f, -0.125f, 0.0625f), vec3(2.0f, 3.0f, -4.0f)}) {
             std::vector<Ray> rays = aimed_rays(mesh, from, 5);
             for (std::size_t i = 0; i < rays.size(); ++i)

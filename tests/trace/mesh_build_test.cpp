@@ -1,6 +1,6 @@
-// Trees over triangles: complete, conservative, small, the same on any number of threads, whatever the input.
+// Trees over triangles: complete, conservative, compact, and independent of the number of threads.
 
-#include "trace/mesh/tree.h"
+#include "trace/mesh/scalar.h"
 
 #include "bvh/tree.h"
 #include "geometry/triangle.h"
@@ -46,7 +46,7 @@ struct Mesh {
     }
 };
 
-/// Triangles of a size, anywhere in the unit cube, no vertex shared.
+/// Triangles of one size in the unit cube, without shared vertices.
 Mesh scattered(uint count, float size) {
     Mesh mesh;
     for (uint i = 0; i < count; ++i) {
@@ -72,7 +72,7 @@ Mesh sheet(uint side) {
     return mesh;
 }
 
-/// Fine triangles with long slanted beams among them: what is worth cutting.
+/// Small triangles among long slanted ones, for which spatial splits pay.
 Mesh thatched(uint side, uint beams) {
     Mesh mesh = sheet(side);
     const float width = static_cast<float>(side);
@@ -84,7 +84,7 @@ Mesh thatched(uint side, uint beams) {
     return mesh;
 }
 
-/// Walks a whole tree, counts what it meets and checks the boxes.
+/// Visits a whole tree, counts nodes and leaves, and checks the boxes.
 class Inspector {
   public:
     Inspector(const MeshTree& tree, const Mesh& mesh) : tree_(tree), boxes_(mesh.triangles.size()) {
@@ -158,17 +158,17 @@ MeshTree build(const Mesh& mesh, BuildQuality quality, int threads = 1) {
 }
 
 TriangleRecord brute_force(const Mesh& mesh, const Ray& ray) {
-    const ShearedRay sheared(ray);
+    const geometry::ShearedRay sheared(ray);
     TriangleRecord record;
     float limit = next_float(ray.tmax, -1.0f);
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        TriangleVertices vertices;
+        geometry::TriangleVertices vertices;
         for (int k = 0; k < 3; ++k) {
             const vec3& p = mesh.positions[mesh.triangles[i][k]];
             vertices[static_cast<std::size_t>(k)] = {p.x, p.y, p.z};
         }
         TriangleHit hit;
-        if (!intersect_triangle(sheared, vertices, ray.tmin, limit, hit)) continue;
+        if (!geometry::intersect_triangle(sheared, vertices, ray.tmin, limit, hit)) continue;
         if (hit.t == limit && record.triangle < i) continue;
         limit = hit.t;
         record = {hit.t, hit.u, hit.v, i};
@@ -176,7 +176,7 @@ TriangleRecord brute_force(const Mesh& mesh, const Ray& ray) {
     return record;
 }
 
-/// Rays from around towards points of triangles: vertices, edges and inside.
+/// Rays from outside toward vertices, edges and interiors of triangles.
 std::vector<Ray> rays_at(const Mesh& mesh, uint count) {
     std::vector<Ray> rays;
     for (uint i = 0; i < count; ++i) {
@@ -353,7 +353,7 @@ TEST(MeshBuild, EstimatesHowOftenALineMeetsTheSurface) {
     for (const BuildQuality quality : qualities) {
         EXPECT_NEAR(build(cube, quality).depth_complexity, 2.0, 1e-4);
         EXPECT_NEAR(build(diagonal, quality).depth_complexity, std::sqrt(2.0) / 3.0, 1e-4);
-        // Half of a diagonal square, all of what there is.
+        // Half of a diagonal square, the whole mesh.
         Mesh one;
         one.add(vec3(0.0f), vec3(1, 1, 0), vec3(0, 0, 1));
         EXPECT_NEAR(build(one, quality).depth_complexity, std::sqrt(2.0) / 6.0, 1e-6);

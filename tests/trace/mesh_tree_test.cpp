@@ -1,6 +1,6 @@
-// Every way through a MeshTree gives the bits of the plain one.
+// Every kernel gives the bits of the scalar one.
 
-#include "trace/mesh/tree.h"
+#include "trace/mesh/scalar.h"
 
 #include "math/random.shared.h"
 
@@ -28,7 +28,7 @@ struct Soup {
     std::vector<uvec3> triangles;
 };
 
-/// Small triangles scattered in a cube of side 1 · scale, some of them twice, some flat.
+/// Small triangles scattered in a cube of side 1 · scale, some duplicated, some degenerate.
 Soup soup(uint seed, std::size_t count, float scale) {
     Soup s;
     for (uint i = 0; i < count; ++i) {
@@ -41,8 +41,7 @@ Soup soup(uint seed, std::size_t count, float scale) {
     return s;
 }
 
-/// Parallel and scattered rays, along axes too, short and long, NaN and infinite ones, those without
-/// direction.
+/// Parallel, axis-parallel and scattered rays, short and long, with NaN or infinity, and without direction.
 std::vector<Ray> rays_for(uint seed, std::size_t count, float scale) {
     std::vector<Ray> rays;
     for (uint i = 0; i < count; ++i) {
@@ -108,7 +107,7 @@ TEST(MeshTree, EveryQualityGivesTheSameHits) {
         EXPECT_TRUE(same_bits(closest_scalar(fast, ray), closest_scalar(high, ray)));
 }
 
-/// The vertices of a soup, each moved for itself: what was one point comes apart.
+/// The vertices of a soup, each moved independently, so that equal positions become different.
 std::vector<vec3> moved(const Soup& s, uint seed, float by) {
     std::vector<vec3> positions = s.positions;
     for (uint i = 0; i < positions.size(); ++i) positions[i] += (draw_point(seed, i) - 0.5f) * by;
@@ -118,7 +117,7 @@ std::vector<vec3> moved(const Soup& s, uint seed, float by) {
 TEST(MeshTree, RefitGivesTheHitsOfANewTree) {
     parallel::TaskPool pool(2);
     Soup s = soup(7, 3000, 1.0f);
-    // Every second pair of triangles meets in points that are equal, but not one vertex.
+    // Every second pair of triangles shares positions, but not vertices.
     for (std::size_t i = 0; i + 6 <= s.positions.size(); i += 12) {
         s.positions[i + 3] = s.positions[i + 1];
         s.positions[i + 4] = s.positions[i + 2];

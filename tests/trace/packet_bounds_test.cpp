@@ -1,5 +1,5 @@
-// Batches of rays that go nearly the same way, past and through planes, spheres, cylinders and meshes: what
-// is left out for all of them at once is what none of them meets.
+// Batches of similar rays past and through planes, spheres, cylinders and meshes: a primitive that is culled
+// for a batch is hit by none of its rays.
 
 #include "trace/world/packet_bounds.h"
 #include "worlds.h"
@@ -38,15 +38,15 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
     for (std::uint32_t i = 0; i < spheres; ++i) {
         const dvec3 center = snapped(numbers, size);
         const double radius = (0.1 + std::abs(numbers())) * 0.3 * size;
-        input.quadrics.push_back({object++, 0, make_sphere(center, radius)});
+        input.quadrics.push_back({object++, 0, geometry::make_sphere(center, radius)});
     }
     const dvec3 base = snapped(numbers, size);
     const dvec3 axis = numbers.direction();
-    input.quadrics.push_back({object++, 0, make_cylinder(base, axis, size * 0.5, size * 0.25)});
+    input.quadrics.push_back({object++, 0, geometry::make_cylinder(base, axis, size * 0.5, size * 0.25)});
     const dvec3 center = snapped(numbers, size);
     const dvec3 normal = numbers.direction();
-    input.quadrics.push_back({object++, 0, make_disk(center, normal, size * 0.4)});
-    input.quadrics.push_back({object++, 0, make_cone(center, -normal, size * 0.6, size * 0.3)});
+    input.quadrics.push_back({object++, 0, geometry::make_disk(center, normal, size * 0.4)});
+    input.quadrics.push_back({object++, 0, geometry::make_cone(center, -normal, size * 0.6, size * 0.3)});
     WorldInput::Triangles mesh = square(object, static_cast<float>(numbers()));
     const vec3 corner(snapped(numbers, size));
     for (vec3& p : mesh.positions) p = p * static_cast<float>(size) + corner;
@@ -54,7 +54,7 @@ WorldInput scattered_world(Numbers& numbers, double size, std::uint32_t spheres)
     return input;
 }
 
-/// Rays from places near each other to places near each other; what their t ends at is drawn once for all.
+/// Rays between two small regions, with one random tmax for all.
 std::vector<Ray> beam(Numbers& numbers, double size, std::size_t count) {
     const dvec3 from = snapped(numbers, size);
     const dvec3 to = snapped(numbers, size) + dvec3(0.01 * size, 0.0, 0.0);
@@ -174,7 +174,7 @@ TEST(PacketBounds, LeavesOutBoxesBesideBehindAndBeyond) {
         EXPECT_FALSE(misses({4, -1, 0}, {5, 1, 2})) << "in the way";
         EXPECT_FALSE(misses({4, 0.02f, 1}, {5, 1, 2})) << "touched";
         EXPECT_FALSE(misses({-1, -1, 0}, {1, 1, 2})) << "around the start";
-        // Without an end, directions alone tell.
+        // Without tmax, culling relies on the directions.
         for (Ray& ray : rays) ray.tmax = endless;
     }
 }

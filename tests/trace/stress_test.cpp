@@ -1,4 +1,4 @@
-// Some cases of every stress family; glint-stress runs as many as one likes.
+// Some cases of every stress family; glint-stress runs more.
 
 #include "cases.h"
 
@@ -45,10 +45,11 @@ TEST_P(Stress, FindsNothing) {
                                       << family.name << " --replay " << seed;
     });
     EXPECT_GE(total.rays, cases * rays_a_case * 9 / 10);
-    for (std::size_t way = 0; way < ways().size() && family.claim != Claim::crosses; ++way)
-        EXPECT_GE(total.by_way[way], cases * rays_a_case / 20) << ways()[way].name;
+    for (std::size_t variant = 0; variant < kernel_variants().size() && family.property != Property::crosses;
+         ++variant)
+        EXPECT_GE(total.by_variant[variant], cases * rays_a_case / 20) << kernel_variants()[variant].name;
     EXPECT_GT(total.hits, total.rays / 20) << "the rays miss everything";
-    if (family.claim != Claim::agrees) {
+    if (family.property != Property::agrees) {
         EXPECT_GT(total.on_edge, total.rays / 100) << "no ray meets an edge";
     }
 }

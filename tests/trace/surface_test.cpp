@@ -1,4 +1,4 @@
-// From hits back to surfaces: points, normals, and rays that leave again.
+// Surface points and normals of hits, and rays that start there.
 
 #include "worlds.h"
 
@@ -11,6 +11,7 @@
 
 namespace glint {
 
+using geometry::make_sphere;
 using trace::Affine;
 using trace::Hit;
 using trace::Quadric;
@@ -38,7 +39,7 @@ TEST(Surface, OfATriangleIsInItsPlane) {
 TEST(Surface, OfQuadricsHasOutwardNormals) {
     WorldInput input;
     input.quadrics.push_back({0, 7, make_sphere({1, 2, 3}, 2.0)});
-    input.quadrics.push_back({1, 0, make_cylinder({10, 0, 0}, {1, 0, 0}, 4.0, 1.0)});
+    input.quadrics.push_back({1, 0, geometry::make_cylinder({10, 0, 0}, {1, 0, 0}, 4.0, 1.0)});
     input.planes.push_back({2, {0, 0, 5}, -20.0});
     const World world = world_of(input);
 
@@ -99,7 +100,7 @@ TEST(Surface, OfAStretchedSphereIsAnEllipsoid) {
     }
 }
 
-/// Rays that leave the first surface they meet, along it and away from it on the given side.
+/// Rays from the first hit of a ray, to the given side of the surface at all angles.
 class Spawning {
   public:
     Spawning(WorldInput input, std::uint64_t seed) : world_(world_of(std::move(input))), random_(seed) {}
@@ -138,8 +139,8 @@ class Spawning {
 constexpr int worlds = 200;
 constexpr int rays = 1000;
 
-/// Is p at the rim or the apex of a cone? Within its error a point there may be inside of one side and
-/// outside of the next.
+/// Whether p is at the rim or the apex of a cone, where within its error it may be inside of one part of the
+/// surface and outside of the next.
 bool at_sharp_edge(const World& world, const vec3& p) {
     const Quadric& quadric = world.data().quadrics.front();
     const QuadricShape& cone = quadric.shape;
@@ -151,14 +152,14 @@ bool at_sharp_edge(const World& world, const vec3& p) {
     const double radial = glm::length(v - cone.axis * h);
     const double to_rim = glm::length(dvec2(h, radial - cone.radius));
     const double to_apex = glm::length(dvec2(cone.height - h, radial));
-    // What the float coordinates of the world are in the cone's own space.
+    // The world's float coordinates in the cone's local space.
     double rounding = 1e-4 * cone.radius;
     for (int column = 0; local && column < 3; ++column)
         rounding += 1e-5 * glm::length(affine.inverse[column]);
     return std::min(to_rim, to_apex) < rounding;
 }
 
-/// Counts rays that meet their own surface again: outward never, inward not more than once (on the way out).
+/// Counts rays that hit their own surface again: outward never, inward at most once (on the way out).
 void expect_spawned_rays_leave(const std::function<WorldInput(Numbers&, dvec3&, double&)>& make, double side,
                                std::size_t expected) {
     Numbers random(17);
@@ -209,7 +210,7 @@ WorldInput some_cylinder(Numbers& random, dvec3& about, double& reach) {
     const dvec3 base = random.point() * size * std::pow(10.0, 2.0 * random());
     const dvec3 axis = random.direction();
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_cylinder(base, axis, size * 2.0, size * 0.7)});
+    input.quadrics.push_back({0, 0, geometry::make_cylinder(base, axis, size * 2.0, size * 0.7)});
     about = base + axis * size;
     reach = size;
     return input;
@@ -220,7 +221,7 @@ WorldInput some_disk(Numbers& random, dvec3& about, double& reach) {
     about = random.point() * size * std::pow(10.0, 3.0 * random());
     reach = size;
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_disk(about, random.direction(), size)});
+    input.quadrics.push_back({0, 0, geometry::make_disk(about, random.direction(), size)});
     return input;
 }
 
@@ -229,13 +230,13 @@ WorldInput some_cone(Numbers& random, dvec3& about, double& reach) {
     const dvec3 base = random.point() * size * std::pow(10.0, 2.0 * random());
     const dvec3 axis = random.direction();
     WorldInput input;
-    input.quadrics.push_back({0, 0, make_cone(base, axis, size * 2.0, size * 0.7)});
+    input.quadrics.push_back({0, 0, geometry::make_cone(base, axis, size * 2.0, size * 0.7)});
     about = base + axis * size * 0.6;
     reach = size;
     return input;
 }
 
-/// A disk and a cone in a space of their own.
+/// A disk and a cone in local space.
 WorldInput some_squeezed(const QuadricShape& shape, Numbers& random, dvec3& about, double& reach) {
     WorldInput input = some_ellipsoid(random, about, reach);
     input.quadrics.front().shape = shape;
@@ -268,7 +269,7 @@ TEST(Cylinder, RayIntoItLeavesOnce) { expect_spawned_rays_leave(some_cylinder, -
 
 TEST(Disk, SpawnedRayNeverReintersects) {
     const auto squeezed = [](Numbers& random, dvec3& about, double& reach) {
-        return some_squeezed(make_disk({0, 0, 0}, {0, 0, 1}, 1.0), random, about, reach);
+        return some_squeezed(geometry::make_disk({0, 0, 0}, {0, 0, 1}, 1.0), random, about, reach);
     };
     for (const double side : {1.0, -1.0}) {
         expect_spawned_rays_leave(some_disk, side, 0);
@@ -277,7 +278,7 @@ TEST(Disk, SpawnedRayNeverReintersects) {
 }
 
 WorldInput some_squeezed_cone(Numbers& random, dvec3& about, double& reach) {
-    return some_squeezed(make_cone({0, 0, -0.5}, {0, 0, 1}, 1.5, 0.9), random, about, reach);
+    return some_squeezed(geometry::make_cone({0, 0, -0.5}, {0, 0, 1}, 1.5, 0.9), random, about, reach);
 }
 
 TEST(Cone, SpawnedRayNeverReintersects) {

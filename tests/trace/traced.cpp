@@ -76,15 +76,15 @@ Hit brute_force(const Soup& soup, const Ray& ray) {
     if (!can_hit(ray)) return best;
     const glint::Ray inner{vec3(ray.origin[0], ray.origin[1], ray.origin[2]), ray.tmin,
                            vec3(ray.direction[0], ray.direction[1], ray.direction[2]), ray.tmax};
-    const ShearedRay sheared(inner);
+    const geometry::ShearedRay sheared(inner);
     float limit = next_float(ray.tmax, -1.0f);
     for (std::uint32_t i = 0; i < soup.triangles(); ++i) {
-        TriangleVertices vertices;
+        geometry::TriangleVertices vertices;
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t axis = 0; axis < 3; ++axis)
                 vertices[k][axis] = soup.xyz[3 * soup.corners[3 * i + k] + axis];
         TriangleHit hit;
-        if (!intersect_triangle(sheared, vertices, ray.tmin, limit, hit)) continue;
+        if (!geometry::intersect_triangle(sheared, vertices, ray.tmin, limit, hit)) continue;
         if (hit.t == limit && best) continue;
         limit = hit.t;
         best = {hit.t, hit.u, hit.v, i};

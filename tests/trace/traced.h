@@ -1,5 +1,5 @@
 #pragma once
-// Triangles and rays in the terms of glint/trace.h, and what brute force says of them.
+// Triangles and rays for glint/trace.h, and their hits by brute force.
 
 #include "glint/trace.h"
 
@@ -20,11 +20,11 @@ struct Soup {
 /// In [0, 1), a function of both.
 float draw(std::uint32_t key, std::uint32_t index);
 
-/// Small triangles scattered in the unit cube, some twice, some flat.
+/// Small triangles scattered in the unit cube, some duplicated, some degenerate.
 Soup make_soup(std::uint32_t seed, std::uint32_t count);
 
-/// Parallel, axis-parallel and scattered rays, long and short; every eighth goes exactly through a vertex of
-/// the soup, and some can hit nothing: NaN, infinite, without direction.
+/// Parallel, axis-parallel and scattered rays, long and short; every eighth passes exactly through a vertex
+/// of the soup, and some can hit nothing: NaN, infinite, or without direction.
 std::vector<Ray> make_rays(const Soup& soup, std::uint32_t seed, std::uint32_t count);
 
 /// The least (t, triangle) over all triangles.

@@ -1,4 +1,4 @@
-// The public tracing interface gives the bits of brute force, and refuses what is wrong.
+// The public tracing interface gives the bits of brute force and rejects invalid input.
 
 #include "traced.h"
 
@@ -196,7 +196,7 @@ TEST(Tracing, CopiesShareTheirTree) {
     }
 }
 
-/// What an invalid_argument says; empty if nothing was thrown.
+/// The message of an invalid_argument; empty if nothing was thrown.
 template <class Body>
 std::string refusal(Body&& body) {
     try {

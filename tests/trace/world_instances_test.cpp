@@ -1,4 +1,4 @@
-// Meshes at many places in a World: stored once, hit, crossed and left as if each had been baked.
+// Instances of meshes in a World: stored once, with the results of baked copies.
 
 #include "worlds.h"
 
@@ -56,7 +56,7 @@ WorldInput::SharedMesh shared_ball(std::uint32_t rings) {
     return shared(std::move(positions), std::move(triangles));
 }
 
-/// Turned, sheared, stretched up to eight times as far one way as another, mirrored half the time.
+/// Rotated, sheared, stretched by up to 8 : 1, mirrored half the time.
 dmat4 any_transform(Numbers& random, const dvec3& at, double size) {
     dmat3 linear(1.0);
     for (int column = 0; column < 3; ++column) {

@@ -1,4 +1,4 @@
-// What a World answers, against closed forms.
+// Queries of a World against closed forms.
 
 #include "worlds.h"
 
@@ -13,6 +13,9 @@
 
 namespace glint {
 
+using geometry::make_cone;
+using geometry::make_cylinder;
+using geometry::make_sphere;
 using trace::Hit;
 using trace::PrimKind;
 using trace::World;
@@ -240,7 +243,7 @@ TEST(World, HasTheSameBitsAtAnyPowerOfTwo) {
             input.quadrics.push_back({1, 0, make_sphere(local, 0.4), 0});
             input.quadrics.push_back(
                 {2, 0, make_cylinder(center * 0.5 * scale, axis, 1.1 * scale, 0.3 * scale)});
-            input.quadrics.push_back({4, 0, make_disk(center * 0.8 * scale, axis, 0.6 * scale)});
+            input.quadrics.push_back({4, 0, geometry::make_disk(center * 0.8 * scale, axis, 0.6 * scale)});
             input.quadrics.push_back(
                 {5, 0, make_cone(center * -0.4 * scale, axis, 0.9 * scale, 0.5 * scale)});
             input.quadrics.push_back({6, 0, make_cone(local, axis, 0.6, 0.3), 0});
@@ -294,8 +297,8 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
             input.quadrics.push_back({2, 0, make_cylinder(-center, axis, 0.9, 0.3)});
             turned.quadrics.push_back({2, 0, make_cylinder(turn(-center), turn(axis), 0.9, 0.3)});
             const dvec3 across = random.direction();
-            input.quadrics.push_back({4, 0, make_disk(center * 0.5, across, 0.4)});
-            turned.quadrics.push_back({4, 0, make_disk(turn(center * 0.5), turn(across), 0.4)});
+            input.quadrics.push_back({4, 0, geometry::make_disk(center * 0.5, across, 0.4)});
+            turned.quadrics.push_back({4, 0, geometry::make_disk(turn(center * 0.5), turn(across), 0.4)});
             input.quadrics.push_back({5, 0, make_cone(center * -0.3, across, 0.8, 0.5)});
             turned.quadrics.push_back({5, 0, make_cone(turn(center * -0.3), turn(across), 0.8, 0.5)});
             input.planes.push_back({3, axis, 0.2});
@@ -318,7 +321,7 @@ TEST(World, HasTheSameBitsInAMirrorAndWithAxesExchanged) {
                 const SurfacePoint q = b.surface(turned_ray, others[i]);
                 ASSERT_EQ(q.p, turn(p.p));
                 ASSERT_EQ(q.p_error, glm::abs(turn(p.p_error)));
-                // A mirror turns the winding, and with it the normals of triangles.
+                // Mirroring reverses the winding, and with it the normals of triangles.
                 ASSERT_EQ(q.n, turn(p.n) * (hits[i].kind == PrimKind::triangle ? -1.0f : 1.0f));
             }
         }

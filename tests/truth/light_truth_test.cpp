@@ -109,15 +109,15 @@ TEST(G2b, NoLightLeaksOverTheGeometricHorizonOfASmoothMesh) {
     add(scene, mesh_of(sphere_mesh(1, 6)), matte());
     add_light(scene, Vec3(0, 0, 3));
     const Scene scene_data = build_scene(scene);
-    Whitted tracer(scene_data.data());
+    rendering::Whitted tracer(scene_data.data());
     int leaking = 0;
     int smoothly_lit = 0;
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 200; ++x) {
-            RayTree tree;
+            rendering::RayTree tree;
             const vec3 direction(glm::normalize(pixel_direction(scene, x, y)));
             const vec3 light = tracer.trace(camera_ray(vec3(5, 1, 1), direction), &tree).radiance;
-            const RayNode& node = tree.nodes.at(0);
+            const rendering::RayNode& node = tree.nodes.at(0);
             if (!node.hit) continue;
             const vec3 to_light = vec3(0, 0, 3) - node.position;
             const bool below = dot(node.geometric_normal, to_light) <= 0;

@@ -39,14 +39,14 @@ void shuffle(std::vector<T>& items, unsigned seed) {
 int ties(const SceneDescription& scene) {
     const Scene scene_data = build_scene(scene);
     const World& world = scene_data.data().world;
-    Whitted tracer(scene_data.data());
+    rendering::Whitted tracer(scene_data.data());
     int count = 0;
     for (int i = 0; i < 400; ++i) {
-        RayTree tree;
+        rendering::RayTree tree;
         const Vec3 aside = Vec3(rotation(static_cast<unsigned>(i))[0]) * 0.25;
         const Vec3 direction = glm::normalize(glm::normalize(scene.camera->direction) + aside);
         tracer.trace(camera_ray(vec3(scene.camera->eye), vec3(direction)), &tree);
-        for (const RayNode& node : tree.nodes) {
+        for (const rendering::RayNode& node : tree.nodes) {
             Ray ray;
             ray.origin = node.origin;
             ray.direction = node.direction;

@@ -68,7 +68,7 @@ TEST(G3b, ReflectionIsTotalBeyondTheCriticalAngle) {
             scene.render.background = Vec3(1);
             scene.whitted.max_depth = 1;
             const Look seen = look(scene, Vec3(0, 0, -0.5), Vec3(std::sin(a), 0, std::cos(a)));
-            const RayNode& node = seen.node(0);
+            const rendering::RayNode& node = seen.node(0);
             EXPECT_EQ(node.total_reflection, side > 0) << indices[i] << " " << side;
             EXPECT_EQ(node.refracted_weight, side > 0 ? 0.0f : 1.0f);
             EXPECT_EQ(node.reflected_weight, side > 0 ? 1.0f : 0.0f);

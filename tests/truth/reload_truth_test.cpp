@@ -3,7 +3,8 @@
 #include "gallery.h"
 #include "scene_kit.h"
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/mesh_files.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,9 @@
 //   # expect pixel X Y = R G B absolute T      |value − expected| ≤ T
 //   # expect mean = R G B relative T           the same of the mean over all pixels
 
-#include "glint/formats.h"
+#include "glint/image.h"
 #include "glint/render.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 

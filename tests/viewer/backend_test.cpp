@@ -3,7 +3,7 @@
 #include "../cli/process.h"
 #include "driver.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <fmt/format.h>
 
@@ -92,8 +92,8 @@ class WindowOnTheGpu : public Screen {
         return read_picture(file).image;
     }
 
-    void expect_no_complaint() {
-        EXPECT_EQ(state("opengl.complaints"), 0);
+    void expect_no_opengl_message() {
+        EXPECT_EQ(state("opengl.messages"), 0);
         EXPECT_GE(seconds_to_close(), 0);
         EXPECT_EQ(viewer().ended(), 0) << log();
         EXPECT_EQ(log().find("OpenGL"), std::string::npos) << log();
@@ -130,7 +130,7 @@ TEST_F(WindowOnTheGpu, DrawsWhatTheCommandLineRendersThere) {
     press("ctrl+p");
     ASSERT_TRUE(wait_until([&] { return state("saved").is_string(); })) << log();
     EXPECT_EQ(wrong_on_screen(read_picture(state("saved").get<std::string>()).image), 0);
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 TEST_F(WindowOnTheGpu, AnExplanationSaysHowFarTheCardIsFromIt) {
@@ -150,7 +150,7 @@ TEST_F(WindowOnTheGpu, AnExplanationSaysHowFarTheCardIsFromIt) {
         EXPECT_NE(devices.find(fmt::format("{:.6g}", card.at(x, y)[c])), std::string::npos) << devices;
     press("g");
     EXPECT_TRUE(wait_for_state("pixel.devices", "")) << "the CPU draws what the CPU explains";
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 TEST_F(WindowOnTheGpu, DrawsOtherViewsToo) {
@@ -173,7 +173,7 @@ TEST_F(WindowOnTheGpu, DrawsOtherViewsToo) {
     ASSERT_TRUE(wait_for_state("backend", "cpu")) << map().dump(1);
     ASSERT_TRUE(wait_for_state("drawn_by", "CPU"));
     EXPECT_EQ(finished_picture(), picture_hash(rendered("cpu")));
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 TEST_F(WindowOnTheGpu, TermsOfTheLightStayOnTheDevice) {
@@ -196,7 +196,7 @@ TEST_F(WindowOnTheGpu, TermsOfTheLightStayOnTheDevice) {
         ASSERT_EQ(outcome.exit, 0) << outcome.err;
         EXPECT_EQ(wrong_on_screen(read_picture(file).image), 0) << term;
     }
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 TEST_F(WindowOnTheGpu, AFaultIsToldAndTheCpuDraws) {
@@ -215,7 +215,7 @@ TEST_F(WindowOnTheGpu, AFaultIsToldAndTheCpuDraws) {
     write("scene.toml", scene);
     ASSERT_TRUE(wait_until([&] { return is_drawn_by_gpu(); })) << "the next scene is tried there again";
     EXPECT_EQ(finished_picture(), picture_hash(rendered("gpu")));
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 TEST_F(WindowOnTheGpu, SwitchingTwoHundredTimesNeitherFlashesNorLeaks) {
@@ -263,7 +263,7 @@ TEST_F(WindowOnTheGpu, SwitchingTwoHundredTimesNeitherFlashesNorLeaks) {
     const double growth = memory() - before;
     RecordProperty("MiB", std::to_string(growth));
     EXPECT_LT(growth, 24);
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 TEST_F(WindowOnTheGpu, WithoutACardAutoTakesTheCpu) {
@@ -271,7 +271,7 @@ TEST_F(WindowOnTheGpu, WithoutACardAutoTakesTheCpu) {
     EXPECT_EQ(finished_picture(), picture_hash(rendered("cpu")));
     EXPECT_EQ(state("backend"), "cpu");
     EXPECT_EQ(state("drawn_by"), "CPU");
-    expect_no_complaint();
+    expect_no_opengl_message();
 }
 
 } // namespace

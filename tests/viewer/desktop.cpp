@@ -11,7 +11,7 @@
 namespace glint::test {
 namespace {
 
-constexpr double patience = 10;
+constexpr double time_limit = 10;
 
 /// An invisible window for messages.
 class Party {
@@ -34,7 +34,7 @@ class Party {
     /// The next message that `wanted` accepts.
     template <class Wanted>
     std::optional<XEvent> wait(const Wanted& wanted) const {
-        for (const double end = now() + patience; now() < end; sleep_for(0.005))
+        for (const double end = now() + time_limit; now() < end; sleep_for(0.005))
             while (XPending(display_) > 0) {
                 XEvent event;
                 XNextEvent(display_, &event);

@@ -3,7 +3,7 @@
 #include "desktop.h"
 #include "driver.h"
 
-#include "glint/formats.h"
+#include "glint/image.h"
 
 #include <filesystem>
 

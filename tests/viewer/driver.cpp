@@ -2,7 +2,8 @@
 
 #include "../cli/process.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
+#include "glint/write_file.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ namespace glint::test {
 namespace fs = std::filesystem;
 
 namespace {
-constexpr double patience = 30;
+constexpr double time_limit = 30;
 }
 
 void Screen::SetUp() {
@@ -91,7 +92,7 @@ Spot Screen::spot(const std::string& widget, double u, double v) const {
 }
 
 bool Screen::wait_until(const std::function<bool()>& holds) const {
-    for (const double end = now() + patience; now() < end; sleep_for(0.02))
+    for (const double end = now() + time_limit; now() < end; sleep_for(0.02))
         if (holds()) return true;
     return false;
 }

@@ -2,7 +2,8 @@
 
 #include "driver.h"
 
-#include "glint/formats.h"
+#include "glint/image.h"
+#include "glint/mesh_files.h"
 
 #include <algorithm>
 #include <sstream>

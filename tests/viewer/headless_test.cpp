@@ -61,6 +61,7 @@ TEST(Headless, ADisplayThatIsNotThereIsNamed) {
 TEST(Headless, WrongWordsAreRefusedBeforeAWindowOpens) {
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--sise", "4x4"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--size", "4"}, {}).exit, 2);
+    EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--size", "4x4x4"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--size"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--theme", "pink"}, {}).exit, 2);
     EXPECT_EQ(run_program({GLINT_VIEW_PROGRAM, "--scale", "nan"}, {}).exit, 2);
@@ -76,7 +77,9 @@ std::set<std::string> options_in(const std::string& text) {
     std::set<std::string> names;
     std::istringstream words(text);
     for (std::string word; words >> word;)
-        if (word.rfind("--", 0) == 0) names.insert(word.substr(0, word.find_first_of(",;")));
+        // "--size", or "-t,--threads".
+        if (const std::size_t at = word.find("--"); at == 0 || (at == 3 && word[2] == ','))
+            names.insert(word.substr(at, word.find_first_of(",;", at) - at));
     return names;
 }
 

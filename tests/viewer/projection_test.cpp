@@ -3,7 +3,8 @@
 #include "../../apps/viewer/projection.h"
 
 #include "glint/explain.h"
-#include "glint/formats.h"
+#include "glint/explanation.h"
+#include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 

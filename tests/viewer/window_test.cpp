@@ -3,7 +3,7 @@
 #include "../cli/process.h"
 #include "driver.h"
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <cmath>
 #include <cstring>

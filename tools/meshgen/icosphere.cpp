@@ -32,7 +32,7 @@ class Midpoints {
 } // namespace
 
 Mesh make_icosphere(int levels) {
-    Polyhedron ball = make_icosahedron(dvec3(0), 1);
+    geometry::Polyhedron ball = geometry::make_icosahedron(dvec3(0), 1);
     for (int level = 0; level < levels; ++level) {
         Midpoints middle(ball.positions);
         std::vector<uvec3> finer;

@@ -1,8 +1,9 @@
 // glint-meshgen: procedural meshes and scenes for examples, tests and benchmarks.
 
-#include "make.h"
 #include "request.h"
 #include "scenes.h"
+
+#include "glint/write_file.h"
 
 #include <cstdio>
 #include <exception>

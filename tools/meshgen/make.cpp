@@ -1,6 +1,6 @@
 // Choosing resolutions for the requested number of triangles.
 
-#include "make.h"
+#include "request.h"
 
 #include "geometry/mesh.h"
 #include "shapes.h"
@@ -112,7 +112,7 @@ Mesh plain_mesh(const Request& r) {
 Mesh make_mesh(const Request& request) {
     Mesh mesh = plain_mesh(request);
     if (!request.colors) mesh.colors.clear();
-    if (!request.flat) mesh.normals = smooth_normals(mesh.positions, mesh.triangles);
+    if (!request.flat) mesh.normals = geometry::smooth_normals(mesh.positions, mesh.triangles);
     return mesh;
 }
 

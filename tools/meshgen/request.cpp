@@ -36,12 +36,12 @@ Kind parse_kind(const std::string& word) {
     refuse("there is no shape called '" + word + "'", suggestion(word, names));
 }
 
-int parse_count(const std::string& option, const std::string& text, int least, int most) {
+int parse_count(const std::string& option, const std::string& text, int min, int max) {
     int value = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (fault != std::errc() || end != text.data() + text.size() || value < least || value > most) {
+    if (fault != std::errc() || end != text.data() + text.size() || value < min || value > max) {
         refuse("'" + text + "' is no value for " + option,
-               "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+               "expected a whole number from " + std::to_string(min) + " to " + std::to_string(max));
     }
     return value;
 }
@@ -59,8 +59,8 @@ struct Option {
     std::function<void(Request&, const std::string&)> set;
 };
 
-Option counted(const std::string& name, int least, int most, std::function<void(Request&, int)> set) {
-    return {name, [=](Request& r, const std::string& text) { set(r, parse_count(name, text, least, most)); }};
+Option counted(const std::string& name, int min, int max, std::function<void(Request&, int)> set) {
+    return {name, [=](Request& r, const std::string& text) { set(r, parse_count(name, text, min, max)); }};
 }
 
 const std::vector<Option>& options() {

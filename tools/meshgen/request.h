@@ -1,7 +1,7 @@
 #pragma once
-// The command line of glint-meshgen.
+// The command line of glint-meshgen, and the mesh that it requests.
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <optional>
 #include <string>
@@ -31,6 +31,9 @@ bool is_scene(Kind kind);
 
 /// Parses the command line; returns nothing if help was asked for. Throws Error(usage).
 std::optional<Request> parse_request(const std::vector<std::string>& arguments);
+
+/// The mesh of a request, with normals and colours if requested.
+Mesh make_mesh(const Request& request);
 
 /// The text of --help.
 std::string help_text();

@@ -212,14 +212,14 @@ std::string cylinder(const dvec3& base, double height, double radius, const char
                        base.x, base.y, base.z, height, radius, material);
 }
 
-double chance(unsigned place, unsigned what) {
-    return static_cast<double>(unit_float(hash_with(hash_mix(place), what)));
+double chance(unsigned number, unsigned draw) {
+    return static_cast<double>(unit_float(hash_with(hash_mix(number), draw)));
 }
 
 // A tower of one to three drums of decreasing width, some with a lamp on top.
-std::string tower(const dvec3& at, double height, double radius, unsigned place) {
+std::string tower(const dvec3& at, double height, double radius, unsigned number) {
     constexpr const char* materials[] = {"stone", "brick", "slate", "copper", "glass", "stone", "glass"};
-    const char* material = materials[static_cast<std::size_t>(chance(place, 1) * 7)];
+    const char* material = materials[static_cast<std::size_t>(chance(number, 1) * 7)];
     std::string text;
     dvec3 base = at;
     const int drums = height > 2 ? 3 : height > 1 ? 2 : 1;
@@ -229,7 +229,7 @@ std::string tower(const dvec3& at, double height, double radius, unsigned place)
         base.z += part;
         radius *= 0.68;
     }
-    if (height > 2.2 || chance(place, 2) < 0.12) text += cylinder(base, 0.1, radius * 0.7, "lamp");
+    if (height > 2.2 || chance(number, 2) < 0.12) text += cylinder(base, 0.1, radius * 0.7, "lamp");
     return text;
 }
 
@@ -244,16 +244,16 @@ std::string sphere_flake_scene(int levels) {
 std::string city_scene(int rings) {
     // Towers on concentric rings, the highest in the centre.
     std::string text = city_head;
-    unsigned place = 0;
+    unsigned number = 0;
     for (int ring = 0; ring < rings; ++ring) {
         const double far = 8.2 * (ring + 0.4) / rings;
         const int count = std::max(1, static_cast<int>(6.2832 * far / 0.98));
-        for (int k = 0; k < count; ++k, ++place) {
-            const double turn = 360 * (k + 0.5 * chance(place, 3)) / count;
+        for (int k = 0; k < count; ++k, ++number) {
+            const double turn = 360 * (k + 0.5 * chance(number, 3)) / count;
             const dvec3 at(far * cos_degrees(turn), far * sin_degrees(turn), 0);
             const double bulk = 1 - far / 9;
-            const double height = 0.35 + (0.3 + chance(place, 4)) * 4.6 * bulk * bulk;
-            text += tower(at, height, 0.24 + 0.17 * chance(place, 5), place);
+            const double height = 0.35 + (0.3 + chance(number, 4)) * 4.6 * bulk * bulk;
+            text += tower(at, height, 0.24 + 0.17 * chance(number, 5), number);
         }
     }
     return text;

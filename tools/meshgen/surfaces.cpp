@@ -1,9 +1,8 @@
-// Deformed grids: torus, knot, shell.
+// Torus, knot and shell as deformed grids.
 
 #include "math/trig.h"
 #include "shapes.h"
 
-#include <cmath>
 #include <cstdint>
 
 namespace glint::meshgen {

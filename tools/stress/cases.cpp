@@ -1,21 +1,58 @@
-// The list of families.
+// The lists of families and of kernels.
 
 #include "cases.h"
 
-#include "closed_cases.h"
-#include "soup_cases.h"
+#include "families.h"
 #include "stress_random.h"
 
 #include <array>
+#include <iterator>
+#include <vector>
 
 namespace glint::stress {
+namespace {
+
+/// A function of kind, seed and rays for one kind.
+template <auto run, auto kind>
+Tally run_case(std::uint64_t seed, std::uint32_t rays) {
+    return run(kind, seed, rays);
+}
+
+} // namespace
+
+std::span<const KernelVariant> kernel_variants() {
+    static constexpr KernelVariant all[] = {
+        {"auto", {}},
+        {"scalar", {Kernel::scalar, SimdTarget::plain}},
+        {"single plain", {Kernel::single, SimdTarget::plain}},
+        {"single sse4", {Kernel::single, SimdTarget::sse4}},
+        {"single avx2", {Kernel::single, SimdTarget::avx2}},
+        {"single avx512", {Kernel::single, SimdTarget::avx512}},
+        {"packet plain", {Kernel::packets, SimdTarget::plain}},
+        {"packet sse4", {Kernel::packets, SimdTarget::sse4}},
+        {"packet avx2", {Kernel::packets, SimdTarget::avx2}},
+        {"packet avx512", {Kernel::packets, SimdTarget::avx512}},
+        {"stream plain", {Kernel::streams, SimdTarget::plain}},
+        {"stream sse4", {Kernel::streams, SimdTarget::sse4}},
+        {"stream avx2", {Kernel::streams, SimdTarget::avx2}},
+        {"stream avx512", {Kernel::streams, SimdTarget::avx512}},
+    };
+    static_assert(std::size(all) <= max_variants);
+    static const std::vector<KernelVariant> here = [] {
+        std::vector<KernelVariant> available;
+        for (const KernelVariant& variant : all)
+            if (is_available(variant.choice.target)) available.push_back(variant);
+        return available;
+    }();
+    return here;
+}
 
 void Tally::add(const Tally& other) {
     rays += other.rays;
     hits += other.hits;
     on_edge += other.on_edge;
     failures += other.failures;
-    for (std::size_t i = 0; i < by_way.size(); ++i) by_way[i] += other.by_way[i];
+    for (std::size_t i = 0; i < by_variant.size(); ++i) by_variant[i] += other.by_variant[i];
     if (first_failure.empty()) first_failure = other.first_failure;
 }
 
@@ -25,23 +62,23 @@ void Tally::fail(const std::string& what) {
 
 std::span<const Family> families() {
     static constexpr std::array all{
-        Family{"soup", Claim::agrees, soup_agrees<Soup::random>},
-        Family{"needles", Claim::agrees, soup_agrees<Soup::needles>},
-        Family{"slivers", Claim::agrees, soup_agrees<Soup::slivers>},
-        Family{"axis-aligned", Claim::agrees, soup_agrees<Soup::axis_aligned>},
-        Family{"coplanar", Claim::agrees, soup_agrees<Soup::coplanar>},
-        Family{"duplicates", Claim::agrees, soup_agrees<Soup::duplicates>},
-        Family{"zero-area", Claim::agrees, soup_agrees<Soup::zero_area>},
-        Family{"quadrics", Claim::agrees, soup_agrees<Soup::quadrics>},
-        Family{"mixed", Claim::agrees, soup_agrees<Soup::mixed>},
-        Family{"instanced", Claim::agrees, soup_agrees<Soup::instanced>},
-        Family{"inside-icosphere", Claim::closed, inside_hits<Closed::icosphere>},
-        Family{"inside-torus", Claim::closed, inside_hits<Closed::torus>},
-        Family{"inside-polyhedron", Claim::closed, inside_hits<Closed::polyhedron>},
-        Family{"through-icosphere", Claim::crosses, crosses_evenly<Closed::icosphere>},
-        Family{"through-torus", Claim::crosses, crosses_evenly<Closed::torus>},
-        Family{"through-polyhedron", Claim::crosses, crosses_evenly<Closed::polyhedron>},
-        Family{"through-knot", Claim::crosses, crosses_evenly<Closed::knot>},
+        Family{"soup", Property::agrees, run_case<run_soup, Soup::random>},
+        Family{"needles", Property::agrees, run_case<run_soup, Soup::needles>},
+        Family{"slivers", Property::agrees, run_case<run_soup, Soup::slivers>},
+        Family{"axis-aligned", Property::agrees, run_case<run_soup, Soup::axis_aligned>},
+        Family{"coplanar", Property::agrees, run_case<run_soup, Soup::coplanar>},
+        Family{"duplicates", Property::agrees, run_case<run_soup, Soup::duplicates>},
+        Family{"zero-area", Property::agrees, run_case<run_soup, Soup::zero_area>},
+        Family{"quadrics", Property::agrees, run_case<run_soup, Soup::quadrics>},
+        Family{"mixed", Property::agrees, run_case<run_soup, Soup::mixed>},
+        Family{"instanced", Property::agrees, run_case<run_soup, Soup::instanced>},
+        Family{"inside-icosphere", Property::closed, run_case<run_inside, Closed::icosphere>},
+        Family{"inside-torus", Property::closed, run_case<run_inside, Closed::torus>},
+        Family{"inside-polyhedron", Property::closed, run_case<run_inside, Closed::polyhedron>},
+        Family{"through-icosphere", Property::crosses, run_case<run_through, Closed::icosphere>},
+        Family{"through-torus", Property::crosses, run_case<run_through, Closed::torus>},
+        Family{"through-polyhedron", Property::crosses, run_case<run_through, Closed::polyhedron>},
+        Family{"through-knot", Property::crosses, run_case<run_through, Closed::knot>},
     };
     return all;
 }

@@ -1,11 +1,8 @@
-// Rays at the seams of closed meshes.
-
-#include "closed_cases.h"
+// Rays through edges and vertices of closed meshes, which must not leak.
 
 #include "batches.h"
-#include "describe.h"
+#include "families.h"
 #include "geometry/polyhedron.h"
-#include "placement.h"
 #include "trace/world/world.h"
 
 #include "shapes.h"
@@ -17,6 +14,7 @@
 
 namespace glint::stress {
 
+using geometry::Polyhedron;
 using trace::Hit;
 using trace::World;
 using trace::WorldInput;
@@ -26,13 +24,13 @@ namespace {
 Polyhedron random_polyhedron(Random& random) {
     switch (random.below(4)) {
     case 0:
-        return make_box(dvec3(0.0), dvec3(1.5));
+        return geometry::make_box(dvec3(0.0), dvec3(1.5));
     case 1:
-        return make_octahedron(dvec3(0.0), 1.5);
+        return geometry::make_octahedron(dvec3(0.0), 1.5);
     case 2:
-        return make_dodecahedron(dvec3(0.0), 1.0);
+        return geometry::make_dodecahedron(dvec3(0.0), 1.0);
     default:
-        return make_icosahedron(dvec3(0.0), 1.0);
+        return geometry::make_icosahedron(dvec3(0.0), 1.0);
     }
 }
 
@@ -60,18 +58,18 @@ Polyhedron make_closed(Closed kind, Random& random) {
     return random_polyhedron(random);
 }
 
-/// A closed mesh in float coordinates, and rays aimed at its seams.
+/// A closed mesh in float coordinates, and rays toward its edges and vertices.
 class ClosedWorld {
   public:
     ClosedWorld(Closed kind, Random& random)
-        : kind_(kind), random_(random), placement_(random_placement(random, 12)),
+        : kind_(kind), random_(random), to_world_(random_offset(random, 12)),
           shape_(make_closed(kind, random)) {
-        // Half the time a factor that makes no coordinate round.
+        // Half the time scale by a factor that leaves no round coordinates.
         if (random.one_in(2))
             for (dvec3& p : shape_.positions) p *= 1.0 - 0.01 * random.unit();
         WorldInput input;
         input.meshes.resize(1);
-        for (const dvec3& p : shape_.positions) input.meshes[0].positions.push_back(placement_(p));
+        for (const dvec3& p : shape_.positions) input.meshes[0].positions.push_back(to_world_(p));
         input.meshes[0].triangles = shape_.triangles;
         parallel::TaskPool pool(1);
         world_ = World(std::move(input), pool);
@@ -88,7 +86,7 @@ class ClosedWorld {
 
     Ray from_inside() {
         const dvec3 inside = inside_point();
-        Ray ray = toward(placement_(inside), target());
+        Ray ray = toward(to_world_(inside), target());
         if (!random_.one_in(4)) return ray;
         // Straight up or down through a vertex: the origin shares two of its coordinates exactly.
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
@@ -96,7 +94,7 @@ class ClosedWorld {
         dvec3 origin = vertex;
         origin[axis] = 0.0;
         if (kind_ == Closed::torus || glm::dot(origin, origin) > 0.49) return ray;
-        ray.origin = placement_(origin);
+        ray.origin = to_world_(origin);
         ray.direction = vec3(0.0f);
         ray.direction[axis] = static_cast<float>(random_.sign());
         return ray;
@@ -104,14 +102,14 @@ class ClosedWorld {
 
     Ray from_outside() {
         const double distance = std::ldexp(1.0, random_.between(2, 8));
-        const vec3 outside = placement_(random_.direction() * distance);
+        const vec3 outside = to_world_(random_.direction() * distance);
         if (!random_.one_in(4)) return toward(outside, target());
         const dvec3& vertex = shape_.positions[any(shape_.positions.size())];
         const int axis = random_.axis();
         dvec3 origin = vertex;
         origin[axis] = -distance;
         Ray ray;
-        ray.origin = placement_(origin);
+        ray.origin = to_world_(origin);
         ray.direction = vec3(0.0f);
         ray.direction[axis] = 1.0f;
         return ray;
@@ -123,9 +121,9 @@ class ClosedWorld {
     /// A vertex, a point on an edge or face, or any nearby point.
     vec3 target() {
         const uvec3& t = shape_.triangles[any(shape_.triangles.size())];
-        const dvec3 a(placement_(shape_.positions[t.x]));
-        const dvec3 b(placement_(shape_.positions[t.y]));
-        const dvec3 c(placement_(shape_.positions[t.z]));
+        const dvec3 a(to_world_(shape_.positions[t.x]));
+        const dvec3 b(to_world_(shape_.positions[t.y]));
+        const dvec3 c(to_world_(shape_.positions[t.z]));
         const double x = random_.unit();
         const double y = random_.unit();
         switch (random_.below(4)) {
@@ -136,7 +134,7 @@ class ClosedWorld {
         case 2:
             return vec3(a + (b - a) * x + (c - a) * (y * (1.0 - x)));
         default:
-            return placement_(random_.in_ball(1.2));
+            return to_world_(random_.in_ball(1.2));
         }
     }
 
@@ -153,7 +151,7 @@ class ClosedWorld {
 
     Closed kind_;
     Random& random_;
-    Placement placement_;
+    ScaledOffset to_world_;
     Polyhedron shape_;
     World world_;
 };
@@ -164,7 +162,7 @@ Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays) {
     Random random(seed);
     ClosedWorld closed(kind, random);
     Tally tally;
-    Answered answered;
+    ExpectedHits expected;
     for (const std::uint64_t single = rays_traced_once(rays); tally.rays < single; ++tally.rays) {
         const Ray ray = closed.from_inside();
         const Hit hit = closed.world().closest(ray);
@@ -172,9 +170,9 @@ Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays) {
         tally.on_edge += hit.on_edge ? 1 : 0;
         if (!hit) tally.fail(describe(ray) + ": leaks out of a closed mesh");
         if (!closed.world().occluded(ray)) tally.fail(describe(ray) + ": leaks out unoccluded");
-        answered.add(ray, hit, true);
+        expected.add(ray, hit, true);
     }
-    check_batches(closed.world(), answered, random, tally);
+    check_batches(closed.world(), expected, random, tally);
     return tally;
 }
 

@@ -4,7 +4,6 @@
 
 #include "parallel/task_pool.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
@@ -30,7 +29,7 @@ struct Options {
 
 constexpr const char* usage =
     "usage: glint-stress [--rays N] [--threads T] [--seed S] [--family NAME [--replay CASE]]\n"
-    "Shoots N rays at ugly and at closed worlds; exits 1 if any is traced wrongly.\n";
+    "Traces N rays through degenerate and through closed meshes; exits 1 if any result is wrong.\n";
 
 template <class T>
 T number(std::string_view text) {
@@ -110,15 +109,16 @@ int run(const Options& options) {
         const Outcome outcome = run_family(family, options.rays / chosen.size(), options, pool);
         print(family.name, outcome.tally);
         if (outcome.tally.failures > 0)
-            std::printf("  %s\n  again: glint-stress --family %s --replay %llu\n",
+            std::printf("  %s\n  to repeat: glint-stress --family %s --replay %llu\n",
                         outcome.tally.first_failure.c_str(), family.name,
                         static_cast<unsigned long long>(outcome.failing_case));
         total.add(outcome.tally);
     }
     print("all", total);
     std::printf("\nof these, in batches by kernel and SIMD target:\n");
-    for (std::size_t i = 0; i < ways().size(); ++i)
-        std::printf("%-20s %14llu\n", ways()[i].name, static_cast<unsigned long long>(total.by_way[i]));
+    for (std::size_t i = 0; i < kernel_variants().size(); ++i)
+        std::printf("%-20s %14llu\n", kernel_variants()[i].name,
+                    static_cast<unsigned long long>(total.by_variant[i]));
     return total.failures > 0 ? 1 : 0;
 }
 

@@ -1,9 +1,7 @@
 // Difficult rays against brute force.
 
-#include "soup_cases.h"
-
 #include "batches.h"
-#include "describe.h"
+#include "soups.h"
 
 #include <cmath>
 #include <limits>
@@ -18,10 +16,10 @@ using trace::WorldInput;
 namespace {
 
 /// Difficult rays in a world: through corners and edges, along sides and axes, from far away.
-class TroubleRays {
+class DifficultRays {
   public:
-    TroubleRays(const WorldInput& world, const Placement& placement, Random& random)
-        : placement_(placement), random_(random) {
+    DifficultRays(const WorldInput& world, const ScaledOffset& to_world, Random& random)
+        : to_world_(to_world), random_(random) {
         for (const auto& mesh : world.meshes)
             for (const uvec3& t : mesh.triangles)
                 for (int k = 0; k < 3; ++k) corners_.push_back(mesh.positions[t[k]]);
@@ -36,7 +34,7 @@ class TroubleRays {
             for (const auto& q : world.quadrics)
                 if (q.shape.kind == quadric_sphere)
                     for (int k = 0; k < 3; ++k) corners_.push_back(vec3(q.shape.base));
-        while (corners_.size() < 3) corners_.push_back(placement(random.in_cube(1.0)));
+        while (corners_.size() < 3) corners_.push_back(to_world(random.in_cube(1.0)));
     }
 
     Ray operator()() {
@@ -82,10 +80,10 @@ class TroubleRays {
         }
         case 2: {
             const double distance = std::ldexp(1.0, random_.between(2, 14));
-            return placement_(random_.direction() * distance);
+            return to_world_(random_.direction() * distance);
         }
         default:
-            return placement_(random_.in_cube(2.0));
+            return to_world_(random_.in_cube(2.0));
         }
     }
 
@@ -121,13 +119,13 @@ class TroubleRays {
         return d == vec3(0.0f) ? vec3(0.0f, 1.0f, 0.0f) : d;
     }
 
-    const Placement& placement_;
+    const ScaledOffset& to_world_;
     Random& random_;
     std::vector<vec3> corners_;
 };
 
-/// Enumerates hits with next() and compares them with crossings().
-bool walk_agrees(const World& world, const Ray& ray) {
+/// Enumerates hits with next() and compares them with all_hits().
+bool next_agrees(const World& world, const Ray& ray) {
     std::vector<Hit> all;
     world.all_hits(ray, all);
     Hit at = world.closest(ray);
@@ -139,7 +137,7 @@ bool walk_agrees(const World& world, const Ray& ray) {
 }
 
 /// Compares one ray with brute force, then a second ray that ends at its hit.
-void compare(const World& world, Ray ray, Random& random, Answered& answered, Tally& tally) {
+void compare(const World& world, Ray ray, Random& random, ExpectedHits& expected, Tally& tally) {
     for (int round = 0; round < 2; ++round) {
         const Hit hit = world.closest(ray);
         const Hit truth = world.closest_brute_force(ray);
@@ -149,10 +147,10 @@ void compare(const World& world, Ray ray, Random& random, Answered& answered, Ta
         if (!same(hit, truth))
             tally.fail(describe(ray) + ": closest is " + describe(hit) + ", not " + describe(truth));
         const bool blocked = world.occluded_brute_force(ray);
-        answered.add(ray, truth, blocked);
+        expected.add(ray, truth, blocked);
         if (world.occluded(ray) != blocked) tally.fail(describe(ray) + ": occluded differs from brute force");
-        if (random.one_in(16) && !walk_agrees(world, ray))
-            tally.fail(describe(ray) + ": next() differs from crossings()");
+        if (random.one_in(16) && !next_agrees(world, ray))
+            tally.fail(describe(ray) + ": next() differs from all_hits()");
         // Set a bound exactly to a hit: both are exclusive.
         float& bound = random.one_in(2) ? ray.tmin : ray.tmax;
         bound = truth ? truth.t : 1.0f;
@@ -163,16 +161,16 @@ void compare(const World& world, Ray ray, Random& random, Answered& answered, Ta
 
 Tally run_soup(Soup kind, std::uint64_t seed, std::uint32_t rays) {
     Random random(seed);
-    const Placement placement = random_placement(random, 24);
-    WorldInput input = make_soup(kind, placement, random);
-    TroubleRays next_ray(input, placement, random);
+    const ScaledOffset to_world = random_offset(random, 24);
+    WorldInput input = make_soup(kind, to_world, random);
+    DifficultRays next_ray(input, to_world, random);
     parallel::TaskPool pool(1);
     const World world(std::move(input), pool);
     Tally tally;
-    Answered answered;
+    ExpectedHits expected;
     for (const std::uint64_t single = rays_traced_once(rays); tally.rays < single;)
-        compare(world, next_ray(), random, answered, tally);
-    check_batches(world, answered, random, tally);
+        compare(world, next_ray(), random, expected, tally);
+    check_batches(world, expected, random, tally);
     return tally;
 }
 

@@ -3,7 +3,6 @@
 #include "soups.h"
 
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -82,7 +81,7 @@ Corners triangle(Soup kind, Random& random) {
     }
 }
 
-void add_triangles(Soup kind, const Placement& placement, Random& random, WorldInput& world) {
+void add_triangles(Soup kind, const ScaledOffset& to_world, Random& random, WorldInput& world) {
     std::array<WorldInput::Triangles, 3> meshes;
     const std::uint32_t count = 1 + random.below(kind == Soup::mixed ? 24 : 64);
     Corners last{};
@@ -92,7 +91,7 @@ void add_triangles(Soup kind, const Placement& placement, Random& random, WorldI
         WorldInput::Triangles& mesh = meshes[random.below(3)];
         const std::uint32_t first = static_cast<std::uint32_t>(mesh.positions.size());
         const std::uint32_t turn = random.below(3);
-        for (std::uint32_t k = 0; k < 3; ++k) mesh.positions.push_back(placement(last[(k + turn) % 3]));
+        for (std::uint32_t k = 0; k < 3; ++k) mesh.positions.push_back(to_world(last[(k + turn) % 3]));
         if (random.one_in(2))
             mesh.triangles.emplace_back(first, first + 1, first + 2);
         else
@@ -105,14 +104,14 @@ void add_triangles(Soup kind, const Placement& placement, Random& random, WorldI
 }
 
 /// A local space near the placed cube, stretched and sheared.
-std::int32_t add_affine(const Placement& placement, Random& random, WorldInput& world) {
+std::int32_t add_affine(const ScaledOffset& to_world, Random& random, WorldInput& world) {
     dmat4 m(1.0);
     for (int column = 0; column < 3; ++column) {
         dvec3 side = random.in_cube(0.4);
         side[column] += 1.0;
-        m[column] = dvec4(side * placement.scale, 0.0);
+        m[column] = dvec4(side * to_world.scale, 0.0);
     }
-    m[3] = dvec4(dvec3(placement(random.in_cube(0.5))), 1.0);
+    m[3] = dvec4(dvec3(to_world(random.in_cube(0.5))), 1.0);
     world.world_from_local.push_back(m);
     return static_cast<std::int32_t>(world.world_from_local.size()) - 1;
 }
@@ -120,23 +119,23 @@ std::int32_t add_affine(const Placement& placement, Random& random, WorldInput& 
 QuadricShape any_standing(const dvec3& p, const dvec3& axis, double height, double radius, Random& random) {
     switch (random.below(3)) {
     case 0:
-        return make_cylinder(p, axis, height, radius);
+        return geometry::make_cylinder(p, axis, height, radius);
     case 1:
-        return make_cone(p, axis, height, radius);
+        return geometry::make_cone(p, axis, height, radius);
     default:
-        return make_disk(p, axis, radius);
+        return geometry::make_disk(p, axis, radius);
     }
 }
 
-void add_quadrics(const Placement& placement, Random& random, WorldInput& world) {
+void add_quadrics(const ScaledOffset& to_world, Random& random, WorldInput& world) {
     for (std::uint32_t i = 0; i < 12; ++i) {
         const bool local = random.one_in(3);
-        const std::int32_t affine = local ? add_affine(placement, random, world) : -1;
+        const std::int32_t affine = local ? add_affine(to_world, random, world) : -1;
         const dvec3 at = random.one_in(2) ? on_grid(random) : random.in_cube(1.0);
-        const dvec3 p = local ? at * 0.5 : dvec3(placement(at));
-        const double radius = 0.25 * random.between(1, 3) * (local ? 1.0 : placement.scale);
+        const dvec3 p = local ? at * 0.5 : dvec3(to_world(at));
+        const double radius = 0.25 * random.between(1, 3) * (local ? 1.0 : to_world.scale);
         if (random.one_in(2)) {
-            world.quadrics.push_back({20 + i / 4, i, make_sphere(p, radius), affine});
+            world.quadrics.push_back({20 + i / 4, i, geometry::make_sphere(p, radius), affine});
             continue;
         }
         const dvec3 axis = random.one_in(2) ? random.along_axis() : random.direction();
@@ -145,7 +144,7 @@ void add_quadrics(const Placement& placement, Random& random, WorldInput& world)
     }
     for (std::uint32_t i = random.below(3); i > 0; --i) {
         const dvec3 normal = random.one_in(2) ? dvec3(0, 0, 1) : random.in_cube(3.0);
-        world.planes.push_back({30 + i, normal, glm::dot(normal, dvec3(placement(on_grid(random))))});
+        world.planes.push_back({30 + i, normal, glm::dot(normal, dvec3(to_world(on_grid(random))))});
     }
 }
 
@@ -153,7 +152,7 @@ void add_quadrics(const Placement& placement, Random& random, WorldInput& world)
 
 /// A transform with random rotation, shear, reflection and scale; sometimes the identity, sometimes nearly
 /// singular.
-dmat4 any_transform(const Placement& placement, Random& random) {
+dmat4 any_transform(const ScaledOffset& to_world, Random& random) {
     dmat3 linear(1.0);
     const double size = random.one_in(4) ? 1.0 : random.uniform(0.05, 1.0);
     for (int column = 0; column < 3; ++column) {
@@ -163,8 +162,8 @@ dmat4 any_transform(const Placement& placement, Random& random) {
     }
     if (random.one_in(3)) linear = dmat3(1.0);
     const dvec3 at = random.one_in(2) ? on_grid(random) : random.in_cube(1.0);
-    dmat4 m(linear * (size * placement.scale));
-    m[3] = dvec4((at + placement.offset) * placement.scale, 1.0);
+    dmat4 m(linear * (size * to_world.scale));
+    m[3] = dvec4((at + to_world.offset) * to_world.scale, 1.0);
     return m;
 }
 
@@ -188,13 +187,13 @@ WorldInput::SharedMesh shared_soup(Random& random) {
             std::make_shared<const std::vector<uvec3>>(std::move(triangles))};
 }
 
-void add_instances(const Placement& placement, Random& random, WorldInput& world) {
+void add_instances(const ScaledOffset& to_world, Random& random, WorldInput& world) {
     for (std::uint32_t i = 0; i < 3; ++i) world.shared_meshes.push_back(shared_soup(random));
     for (std::uint32_t i = 1 + random.below(12); i > 0; --i) {
         const bool again = !world.instances.empty() && random.one_in(6);
         WorldInput::Instance instance;
         if (again) instance = world.instances.back();
-        if (!again) instance.world_from_mesh = any_transform(placement, random);
+        if (!again) instance.world_from_mesh = any_transform(to_world, random);
         if (!again) instance.mesh = random.below(3);
         // Object numbers interleaved with those of the other objects.
         instance.object = 2 * i;
@@ -202,16 +201,16 @@ void add_instances(const Placement& placement, Random& random, WorldInput& world
     }
 }
 
-WorldInput make_soup(Soup kind, const Placement& placement, Random& random) {
+WorldInput make_soup(Soup kind, const ScaledOffset& to_world, Random& random) {
     WorldInput world;
     if (kind == Soup::instanced) {
-        add_instances(placement, random, world);
-        if (random.one_in(2)) add_triangles(Soup::mixed, placement, random, world);
-        if (random.one_in(4)) add_quadrics(placement, random, world);
+        add_instances(to_world, random, world);
+        if (random.one_in(2)) add_triangles(Soup::mixed, to_world, random, world);
+        if (random.one_in(4)) add_quadrics(to_world, random, world);
         return world;
     }
-    if (kind != Soup::quadrics) add_triangles(kind, placement, random, world);
-    if (kind == Soup::quadrics || kind == Soup::mixed) add_quadrics(placement, random, world);
+    if (kind != Soup::quadrics) add_triangles(kind, to_world, random, world);
+    if (kind == Soup::quadrics || kind == Soup::mixed) add_quadrics(to_world, random, world);
     return world;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Random numbers for stress cases, determined by the seed on every machine.
+// Random numbers, scales and offsets of stress cases, determined by the seed on every machine.
 
 #include "math/vec.h"
 
@@ -76,5 +76,26 @@ class Random {
   private:
     std::uint64_t state_;
 };
+
+/// A scaled translation: p -> (p + offset) · scale.
+struct ScaledOffset {
+    dvec3 offset{0};
+    double scale = 1;
+
+    vec3 operator()(const dvec3& p) const { return vec3((p + offset) * scale); }
+};
+
+/// The identity with probability 1/2, otherwise a scale within 10^±12 and an offset of at most
+/// 2^`offset_bits`.
+inline ScaledOffset random_offset(Random& random, int offset_bits) {
+    ScaledOffset to_world;
+    if (random.one_in(2)) return to_world;
+    if (random.one_in(2)) to_world.scale = random.power_of_ten(-12, 12);
+    if (random.one_in(2)) {
+        const int bits = random.between(0, offset_bits);
+        to_world.offset = random.in_cube(std::ldexp(1.0, bits));
+    }
+    return to_world;
+}
 
 } // namespace glint::stress

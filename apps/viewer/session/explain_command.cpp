@@ -3,7 +3,7 @@
 
 #include "camera.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,6 @@
 
 namespace glint::viewer {
 namespace {
-
-bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
 
 /// Of the preview scene of a bare mesh, -D can set only these tables.
 bool can_override_preview(const std::string& path) {
@@ -75,6 +73,8 @@ std::string command_line(const ExplainCommand& command, const PixelQuestion& que
 }
 
 } // namespace
+
+bool is_scene_file(const std::string& file) { return std::filesystem::path(file).extension() == ".toml"; }
 
 std::string quoted(const std::string& argument) {
     constexpr std::string_view plain =

@@ -4,7 +4,7 @@
 #include "explainer.h"
 
 #include "glint/document.h"
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <optional>
 #include <string>
@@ -36,6 +36,9 @@ ExplainCommand explain_command(const ShownFile& shown, const PixelQuestion& ques
 
 /// Reads the file as the command will, without meshes, and sets `limitation` if that gives another scene.
 void check(ExplainCommand& command, const ShownFile& shown);
+
+/// By its name: a scene, not a bare mesh.
+bool is_scene_file(const std::string& file);
 
 /// Quotes an argument for a POSIX shell if it needs quotes.
 std::string quoted(const std::string& argument);

@@ -48,6 +48,13 @@ struct SessionExplainer::State {
 
     std::thread thread; ///< last: uses all of the above
 
+    void replace_question(std::optional<PixelQuestion> asked) {
+        const std::lock_guard lock(mutex);
+        question = std::move(asked);
+        answer.reset();
+        open_question();
+    }
+
     // With `mutex` held.
     bool is_repeat() const { return answer != nullptr; }
     bool waits_for_rest() const { return is_repeat() && answer_time > quick; }
@@ -150,19 +157,8 @@ void SessionExplainer::set_scene(ViewSlot slot, std::optional<Scene> scene) {
     state_->open_question();
 }
 
-void SessionExplainer::ask(const PixelQuestion& question) {
-    const std::lock_guard lock(state_->mutex);
-    state_->question = question;
-    state_->answer.reset();
-    state_->open_question();
-}
-
-void SessionExplainer::forget() {
-    const std::lock_guard lock(state_->mutex);
-    state_->question.reset();
-    state_->answer.reset();
-    state_->open_question();
-}
+void SessionExplainer::ask(const PixelQuestion& question) { state_->replace_question(question); }
+void SessionExplainer::forget() { state_->replace_question(std::nullopt); }
 
 std::shared_ptr<const PixelAnswer> SessionExplainer::latest() const {
     const std::lock_guard lock(state_->mutex);

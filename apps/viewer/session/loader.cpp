@@ -1,12 +1,13 @@
 // The loader's thread: reads the last file asked for, looks whether it changes, builds edits.
 #include "loader.h"
 
-#include "watch.h"
-
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
+#include <map>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -29,6 +30,42 @@ void fill_in_meshes(SceneDescription& description, const SceneDescription& known
         }
     }
 }
+
+/// Compares modification time, size and existence of files when asked. File system notifications would not be
+/// simpler: editors save in too many ways.
+class FileWatch {
+  public:
+    /// Watches these files too, from their present state; files watched already keep the state last seen.
+    void watch(const std::vector<std::string>& files) {
+        for (const std::string& file : files) known_.try_emplace(file, stamp_of(file));
+        before_ = known_;
+    }
+
+    /// Has a file changed since it was last seen, and not since the last call? True once for each change.
+    bool has_changed() {
+        std::map<std::string, Stamp> now;
+        for (const auto& [file, stamp] : known_) now[file] = stamp_of(file);
+        // A file that has changed since the last call may be half written.
+        const bool is_settled = now == before_;
+        before_ = now;
+        if (!is_settled || now == known_) return false;
+        known_ = std::move(now);
+        return true;
+    }
+
+  private:
+    /// Time and size; none for a file that is not there.
+    using Stamp = std::optional<std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
+    static Stamp stamp_of(const std::string& file) {
+        std::error_code no_time, no_size;
+        const auto time = std::filesystem::last_write_time(file, no_time);
+        const std::uintmax_t size = std::filesystem::file_size(file, no_size);
+        return no_time || no_size ? Stamp() : std::pair(time, size);
+    }
+
+    std::map<std::string, Stamp> known_;  ///< as last reported
+    std::map<std::string, Stamp> before_; ///< at the last call
+};
 
 } // namespace
 
@@ -58,6 +95,7 @@ struct SessionLoader::State {
     std::string path;           ///< of the last file asked for
     std::optional<Scene> scene; ///< the last good one, with edits
     std::string scene_path;
+    std::uint64_t loads = 0;
     std::vector<std::string> scene_files;
     FileWatch watch;
 
@@ -147,6 +185,7 @@ void SessionLoader::State::read(bool is_reload) {
         watch.watch({path});
         LoadedFile file = read_file();
         file.is_reload = is_reload;
+        file.loads = ++loads;
         scene = file.scene;
         scene_path = path;
         if (options.loaded) options.loaded(std::move(file));
@@ -172,8 +211,12 @@ LoadedFile SessionLoader::State::read_file() {
     watch.watch(loaded.files);
     BuildSceneOptions build = build_options();
     build.progress = report;
-    LoadedFile file{path, build_scene(loaded.description, build), std::move(loaded.warnings),
-                    std::move(loaded.notes), false};
+    LoadedFile file{path,
+                    build_scene(loaded.description, build),
+                    std::move(loaded.warnings),
+                    std::move(loaded.notes),
+                    false,
+                    0};
     scene_files = loaded.files;
     if (cancel) throw Error(ErrorKind::cancelled, "reading was cancelled");
     const std::vector<Diagnostic> scene_warnings = warnings(file.scene);

@@ -3,9 +3,10 @@
 
 #include "view_slot.h"
 
-#include "glint/formats.h"
 #include "glint/scene.h"
+#include "glint/scene_files.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,10 +18,11 @@ namespace glint::viewer {
 /// A scene file that was read and built.
 struct LoadedFile {
     std::string path;
-    Scene scene;
+    Scene scene;                      ///< with the camera and size of the file
     std::vector<Diagnostic> warnings; ///< of the files and of the scene
     std::vector<std::string> notes;
-    bool is_reload = false; ///< of the file that was shown before
+    bool is_reload = false;  ///< of the file that was shown before
+    std::uint64_t loads = 0; ///< number of files loaded so far; edits do not count
 };
 
 /// What the loader is doing, and whether the last file could be shown.

@@ -18,6 +18,8 @@
 // refining   : a slice of some 40 ms makes every view better. From idle, it shows them in another tone.
 // closed     : the thread ends.
 
+#include <utility>
+
 namespace glint::viewer {
 
 class RenderStates {
@@ -32,16 +34,24 @@ class RenderStates {
     // The renderer's thread.
 
     /// False: sleep until an event.
-    bool has_work() const;
+    bool has_work() const { return state_ != State::idle || request_pending_ || tone_pending_; }
     /// The work to do next: first_pass (take the request as it is now), refining or closed. Needs has_work().
-    State begin_work();
+    State begin_work() {
+        if (state_ != State::closed)
+            state_ = std::exchange(request_pending_, false) ? State::first_pass : State::refining;
+        return state_;
+    }
     /// Is every view to be shown again although it may have no better picture? Once for each change of tone.
-    bool take_tone_change();
+    bool take_tone_change() { return std::exchange(tone_pending_, false); }
     /// The work is done or was cancelled.
-    void finish_work(bool views_finished);
+    void finish_work(bool views_finished) {
+        if (state_ != State::closed) state_ = views_finished ? State::idle : State::refining;
+    }
 
     /// Is the work under way to be given up?
-    bool must_cancel() const;
+    bool must_cancel() const {
+        return state_ == State::closed || (state_ == State::refining && request_pending_);
+    }
     /// Has the request changed since the thread took it?
     bool is_request_pending() const { return request_pending_; }
     State state() const { return state_; }

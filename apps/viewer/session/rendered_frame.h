@@ -1,9 +1,10 @@
 #pragma once
 // A rendered picture together with what is known about it.
 
-#include "glint/formats.h"
 #include "glint/gpu.h"
+#include "glint/image.h"
 #include "glint/progressive.h"
+#include "glint/scene.h"
 
 #include <cstdint>
 #include <memory>

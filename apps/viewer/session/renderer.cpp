@@ -2,23 +2,21 @@
 // those of RenderStates.
 #include "renderer.h"
 
-#include "frame_pool.h"
+#include "clock.h"
 #include "render_states.h"
 #include "view_renderer.h"
 
-#include "glint/formats.h"
+#include "glint/scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace glint::viewer {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Time between two frames of a picture that is being refined.
 constexpr double slice_seconds = 0.040;
@@ -34,6 +32,39 @@ struct RenderRequest {
     BackendFactory gpu;                ///< none: the CPU renders
     PerView<bool> retry_gpu;           ///< scene or backend have changed since the request was last taken
     bool only_backend_changed = false; ///< since then
+};
+
+/// A free list of frames: their images are large, and allocating large memory is slow. For any thread; frames
+/// may outlive the pool.
+class FramePool {
+  public:
+    /// A frame with whatever it last held, or a new one. It returns to the free list with its last reference,
+    /// on whichever thread drops that; a GPU picture that it holds is released there.
+    std::shared_ptr<RenderedFrame> take() {
+        std::unique_ptr<RenderedFrame> frame;
+        {
+            const std::lock_guard lock(free_->mutex);
+            if (!free_->frames.empty()) {
+                frame = std::move(free_->frames.back());
+                free_->frames.pop_back();
+            }
+        }
+        if (!frame) frame = std::make_unique<RenderedFrame>();
+        return {frame.release(), [list = free_](RenderedFrame* released) {
+                    std::unique_ptr<RenderedFrame> returned(released);
+                    returned->on_device.reset();
+                    const std::lock_guard lock(list->mutex);
+                    if (list->frames.size() < max_free) list->frames.push_back(std::move(returned));
+                }};
+    }
+
+  private:
+    static constexpr std::size_t max_free = 4;
+    struct FreeList {
+        std::mutex mutex;
+        std::vector<std::unique_ptr<RenderedFrame>> frames; ///< guarded by `mutex`
+    };
+    std::shared_ptr<FreeList> free_ = std::make_shared<FreeList>();
 };
 
 } // namespace
@@ -162,9 +193,9 @@ void SessionRenderer::State::start_view(ViewSlot slot, const RenderRequest& take
         return; // an impossible camera: the last frame stays
     }
     views[slot].start({std::move(*scene), taken.show[slot], taken.kernel, taken.gpu, max_step(slot, taken)});
-    const Clock::time_point begin = Clock::now();
+    const double begin = now();
     publish(slot);
-    views[slot].learn_show_seconds(std::chrono::duration<double>(Clock::now() - begin).count());
+    views[slot].learn_show_seconds(now() - begin);
 }
 
 /// A change of backend must not make a view coarser than it is.

@@ -7,6 +7,7 @@
 #include "view_slot.h"
 
 #include "glint/kernels.h"
+#include "glint/picture_files.h"
 
 #include <functional>
 #include <memory>

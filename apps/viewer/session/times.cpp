@@ -1,6 +1,8 @@
 // Bins, quantiles and texts of frame times.
 #include "times.h"
 
+#include "clock.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +13,11 @@ namespace {
 
 constexpr double min_seconds = 1e-4;
 constexpr double growth = 1.05;
+
+/// The camera counts as moving for this long after its last movement.
+constexpr double moving_seconds = 0.1;
+/// Longer pauses between pictures are not part of a movement.
+constexpr double max_pause = 0.5;
 
 /// The upper end of a bin.
 double end_of(std::size_t bin) { return min_seconds * std::pow(growth, static_cast<double>(bin)); }
@@ -37,14 +44,6 @@ double FrameTimes::quantile(double share) const {
     return 0;
 }
 
-double FrameTimes::share_within(double seconds) const {
-    if (count_ == 0) return 1;
-    std::uint64_t sum = 0;
-    for (std::size_t bin = 0; bin < bins && std::min(end_of(bin), longest_) <= seconds; ++bin)
-        sum += counts_[bin];
-    return static_cast<double>(sum) / static_cast<double>(count_);
-}
-
 std::string FrameTimes::summary() const {
     if (count_ == 0) return "no frames";
     const double median = quantile(0.5);
@@ -67,6 +66,28 @@ std::string FrameTimes::histogram() const {
         text += fmt::format("up to {:>10} {:>8} {}\n", milliseconds(end_of(end - 1)), sum,
                             std::string(static_cast<std::size_t>(bar), '#'));
     }
+    return text;
+}
+
+void Statistics::frame_drawn(double seconds, double last_move) {
+    frames_.add(seconds);
+    if (now() - seconds - last_move < moving_seconds) moving_frames_.add(seconds);
+}
+
+void Statistics::picture_shown(double last_move) {
+    const double time = now();
+    if (time - last_move < moving_seconds && time - last_picture_ < max_pause)
+        pictures_.add(time - last_picture_);
+    last_picture_ = time;
+}
+
+std::string Statistics::text() const {
+    std::string text = "window: " + frames_.summary() + "\n" + frames_.histogram();
+    if (moving_frames_.count() > 0)
+        text +=
+            "window while the camera moved: " + moving_frames_.summary() + "\n" + moving_frames_.histogram();
+    if (pictures_.count() > 0)
+        text += "pictures while the camera moved: " + pictures_.summary() + "\n" + pictures_.histogram();
     return text;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A histogram of frame times, as --ui-stats prints it.
+// What --ui-stats prints: histograms of the times of frames and pictures.
 
 #include <array>
 #include <cstddef>
@@ -17,9 +17,6 @@ class FrameTimes {
     /// The quantile of a share of the frames, 0.5 for the median: the upper end of its bin, at most 5 % too
     /// long. 0 without frames.
     double quantile(double share) const;
-    /// The share of frames that took at most `seconds`; exact at the ends of bins, else one bin too low.
-    double share_within(double seconds) const;
-    double longest() const { return longest_; }
     /// One line: "600 frames, median 16.7 ms (60.0 a second), 99 % within 18.4 ms, 99.9 % within …".
     std::string summary() const;
     /// One line for each filled range: time, number and a bar.
@@ -30,6 +27,21 @@ class FrameTimes {
     std::array<std::uint64_t, bins> counts_{};
     std::uint64_t count_ = 0;
     double longest_ = 0;
+};
+
+/// How long frames of the window took, and the rate of pictures while the camera moved.
+class Statistics {
+  public:
+    /// `last_move`: when the camera last moved.
+    void frame_drawn(double seconds, double last_move);
+    void picture_shown(double last_move);
+    std::string text() const;
+
+  private:
+    FrameTimes frames_;
+    FrameTimes moving_frames_; ///< while the camera moved
+    FrameTimes pictures_;      ///< from picture to picture while the camera moved
+    double last_picture_ = 0;
 };
 
 } // namespace glint::viewer

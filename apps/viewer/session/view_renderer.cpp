@@ -1,17 +1,25 @@
 // One view: first pass, refinement, and the fall-back from the GPU to the CPU.
 #include "view_renderer.h"
 
+#include "clock.h"
 #include "rendered_frame.h"
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 #include <utility>
 
 namespace glint::viewer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+double samples(int pixels, int step) { return static_cast<double>(pixels) / (step * step); }
+
+/// Moves an average towards a measurement. One late picture does not make the next ones coarse: the machine
+/// may have been busy otherwise.
+void update(double& average, double measured) {
+    constexpr double weight = 0.25;
+    constexpr double max_growth = 4;
+    average += weight * (std::min(measured, max_growth * average) - average);
+}
 
 /// Runs GPU work; returns why it failed, or nothing.
 template <class Work>
@@ -28,12 +36,23 @@ std::string gpu_fault(const Work& work) {
 
 } // namespace
 
-ViewRenderer::ViewRenderer(int threads, double first_picture_seconds, const CancelFlag& cancel)
-    : threads_(threads),
-      cancel_(cancel), cpu_{nullptr, FirstPassCost(first_picture_seconds)}, gpu_{nullptr,
-                                                                                 FirstPassCost(
-                                                                                     first_picture_seconds)} {
+int FirstPassCost::step(int pixels) const {
+    int step = 1;
+    while (step < max_coarsest && predicted_seconds(pixels, step) > seconds_) step *= 2;
+    return step;
 }
+
+void FirstPassCost::learn(int pixels, int step, double trace_seconds, double show_seconds) {
+    update(seconds_per_sample_, trace_seconds / std::max(1.0, samples(pixels, step)));
+    update(seconds_per_pixel_, show_seconds / pixels);
+}
+
+double FirstPassCost::predicted_seconds(int pixels, int step) const {
+    return samples(pixels, step) * seconds_per_sample_ + pixels * seconds_per_pixel_;
+}
+
+ViewRenderer::ViewRenderer(int threads, double first_picture_seconds, const CancelFlag& cancel)
+    : threads_(threads), cancel_(cancel), cpu_(first_picture_seconds), gpu_(first_picture_seconds) {}
 
 void ViewRenderer::start(Picture picture) {
     picture_ = std::move(picture);
@@ -64,7 +83,7 @@ void ViewRenderer::fall_back(const std::string& fault) {
 }
 
 void ViewRenderer::render_first_pass(Device& device) {
-    const Clock::time_point begin = Clock::now();
+    const double begin = now();
     ProgressiveOptions options;
     options.coarsest = device.cost.step(pixel_count());
     options.show = picture_->show;
@@ -76,7 +95,7 @@ void ViewRenderer::render_first_pass(Device& device) {
     device.backend->advance(0);
     on_gpu_ = &device == &gpu_;
     first_step_ = is_warm && device.backend->reached().step > 0 ? options.coarsest : 0;
-    first_pass_seconds_ = std::chrono::duration<double>(Clock::now() - begin).count();
+    first_pass_seconds_ = now() - begin;
 }
 
 void ViewRenderer::refine(double seconds) {

@@ -2,7 +2,6 @@
 // Renders one view on the backend that is selected, and on the CPU after a fault of the GPU.
 
 #include "backend.h"
-#include "first_pass_cost.h"
 
 #include "glint/kernels.h"
 #include "glint/scene.h"
@@ -14,6 +13,26 @@
 namespace glint::viewer {
 
 struct RenderedFrame;
+
+/// How coarse the first pass of a picture must be to be shown in time: a cost model learnt from earlier
+/// pictures: tracing costs so much for each sample, showing the picture so much for each pixel.
+class FirstPassCost {
+  public:
+    /// The first picture is to be shown within `seconds`.
+    explicit FirstPassCost(double seconds) : seconds_(seconds) {}
+
+    /// The finest step, every step-th pixel of each row and column, that is predicted to be in time.
+    int step(int pixels) const;
+    /// Takes a measured first pass into account.
+    void learn(int pixels, int step, double trace_seconds, double show_seconds);
+
+  private:
+    double predicted_seconds(int pixels, int step) const;
+
+    double seconds_;
+    double seconds_per_sample_ = 1e-6;
+    double seconds_per_pixel_ = 1e-8;
+};
 
 /// For one thread, the renderer's.
 class ViewRenderer {
@@ -53,6 +72,8 @@ class ViewRenderer {
 
   private:
     struct Device {
+        explicit Device(double first_picture_seconds) : cost(first_picture_seconds) {}
+
         std::unique_ptr<Backend> backend; ///< none before it is needed, and after a fault
         FirstPassCost cost;
     };

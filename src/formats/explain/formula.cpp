@@ -2,7 +2,8 @@
 
 #include "formats/explain/formula.h"
 
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
+#include "scene/text.h"
 
 #include <glm/common.hpp>
 
@@ -10,7 +11,8 @@
 #include <cmath>
 #include <cstdio>
 
-namespace glint {
+namespace glint::formats {
+
 namespace {
 
 /// Multi-byte characters that are not letters.
@@ -33,7 +35,7 @@ bool is_letter(std::string_view text, std::size_t at) {
 std::size_t word_end(std::string_view text, std::size_t at) {
     while (at < text.size() && (is_letter(text, at) || is_digit(text[at]))) {
         ++at;
-        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u) ++at;
+        while (at < text.size() && scene::continues_utf8(text[at])) ++at;
     }
     return at;
 }
@@ -94,10 +96,6 @@ std::string Scope::filled_in(const Step& step) const {
     return text == step.formula || text == quantity_text(step.result, readable_digits) ? "" : text;
 }
 
-std::string formula_in_numbers(const Step& step, const ExplainedRay& ray, const ExplainedLight* light) {
-    return Scope(ray, light).filled_in(step);
-}
-
 std::string number_text(float x, int digits) {
     if (std::isnan(x)) return "not a number";
     if (std::isinf(x)) return x > 0 ? "∞" : "−∞";
@@ -109,16 +107,24 @@ std::string number_text(float x, int digits) {
     return (negative ? "−" : "") + text;
 }
 
+} // namespace glint::formats
+
+namespace glint {
+
+std::string formula_in_numbers(const Step& step, const ExplainedRay& ray, const ExplainedLight* light) {
+    return formats::Scope(ray, light).filled_in(step);
+}
+
 std::string quantity_text(const Quantity& q, int digits) {
-    if (!q.vector) return number_text(q.value.x, digits);
-    return "(" + number_text(q.value.x, digits) + ", " + number_text(q.value.y, digits) + ", " +
-           number_text(q.value.z, digits) + ")";
+    if (!q.vector) return formats::number_text(q.value.x, digits);
+    return "(" + formats::number_text(q.value.x, digits) + ", " + formats::number_text(q.value.y, digits) +
+           ", " + formats::number_text(q.value.z, digits) + ")";
 }
 
 std::string other_pixel_text(const Explanation& explanation, const OtherPixel& other, int digits) {
     const glm::vec3 off = glm::abs(other.color - explanation.color);
     return "on " + other.device + " it is " + quantity_text(other.color, digits) + ", off by at most " +
-           number_text(std::max({off.x, off.y, off.z}), 3);
+           formats::number_text(std::max({off.x, off.y, off.z}), 3);
 }
 
 } // namespace glint

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// The quantities that a formula may refer to, innermost last.
 class Scope {
@@ -36,4 +36,4 @@ inline constexpr int readable_digits = 6;
 /// A number with at most `digits` digits; "∞" for infinity.
 std::string number_text(float x, int digits);
 
-} // namespace glint
+} // namespace glint::formats

@@ -3,7 +3,7 @@
 #include "formats/explain/markup.h"
 #include "formats/explain/page.h"
 #include "formats/picture/codecs.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,7 +41,7 @@ std::vector<PixelCoord> grid_row(const ExplanationPage& page, int row) {
 
 std::string picture(const std::string& id, const Image& image) {
     return "<img id=\"" + id + "\" alt=\"\" hidden src=\"data:image/png;base64," +
-           base64(encode_png(image, {})) + "\">\n";
+           base64(formats::encode_png(image, {})) + "\">\n";
 }
 
 bool is_black(const Image& image) {
@@ -72,7 +72,7 @@ std::string backends(const ExplanationPage& page) {
     std::snprintf(figures, sizeof figures,
                   "%.0f of %zu pixels are off by more than 1/255, the furthest by %.3g. ",
                   found.share * static_cast<double>(pixels), pixels, found.max);
-    return own + "On " + escape_markup(page.gpu) + " " + figures;
+    return own + "On " + formats::escape_markup(page.gpu) + " " + figures;
 }
 
 /// The card's values at the grid pixels.
@@ -84,25 +84,25 @@ std::string gpu_of(const ExplanationPage& page) {
             const float* pixel = page.gpu_image.at(x, y);
             for (int channel = 0; channel < 3; ++channel) colors.push_back(pixel[channel]);
         }
-    return "{\"device\":" + nlohmann::json(page.gpu).dump() + ",\"colors\":" + colors.dump() + "}";
+    return "{\"device\":" + formats::json_text(page.gpu) + ",\"colors\":" + colors.dump() + "}";
 }
 
 std::string before_data(const ExplanationPage& page) {
-    const std::string title = escape_markup(page.scene);
+    const std::string title = formats::escape_markup(page.scene);
     return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
            "style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-           title + ", explained</title>\n<style>\n" + page_style() +
+           title + ", explained</title>\n<style>\n" + std::string(formats::page_style()) +
            "</style></head><body>\n<div id=\"left\"><h1>" + title +
            "</h1>\n<div id=\"picture\"><canvas id=\"canvas\"></canvas><div id=\"mark\"></div></div>\n"
            "<div id=\"layers\"></div>\n<div class=\"note\">"
-           "Move over the picture: the rays of that place stand beside it. Click to keep a place; "
-           "<kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from place to place. "
+           "Move over the picture: the rays of the pixel are shown beside it. Click to keep a pixel; "
+           "<kbd>←</kbd> <kbd>→</kbd> <kbd>↑</kbd> <kbd>↓</kbd> step from pixel to pixel. "
            "Switch the terms off and on to see what each adds. " +
-           std::to_string(page.columns) + "×" + std::to_string(page.rows) + " places. " + backends(page) +
+           std::to_string(page.columns) + "×" + std::to_string(page.rows) + " pixels. " + backends(page) +
            "</div></div>\n"
-           "<div id=\"tree\"><div id=\"place\"></div><div id=\"rays\"></div></div>\n" +
+           "<div id=\"tree\"><div id=\"pixel\"></div><div id=\"rays\"></div></div>\n" +
            picture("final", page.image) + layers(page.terms) + "<script id=\"data\" type=\"text/plain\">";
 }
 
@@ -111,15 +111,14 @@ std::string head_of(const ExplanationPage& page, const Explanation& any) {
            ",\"height\":" + std::to_string(page.image.height) +
            ",\"columns\":" + std::to_string(page.columns) + ",\"rows\":" + std::to_string(page.rows) +
            ",\"samples\":" + std::to_string(any.samples.size()) + ",\"rule\":" +
-           nlohmann::json(any.samples.size() == 1
-                              ? any.rule
-                              : "the pixel is made of " + std::to_string(any.samples.size()) + " samples")
-               .dump() +
+           formats::json_text(any.samples.size() == 1 ? any.rule
+                                                      : "the pixel is made of " +
+                                                            std::to_string(any.samples.size()) + " samples") +
            ",\"gpu\":" + gpu_of(page) + ",";
 }
 
 /// Packs as many rays as fit the size limit.
-std::string packed(const PageData& data, const std::string& head, std::size_t room) {
+std::string packed(const formats::PageData& data, const std::string& head, std::size_t room) {
     // Initial estimate that rarely omits too much, as packing is slow.
     constexpr std::size_t min_bytes_per_ray = 22;
     std::size_t count = std::min(data.rays(), room / min_bytes_per_ray);
@@ -138,7 +137,7 @@ std::string explanation_html(const ExplanationPage& request) {
     ExplanationPage page = request;
     page.columns = std::clamp(page.columns, 1, page.image.width);
     page.rows = std::clamp(page.rows, 1, page.image.height);
-    PageData data;
+    formats::PageData data;
     std::string head;
     for (int row = 0; row < page.rows; ++row)
         for (const Explanation& e : page.explain(grid_row(page, row))) {
@@ -147,7 +146,7 @@ std::string explanation_html(const ExplanationPage& request) {
         }
     std::string out = before_data(page);
     const std::string end =
-        std::string("</script>\n<script>\n") + page_script() + "</script>\n</body></html>\n";
+        "</script>\n<script>\n" + std::string(formats::page_script()) + "</script>\n</body></html>\n";
     // Base64: four characters for three bytes.
     const std::size_t taken = out.size() + end.size() + 4;
     const std::size_t room = taken < page.max_bytes ? (page.max_bytes - taken) / 4 * 3 : 0;

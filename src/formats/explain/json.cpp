@@ -1,23 +1,15 @@
 // Explanations as JSON. Names are stable: docs/explain.md lists them.
 
 #include "formats/explain/formula.h"
-#include "glint/formats.h"
-
-#include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <cstdio>
+#include "formats/explain/markup.h"
+#include "glint/explanation_files.h"
 
 namespace glint {
-namespace {
 
-/// Nine digits, which parse to the same float; null for values that JSON cannot represent.
-std::string json_number(float x) {
-    if (!std::isfinite(x)) return "null";
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", static_cast<double>(x));
-    return buffer;
-}
+using formats::json_number;
+using formats::Scope;
+
+namespace {
 
 std::string json_vector(const glm::vec3& v) {
     return "[" + json_number(v.x) + ", " + json_number(v.y) + ", " + json_number(v.z) + "]";
@@ -25,10 +17,6 @@ std::string json_vector(const glm::vec3& v) {
 
 std::string json_quantity(const Quantity& q) {
     return q.vector ? json_vector(q.value) : json_number(q.value.x);
-}
-
-std::string json_text(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string json_index(int index) { return index < 0 ? "null" : std::to_string(index); }
@@ -41,7 +29,7 @@ class Members {
         text_ += (text_.empty() ? "" : ", ") + ("\"" + std::string(name) + "\": ") + value;
         return *this;
     }
-    Members& words(const char* name, const std::string& text) { return add(name, json_text(text)); }
+    Members& words(const char* name, const std::string& text) { return add(name, formats::json_text(text)); }
     /// Omitted if empty.
     Members& perhaps(const char* name, const std::string& text) {
         return text.empty() ? *this : words(name, text);
@@ -59,12 +47,6 @@ std::string lines(const std::vector<std::string>& elements, int indent) {
     std::string text = "[";
     for (const std::string& element : elements) text += (text.size() > 1 ? ",\n " : "\n ") + space + element;
     return text + "\n" + space + "]";
-}
-
-std::string names(const std::vector<std::string>& labels) {
-    std::string text;
-    for (const std::string& label : labels) text += (text.empty() ? "" : ", ") + json_text(label);
-    return "[" + text + "]";
 }
 
 std::string json_terms(const std::array<glm::vec3, term_count>& terms) {
@@ -157,8 +139,8 @@ std::string json_ray(const ExplainedRay& ray) {
     members.add("parent", json_index(ray.parent)).add("reflected", json_index(ray.reflected));
     members.add("refracted", json_index(ray.refracted));
     members.add("origin", json_vector(ray.origin)).add("direction", json_vector(ray.direction));
-    members.add("weight", json_vector(ray.weight)).add("inside", names(ray.inside));
-    members.add("passed_over", names(ray.passed_over)).add("hit", json_hit(ray));
+    members.add("weight", json_vector(ray.weight)).add("inside", formats::json_list(ray.inside));
+    members.add("passed_over", formats::json_list(ray.passed_over)).add("hit", json_hit(ray));
     members.add("refraction", json_refraction(ray)).words("end", ray_end_name(ray.end)).words("why", ray.why);
     members.add("transmittance", json_vector(ray.transmittance));
     members.add("lights", lines(lights, 4));

@@ -2,36 +2,21 @@
 
 #include "formats/explain/page.h"
 
-#include <nlohmann/json.hpp>
+#include "formats/explain/markup.h"
+#include "scene/text.h"
+
 #include <zlib.h>
 
 #include <algorithm>
 #include <bit>
-#include <cstdio>
 #include <new>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 /// Beyond this number, constants are stored per ray.
 constexpr std::size_t max_constants = 2048;
-
-std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string quoted(const std::vector<std::string>& texts) {
-    std::string out;
-    for (const std::string& text : texts) out += (out.empty() ? "" : ",") + quoted(text);
-    return "[" + out + "]";
-}
-
-std::string exact(float x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", static_cast<double>(x));
-    return buffer;
-}
 
 /// Whether the numbers of a step are properties of the scene rather than of the hit.
 bool belongs_to_scene(std::string_view topic) {
@@ -107,11 +92,12 @@ void PageData::add(const Explanation& explanation) {
 
 std::uint32_t PageData::shape_of(const ExplainedRay& ray) {
     const std::size_t before = numbers_.size();
-    std::string shape = "{\"kind\":" + quoted(ray_kind_name(ray.kind)) +
-                        ",\"end\":" + quoted(ray_end_name(ray.end)) + ",\"why\":" + quoted(ray.why) +
-                        ",\"label\":" + quoted(ray.label) + ",\"material\":" + quoted(ray.material) +
-                        ",\"side\":" + quoted(ray.entering ? "outside" : "inside") +
-                        ",\"inside\":" + quoted(ray.inside) + ",\"passed_over\":" + quoted(ray.passed_over) +
+    std::string shape = "{\"kind\":" + json_text(ray_kind_name(ray.kind)) +
+                        ",\"end\":" + json_text(ray_end_name(ray.end)) + ",\"why\":" + json_text(ray.why) +
+                        ",\"label\":" + json_text(ray.label) + ",\"material\":" + json_text(ray.material) +
+                        ",\"side\":" + json_text(ray.entering ? "outside" : "inside") +
+                        ",\"inside\":" + json_list(ray.inside) +
+                        ",\"passed_over\":" + json_list(ray.passed_over) +
                         ",\"steps\":" + steps_of(ray, {&ray.given, &ray.steps}) + ",\"lights\":[";
     for (const ExplainedLight& light : ray.lights)
         shape += (&light == &ray.lights.front() ? "" : ",") + light_of(ray, light);
@@ -130,10 +116,10 @@ std::string PageData::light_of(const ExplainedRay& ray, const ExplainedLight& li
     std::string blockers;
     for (const Blocker& b : light.blockers) {
         numbers_.push_back(b.distance);
-        blockers += (blockers.empty() ? "[" : ",[") + quoted(b.label) + "," + quoted(b.material) + "," +
+        blockers += (blockers.empty() ? "[" : ",[") + json_text(b.label) + "," + json_text(b.material) + "," +
                     (b.passed_over ? "1]" : "0]");
     }
-    return "{\"label\":" + quoted(light.label) + ",\"blockers\":[" + blockers +
+    return "{\"label\":" + json_text(light.label) + ",\"blockers\":[" + blockers +
            "],\"steps\":" + steps_of(ray, {&light.steps}) + "}";
 }
 
@@ -168,18 +154,18 @@ std::string PageData::source_of(const ExplainedRay& ray, const Step& step) {
 }
 
 std::string PageData::step_number(const Step& step) {
-    const std::string text = "[" + quoted(step.symbol) + "," + quoted(step.formula) + "," +
-                             (step.result.vector ? "1," : "0,") + quoted(step.meaning) + "," +
-                             quoted(step.section) + "," + quoted(step.note) + "]";
+    const std::string text = "[" + json_text(step.symbol) + "," + json_text(step.formula) + "," +
+                             (step.result.vector ? "1," : "0,") + json_text(step.meaning) + "," +
+                             json_text(step.section) + "," + json_text(step.note) + "]";
     const auto [found, is_new] = step_numbers_.try_emplace(text, steps_.size());
     if (is_new) steps_.push_back(text);
     return std::to_string(found->second);
 }
 
 int PageData::constant_number(const Quantity& q) {
-    const std::string text =
-        q.vector ? "[" + exact(q.value.x) + "," + exact(q.value.y) + "," + exact(q.value.z) + "]"
-                 : exact(q.value.x);
+    const std::string text = q.vector ? "[" + json_number(q.value.x) + "," + json_number(q.value.y) + "," +
+                                            json_number(q.value.z) + "]"
+                                      : json_number(q.value.x);
     const auto found = constant_numbers_.find(text);
     if (found != constant_numbers_.end()) return found->second;
     if (constants_.size() >= max_constants) return -1;
@@ -210,13 +196,8 @@ std::vector<bool> PageData::heaviest(std::size_t count) const {
 }
 
 std::string PageData::json(const std::string& head) const {
-    const auto list = [](const std::vector<std::string>& items) {
-        std::string out;
-        for (const std::string& item : items) out += (out.empty() ? "" : ",") + item;
-        return "[" + out + "]";
-    };
-    return head + "\"steps\":" + list(steps_) + ",\"constants\":" + list(constants_) +
-           ",\"shapes\":" + list(shapes_) + "}";
+    return head + "\"steps\":[" + scene::listed(steps_, ",") + "],\"constants\":[" +
+           scene::listed(constants_, ",") + "],\"shapes\":[" + scene::listed(shapes_, ",") + "]}";
 }
 
 std::string PageData::packed(const std::string& head, std::size_t count) const {
@@ -264,4 +245,4 @@ std::string PageData::packed(const std::string& head, std::size_t count) const {
     return deflated(bytes);
 }
 
-} // namespace glint
+} // namespace glint::formats

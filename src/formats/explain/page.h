@@ -3,6 +3,7 @@
 // and numbers. The page evaluates the formulas; only given quantities, and results that JavaScript would
 // round differently, are stored.
 
+#include "formats/embedded.h"
 #include "glint/explanation.h"
 
 #include <array>
@@ -11,18 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
-/// A file of the page, embedded by the build (cmake/EmbedText.cmake).
-struct PageFile {
-    const char* name; ///< below src/
-    const char* text;
-};
-extern const PageFile page_files[]; ///< style sheet and script, then a terminator without name
-
-inline const char* page_style() { return page_files[0].text; }
+inline std::string_view page_style() { return embedded_text("formats/explain/page.css"); }
 /// Plain JavaScript without libraries or network access.
-inline const char* page_script() { return page_files[1].text; }
+inline std::string_view page_script() { return embedded_text("formats/explain/page.js"); }
 
 class PageData {
   public:
@@ -76,4 +70,4 @@ class PageData {
     std::map<std::string, int> constant_numbers_;
 };
 
-} // namespace glint
+} // namespace glint::formats

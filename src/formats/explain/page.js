@@ -43,7 +43,7 @@ function reader(formula) { // "a + b · c" → a function of what looks symbols 
 }
 
 // ── The data: shapes of rays, and the numbers of each ────────────────────────────────────────────────────────
-let page, ints, floats, places = [], squares = new Set();
+let page, ints, floats, starts = [], squares = new Set();
 const formulas = new Map();
 const read = formula => formulas.get(formula) || formulas.set(formula, reader(formula)).get(formula);
 async function unpack() {
@@ -61,15 +61,15 @@ async function unpack() {
   floats = new Float32Array(planes(sizes[2]));
   for (const step of page.steps) if (step[0].endsWith('²')) squares.add(step[0]);
   for (let i = 0, k = 0, v = 0; i < page.columns * page.rows; ++i) {
-    places.push([k, v]);
+    starts.push([k, v]);
     const count = ints[k++]; v += 24;
     for (let n = 0; n < count; ++n, k += 4) v += page.shapes[ints[k]].size + ((ints[k + 2] & 1) + (ints[k + 2] >> 1)) * 3;
   }
 }
 
-/// The rays of a place, with functions that give their quantities.
+/// The rays of a pixel, with functions that give their quantities.
 function rays_of(column, row) {
-  let [k, v] = places[row * page.columns + column];
+  let [k, v] = starts[row * page.columns + column];
   const next = vector => vector ? [floats[v++], floats[v++], floats[v++]] : floats[v++];
   const pixel = { x: Math.floor((2 * column + 1) * page.width / (2 * page.columns)),
                   y: Math.floor((2 * row + 1) * page.height / (2 * page.rows)),
@@ -213,7 +213,7 @@ function tell_layers() {
   boxes.forEach((label, i) => { label.lastChild.textContent = shown ? short(shown.terms[i]) : ''; });
   if (!shown) return;
   const sum = sum_shown(shown), all = on.every(x => x);
-  $('place').replaceChildren(el('div', 'head', swatch(sum), `pixel ${shown.x},${shown.y} = `, short(shown.color)),
+  $('pixel').replaceChildren(el('div', 'head', swatch(sum), `pixel ${shown.x},${shown.y} = `, short(shown.color)),
     el('div', 'faint', (all ? '' : 'shown terms: ' + short(sum) + '; ') + page.rule +
       (page.samples > 1 ? '; the rays are those of sample 1' : '') + (pinned ? ' — pinned, click to release' : '')),
     ...(page.gpu ? [el('div', 'faint', on_gpu(shown))] : []));

@@ -2,7 +2,7 @@
 
 #include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <glm/common.hpp>
 
@@ -10,6 +10,9 @@
 #include <cmath>
 
 namespace glint {
+
+using formats::number_text;
+
 namespace {
 
 constexpr int shown_digits = 3;
@@ -30,10 +33,11 @@ std::string seen_text(const glm::vec3& v) {
     return largest(glm::abs(v)) < too_dark_to_see ? "0" : quantity_text(v, shown_digits);
 }
 
-std::string at(double x) { return number_text(static_cast<float>(std::round(x * 10) / 10), 7); }
-
 /// SVG requires an ASCII minus sign.
-std::string coordinate(double x) { return x < 0 ? "-" + at(-x) : at(x); }
+std::string coordinate(double x) {
+    const std::string text = number_text(static_cast<float>(std::abs(std::round(x * 10) / 10)), 7);
+    return x < 0 ? "-" + text : text;
+}
 
 std::string angle_label(float degrees) { return number_text(degrees, 3) + "°"; }
 
@@ -209,7 +213,7 @@ class SvgTree {
         double y = box.y + 22;
         for (const TextLine& line : box.lines) {
             if (line.swatch) swatch(x + 12, y - 11, 13, line.color);
-            text(x + (line.swatch ? 32 : 12), y, cut(line.text, 49), line.style);
+            text(x + (line.swatch ? 32 : 12), y, formats::cut(line.text, 49), line.style);
             y += line_height;
         }
         for (const std::size_t child : box.children) draw_boxes(sample, child);
@@ -219,13 +223,13 @@ class SvgTree {
 
     void text(double x, double y, const std::string& words, const std::string& style) {
         body_ += "<text class=\"" + style + "\" x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\">" +
-                 escape_markup(words) + "</text>\n";
+                 formats::escape_markup(words) + "</text>\n";
     }
 
     void swatch(double x, double y, double size, const glm::vec3& color) {
         body_ += "<rect class=\"swatch\" x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\" width=\"" +
                  coordinate(size) + "\" height=\"" + coordinate(size) + "\" rx=\"2\" fill=\"" +
-                 web_color(color) + "\"/>\n";
+                 formats::web_color(color) + "\"/>\n";
     }
 
     void sample_title(const ExplainedSample& s, std::size_t index, double y) {

@@ -1,14 +1,19 @@
 // The ray tree of a pixel as text.
 
+#include "scene/text.h"
 #include "formats/explain/formula.h"
-#include "glint/formats.h"
+#include "glint/explanation_files.h"
 
 #include <algorithm>
 
 namespace glint {
+
+using formats::number_text;
+using formats::Scope;
+
 namespace {
 
-constexpr int digits = readable_digits;
+constexpr int digits = formats::readable_digits;
 constexpr std::size_t longest_line = 100;
 
 /// Terminal escape sequences, or empty strings.
@@ -27,17 +32,10 @@ std::string text_of(const Quantity& q) { return quantity_text(q, digits); }
 
 /// Width in characters, not bytes.
 std::size_t width(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
+    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, scene::continues_utf8));
 }
 
 std::string angle(float degrees) { return number_text(degrees, 4) + "°"; }
-
-std::string joined(const std::vector<std::string>& words, const char* separator) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-    return text;
-}
 
 class TextTree {
   public:
@@ -89,7 +87,7 @@ class TextTree {
         const std::string inner = body + (branches ? "│ " : "  ");
         line(head + c_.strong + ray_kind_name(ray.kind) + " ray" + c_.plain + " brings " + c_.value +
              text_of(ray.radiance) + c_.plain + ", weight in the sample " + text_of(ray.weight));
-        write_way(ray, inner);
+        write_path(ray, inner);
         for (const ExplainedLight& light : ray.lights) write_light(ray, light, inner);
         write_steps(Scope(ray), ray.steps, inner);
         line(inner + ray.why);
@@ -103,9 +101,9 @@ class TextTree {
                   body + (last ? "   " : "│  "));
     }
 
-    void write_way(const ExplainedRay& ray, const std::string& inner) {
+    void write_path(const ExplainedRay& ray, const std::string& inner) {
         line(inner + "from " + text_of(ray.origin) + " along " + text_of(ray.direction));
-        if (!ray.inside.empty()) line(inner + "inside " + joined(ray.inside, ", within "));
+        if (!ray.inside.empty()) line(inner + "inside " + scene::listed(ray.inside, ", within "));
         for (const std::string& label : ray.passed_over)
             line(inner + "passes over " + label + ": hidden inside a solid that owns the space");
         if (!ray.hit) return;

@@ -2,7 +2,7 @@
 // Encoders and decoders of picture formats; picture.cpp chooses among them.
 
 #include "formats/write_file.h"
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Encodes a whole file. The arguments are those of write_picture(), already validated.
 std::vector<std::byte> encode_png(const Image& image, const PictureOptions& options);
@@ -56,4 +56,4 @@ void check_picture_size(const std::string& name, std::int64_t width, std::int64_
 /// Hint for truncated or damaged files.
 inline constexpr const char* cut_hint = "the file is cut short or damaged; write or copy it again";
 
-} // namespace glint
+} // namespace glint::formats

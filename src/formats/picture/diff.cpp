@@ -1,6 +1,6 @@
 // The comparison of `glint diff`.
 
-#include "glint/formats.h"
+#include "glint/picture_files.h"
 
 namespace glint {
 

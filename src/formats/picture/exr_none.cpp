@@ -2,7 +2,7 @@
 
 #include "formats/picture/codecs.h"
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 constexpr const char* cause = "this glint was built without OpenEXR";
@@ -18,4 +18,4 @@ LoadedPicture decode_exr(std::span<const std::byte>, const std::string& name) {
     refuse_picture(name, cause, cure);
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -187,4 +187,4 @@ LoadedPicture decode_exr(std::span<const std::byte> bytes, const std::string& na
     }
 }
 
-} // namespace glint
+} // namespace glint::formats

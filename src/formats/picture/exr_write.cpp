@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::vector<std::byte> encode_exr(const Image& image, const PictureOptions& opti
     }
 }
 
-} // namespace glint
+} // namespace glint::formats

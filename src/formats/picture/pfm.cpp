@@ -1,14 +1,14 @@
 // Reading and writing PFM files.
 
 #include "formats/picture/codecs.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -63,12 +63,9 @@ class HeaderReader {
 
     template <class Number>
     Number number(const std::string& what) {
-        const std::string_view digits = word();
-        Number value{};
-        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (problem != std::errc() || end != digits.data() + digits.size())
-            fail(what + " is no valid number");
-        return value;
+        const auto value = scene::parse_number<Number>(word());
+        if (!value) fail(what + " is no valid number");
+        return *value;
     }
 
     std::string_view text_;
@@ -128,4 +125,4 @@ LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& na
     return picture;
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -2,17 +2,14 @@
 
 #include "formats/picture/codecs.h"
 #include "formats/read_bytes.h"
-#include "formats/write_file.h"
+#include "formats/read_text.h"
 #include "glint/limits.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstring>
-#include <filesystem>
 #include <new>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -20,15 +17,9 @@ namespace {
     throw Error(ErrorKind::usage, message, hint);
 }
 
-std::string lower_extension_of(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
-}
-
 PictureFormat require_format(const std::string& path) {
     if (const auto format = picture_format(path)) return *format;
-    const std::string extension = lower_extension_of(path);
+    const std::string extension = lower_extension(path);
     const std::string found = extension.empty() ? "has no extension" : "ends in '" + extension + "'";
     refuse_arguments("the picture's name '" + path + "' " + found, "pictures end in .png, .exr or .pfm");
 }
@@ -80,21 +71,9 @@ void check_options(const Image& image, const PictureOptions& options) {
 
 } // namespace
 
-std::optional<PictureFormat> picture_format(const std::string& path) {
-    if (path == "-") return PictureFormat::png;
-    const std::string extension = lower_extension_of(path);
-    if (extension == ".png") return PictureFormat::png;
-    if (extension == ".exr") return PictureFormat::exr;
-    if (extension == ".pfm") return PictureFormat::pfm;
-    return std::nullopt;
-}
-
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
                     std::optional<std::uint64_t> byte) {
-    Location where;
-    where.file = name;
-    where.byte = byte;
-    throw Error(ErrorKind::input, message, hint, where);
+    throw Error(ErrorKind::input, message, hint, {.file = name, .byte = byte});
 }
 
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height) {
@@ -103,33 +82,6 @@ void check_picture_size(const std::string& name, std::int64_t width, std::int64_
     if (!sides || width * height > picture_pixel_limit)
         refuse_picture(name, "the picture claims a size of " + size_text(width, height) + " pixels",
                        "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
-}
-
-void check_picture_target(const std::string& path, bool with_alpha, bool with_layers) {
-    const PictureFormat format = require_format(path);
-    if (with_layers && format != PictureFormat::exr)
-        refuse_arguments("'" + path + "' cannot hold layers", "layers are written to .exr");
-    if (with_alpha && format == PictureFormat::pfm)
-        refuse_arguments("'" + path + "' cannot hold alpha", "alpha is written to .png and .exr");
-    if (path != "-") check_writable(path);
-}
-
-void write_picture(const std::string& path, const Image& image, const PictureOptions& options) {
-    check_options(image, options);
-    check_picture_target(path, !options.alpha.empty(), !options.layers.empty());
-    switch (require_format(path)) {
-    case PictureFormat::pfm:
-        return write_pieces(path, PfmFile(image).pieces());
-    case PictureFormat::exr:
-        return write_file(path, encode_exr(image, options));
-    case PictureFormat::png:
-        break;
-    }
-    const std::vector<std::byte> bytes = encode_png(image, options);
-    if (path == "-")
-        write_stdout(bytes);
-    else
-        write_file(path, bytes);
 }
 
 LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
@@ -141,14 +93,49 @@ LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string
     refuse_picture(name, "this is no picture in PNG, EXR or PFM", "convert it to one of these first", 0);
 }
 
+} // namespace glint::formats
+
+namespace glint {
+
+std::optional<PictureFormat> picture_format(const std::string& path) {
+    if (path == "-") return PictureFormat::png;
+    const std::string extension = formats::lower_extension(path);
+    return extension.empty() ? std::nullopt : value_named<PictureFormat>(extension.substr(1));
+}
+
+void check_picture_target(const std::string& path, bool with_alpha, bool with_layers) {
+    const PictureFormat format = formats::require_format(path);
+    if (with_layers && format != PictureFormat::exr)
+        formats::refuse_arguments("'" + path + "' cannot hold layers", "layers are written to .exr");
+    if (with_alpha && format == PictureFormat::pfm)
+        formats::refuse_arguments("'" + path + "' cannot hold alpha", "alpha is written to .png and .exr");
+    if (path != "-") formats::check_writable(path);
+}
+
+void write_picture(const std::string& path, const Image& image, const PictureOptions& options) {
+    formats::check_options(image, options);
+    check_picture_target(path, !options.alpha.empty(), !options.layers.empty());
+    switch (formats::require_format(path)) {
+    case PictureFormat::pfm:
+        return formats::write_pieces(path, formats::PfmFile(image).pieces());
+    case PictureFormat::exr:
+        return write_file(path, formats::encode_exr(image, options));
+    case PictureFormat::png:
+        break;
+    }
+    const std::vector<std::byte> bytes = formats::encode_png(image, options);
+    if (path == "-")
+        formats::write_stdout(bytes);
+    else
+        write_file(path, bytes);
+}
+
 LoadedPicture read_picture(const std::string& path) {
     try {
-        return decode_picture(read_bytes(path), path);
+        return formats::decode_picture(formats::read_bytes(path), path);
     } catch (const std::bad_alloc&) {
-        Location where;
-        where.file = path;
         throw Error(ErrorKind::resource, "not enough memory to read the picture", "close other programs",
-                    where);
+                    {.file = path});
     }
 }
 

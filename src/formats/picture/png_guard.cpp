@@ -7,7 +7,7 @@
 #include <csetjmp>
 #include <cstddef>
 
-namespace glint {
+namespace glint::formats {
 
 void png_fail(png_struct_def* png, const char* message) {
     auto* failure = static_cast<PngFailure*>(png_get_error_ptr(png));
@@ -26,4 +26,4 @@ bool png_try(png_struct_def* png, const std::function<void()>& calls) {
     return true;
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -1,5 +1,5 @@
 #pragma once
-// Calls to libpng, whose errors longjmp, from C++.
+// Calls to libpng from C++; its errors longjmp.
 
 #include <array>
 #include <functional>
@@ -7,7 +7,7 @@
 /// libpng's png_struct under its tag name.
 struct png_struct_def;
 
-namespace glint {
+namespace glint::formats {
 
 /// Message of a failed call, without heap memory.
 struct PngFailure {
@@ -24,4 +24,4 @@ void png_ignore(png_struct_def* png, const char* message);
 /// create objects that have one.
 bool png_try(png_struct_def* png, const std::function<void()>& calls);
 
-} // namespace glint
+} // namespace glint::formats

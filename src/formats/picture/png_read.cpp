@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -144,4 +144,4 @@ LoadedPicture decode_png(std::span<const std::byte> bytes, const std::string& na
     return picture;
 }
 
-} // namespace glint
+} // namespace glint::formats

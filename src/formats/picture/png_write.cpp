@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <new>
 
-namespace glint {
+namespace glint::formats {
 
 namespace {
 
@@ -79,9 +79,10 @@ class RowEncoder {
     void encode(int y) {
         const bool raw = options_.view == View::raw;
         if (options_.bits == 8)
-            fill(y, raw ? raw8_from_linear : srgb8_from_linear, unorm8_from_float);
+            fill(y, raw ? imaging::raw8_from_linear : imaging::srgb8_from_linear, imaging::unorm8_from_float);
         else
-            fill(y, raw ? raw16_from_linear : srgb16_from_linear, unorm16_from_float);
+            fill(y, raw ? imaging::raw16_from_linear : imaging::srgb16_from_linear,
+                 imaging::unorm16_from_float);
     }
 
   private:
@@ -180,4 +181,4 @@ std::vector<std::byte> encode_png(const Image& image, const PictureOptions& opti
     return writer.take();
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <limits>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
@@ -149,4 +149,4 @@ std::size_t TextCursor::trailing() {
     return text_.size() - at_;
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

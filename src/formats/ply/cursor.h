@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 /// Name of a row for messages, such as "face 3", counted from 0 like vertex indices.
 std::string row_name(const Element& element, std::uint64_t row);
@@ -153,4 +153,4 @@ class TextCursor {
     std::uint64_t row_ = 0;
 };
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

@@ -2,7 +2,7 @@
 
 #include "formats/ply/fixed_rows.h"
 
-#include "formats/ply/light.h"
+#include "formats/ply/srgb8_table.h"
 #include "parallel/large_pages.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 template <class Value>
@@ -137,4 +137,4 @@ const char* FixedRowReader::take_faces(const char* row, const char* end) {
     return row;
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

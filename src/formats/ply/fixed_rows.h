@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 class FixedRowReader {
   public:
@@ -45,4 +45,4 @@ class FixedRowReader {
     std::uint32_t limit_ = 0; ///< exclusive upper bound of vertex indices
 };
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

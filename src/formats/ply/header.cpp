@@ -2,43 +2,22 @@
 
 #include "formats/ply/header.h"
 
-#include <algorithm>
-#include <charconv>
-#include <set>
-#include <span>
+#include "scene/text.h"
 
-namespace glint::ply {
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace glint::formats::ply {
 namespace {
 
-struct NamedType {
-    std::string_view name;
-    Type type;
-};
-constexpr NamedType type_names[] = {
-    {"char", Type::int8},   {"uchar", Type::uint8},   {"short", Type::int16},     {"ushort", Type::uint16},
-    {"int", Type::int32},   {"uint", Type::uint32},   {"float", Type::float32},   {"double", Type::float64},
-    {"int8", Type::int8},   {"uint8", Type::uint8},   {"int16", Type::int16},     {"uint16", Type::uint16},
-    {"int32", Type::int32}, {"uint32", Type::uint32}, {"float32", Type::float32}, {"float64", Type::float64},
-};
-
-struct NamedFormat {
-    std::string_view name;
-    PlyFormat format;
-};
-constexpr NamedFormat format_names[] = {
-    {"ascii", PlyFormat::ascii},
-    {"binary_little_endian", PlyFormat::binary_little_endian},
-    {"binary_big_endian", PlyFormat::binary_big_endian},
-};
+/// Two names of each type, in the order of Type.
+constexpr std::string_view type_names[] = {"char",  "uchar",  "short",   "ushort", "int",   "uint",
+                                           "float", "double", "int8",    "uint8",  "int16", "uint16",
+                                           "int32", "uint32", "float32", "float64"};
+constexpr std::size_t type_count = std::size(type_names) / 2;
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-
-template <class Named>
-std::vector<std::string> names_of(std::span<const Named> table) {
-    std::vector<std::string> names;
-    for (const Named& entry : table) names.emplace_back(entry.name);
-    return names;
-}
 
 /// A hint on the format of a file that is not PLY.
 std::string other_kind(std::string_view text) {
@@ -135,29 +114,26 @@ class HeaderParser {
     void read_format() {
         expect_words(3, "format ascii|binary_little_endian|binary_big_endian 1.0");
         if (has_format_) fail(words_[0], "the header has a second format line", "remove one of them");
-        const NamedFormat* found = nullptr;
-        for (const NamedFormat& entry : format_names)
-            if (entry.name == words_[1]) found = &entry;
-        if (!found)
+        const auto format = value_named<PlyFormat>(words_[1]);
+        if (!format)
             fail(words_[1], "unknown format " + quoted(words_[1]),
-                 suggestion(words_[1], names_of<NamedFormat>(format_names),
+                 suggestion(words_[1], {enum_names<PlyFormat>.begin(), enum_names<PlyFormat>.end()},
                             "expected ascii, binary_little_endian or binary_big_endian"));
         if (words_[2] != "1.0")
             fail(words_[2], "unknown PLY version " + quoted(words_[2]), "the only one is 1.0");
-        header_.format = found->format;
+        header_.format = *format;
         has_format_ = true;
     }
 
     void read_element() {
         expect_words(3, "element NAME COUNT");
         const std::string_view digits = words_[2];
-        std::uint64_t count = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-        if (error != std::errc() || end != digits.data() + digits.size())
+        const auto count = scene::parse_number<std::uint64_t>(digits);
+        if (!count)
             fail(digits, quoted(digits) + " is not a number of elements",
                  "expected a whole number, 0 or more");
         header_.elements.push_back(
-            {std::string(words_[1]), count, source_.offset(words_[1]), source_.offset(digits), {}});
+            {std::string(words_[1]), *count, source_.offset(words_[1]), source_.offset(digits), {}});
         names_in_element_.clear();
     }
 
@@ -190,10 +166,11 @@ class HeaderParser {
     }
 
     Type parse_type(std::string_view word) const {
-        for (const NamedType& entry : type_names)
-            if (entry.name == word) return entry.type;
+        const auto found = std::find(std::begin(type_names), std::end(type_names), word);
+        if (found != std::end(type_names))
+            return static_cast<Type>(static_cast<std::size_t>(found - std::begin(type_names)) % type_count);
         fail(word, "unknown type " + quoted(word),
-             suggestion(word, names_of<NamedType>(type_names),
+             suggestion(word, {std::begin(type_names), std::end(type_names)},
                         "expected char, uchar, short, ushort, int, uint, float or double"));
     }
 
@@ -209,8 +186,8 @@ class HeaderParser {
 
 } // namespace
 
-const char* type_name(Type type) { return type_names[static_cast<std::size_t>(type)].name.data(); }
+const char* type_name(Type type) { return type_names[static_cast<std::size_t>(type)].data(); }
 
 Header parse_header(const Source& source) { return HeaderParser(source).parse(); }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

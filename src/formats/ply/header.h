@@ -3,14 +3,14 @@
 // Source: Turk, "The PLY Polygon File Format", 1994.
 
 #include "formats/ply/source.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -51,4 +51,4 @@ struct Header {
 /// accepted. Throws Error(input) with line and column.
 Header parse_header(const Source& source);
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

@@ -2,50 +2,32 @@
 
 #include "formats/ply/layout.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
-struct Spelling {
-    std::string_view name;
-    Role role;
-};
-constexpr Spelling spellings[] = {
-    {"x", Role::x},
-    {"y", Role::y},
-    {"z", Role::z},
-    {"nx", Role::nx},
-    {"ny", Role::ny},
-    {"nz", Role::nz},
-    {"normal_x", Role::nx},
-    {"normal_y", Role::ny},
-    {"normal_z", Role::nz},
-    {"red", Role::red},
-    {"green", Role::green},
-    {"blue", Role::blue},
-    {"r", Role::red},
-    {"g", Role::green},
-    {"b", Role::blue},
-    {"diffuse_red", Role::red},
-    {"diffuse_green", Role::green},
-    {"diffuse_blue", Role::blue},
-    {"u", Role::u},
-    {"v", Role::v},
-    {"s", Role::u},
-    {"t", Role::v},
-    {"texture_u", Role::u},
-    {"texture_v", Role::v},
-    {"texture_s", Role::u},
-    {"texture_t", Role::v},
-};
+/// The names of each role, in the order of Role.
+constexpr std::string_view spellings[role_count][4] = {{"x"},
+                                                       {"y"},
+                                                       {"z"},
+                                                       {"nx", "normal_x"},
+                                                       {"ny", "normal_y"},
+                                                       {"nz", "normal_z"},
+                                                       {"red", "r", "diffuse_red"},
+                                                       {"green", "g", "diffuse_green"},
+                                                       {"blue", "b", "diffuse_blue"},
+                                                       {"u", "s", "texture_u", "texture_s"},
+                                                       {"v", "t", "texture_v", "texture_t"}};
 
 constexpr std::size_t index_of(Role role) { return static_cast<std::size_t>(role); }
 
 Role role_named(std::string_view name) {
-    for (const Spelling& spelling : spellings)
-        if (spelling.name == name) return spelling.role;
-    return Role::none;
+    std::size_t role = 0;
+    while (role < role_count && std::ranges::find(spellings[role], name) == std::end(spellings[role])) ++role;
+    return static_cast<Role>(role);
 }
 
 std::string names_of_properties(const Element& element) {
@@ -156,4 +138,4 @@ MeshLayout interpret_header(const Source& source, const Header& header) {
     return layout;
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

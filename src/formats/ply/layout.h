@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 /// Meaning of a vertex property.
 enum class Role : std::uint8_t { x, y, z, nx, ny, nz, red, green, blue, u, v, none };
@@ -38,4 +38,4 @@ MeshLayout interpret_header(const Source& source, const Header& header);
 
 bool is_strips(const Element& element);
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

@@ -3,7 +3,7 @@
 #include "formats/ply/fixed_rows.h"
 #include "formats/ply/mesh.h"
 #include "formats/read_bytes.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,10 +11,16 @@
 #include <vector>
 
 namespace glint {
+
+namespace ply = formats::ply;
+
+using formats::LoadWatch;
+
 namespace {
 
 /// Reads a file of fixed-size rows in chunks that fit the cache. Returns nothing if anything is unusual.
-std::optional<LoadedMesh> load_fixed_rows(InputFile& file, const std::string& path, const LoadWatch& watch) {
+std::optional<LoadedMesh> load_fixed_rows(formats::InputFile& file, const std::string& path,
+                                          const LoadWatch& watch) {
     if (!file.size()) return {};
     constexpr std::size_t part = 1U << 18U;
     std::vector<std::byte> bytes(std::min(part, *file.size() + 1));
@@ -57,10 +63,10 @@ std::optional<LoadedMesh> load_fixed_rows(InputFile& file, const std::string& pa
 
 LoadedMesh load_mesh(const std::string& path, const LoadOptions& options) {
     const LoadWatch watch(path, options);
-    InputFile file(path);
+    formats::InputFile file(path);
     if (auto loaded = load_fixed_rows(file, path, watch)) return *std::move(loaded);
     if (file.size()) file.rewind();
-    return parse_ply(read_bytes(file, watch), path, options);
+    return parse_ply(formats::read_bytes(file, watch), path, options);
 }
 
 LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options) {

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 std::string count_text(std::uint64_t n, const char* one, const char* many) {
@@ -33,7 +33,8 @@ class Assembler {
         poll_cancel();
         split_polygons();
         poll_cancel();
-        const std::uint64_t dropped = rows_.small_faces + drop_degenerate(mesh().positions, mesh().triangles);
+        const std::uint64_t dropped =
+            rows_.small_faces + geometry::drop_degenerate(mesh().positions, mesh().triangles);
         if (dropped > 0)
             warn("dropped " + count_text(dropped, "degenerate face", "degenerate faces"),
                  "they have fewer than three different corners, or no area");
@@ -89,11 +90,11 @@ class Assembler {
             all.insert(all.end(), next, before);
             next = before;
             const auto corners = std::span(rows_.corners).subspan(polygon.first, polygon.size);
-            if (!triangulate(mesh().positions, corners, all))
+            if (!geometry::triangulate(mesh().positions, corners, all))
                 fail(polygon.offset,
                      "a concave face of " + std::to_string(polygon.size) + " corners is too large",
-                     "split it: concave faces may have up to " + std::to_string(max_concave_corners) +
-                         " corners");
+                     "split it: concave faces may have up to " +
+                         std::to_string(geometry::max_concave_corners) + " corners");
         }
         all.insert(all.end(), next, whole.end());
         mesh().triangles = std::move(all);
@@ -166,4 +167,4 @@ LoadedMesh assemble(const Source& source, const Header& header, const MeshLayout
     return Assembler(source, header, layout, std::move(rows), watch).assemble();
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

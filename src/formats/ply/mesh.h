@@ -3,9 +3,9 @@
 
 #include "formats/load_watch.h"
 #include "formats/ply/rows.h"
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 /// Triangulates polygons, drops faces without area and unused vertices that are not finite, and adds warnings
 /// about these. Throws Error(input) if a face uses a vertex that is not finite or beyond the largest
@@ -14,4 +14,4 @@ namespace glint::ply {
 LoadedMesh assemble(const Source& source, const Header& header, const MeshLayout& layout, Rows rows,
                     const LoadWatch& watch);
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

@@ -3,15 +3,14 @@
 #include "formats/ply/rows.h"
 
 #include "formats/ply/cursor.h"
-#include "formats/ply/light.h"
-#include "imaging/tone.h"
+#include "formats/ply/srgb8_table.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 /// Converts to float; finite values stay finite.
@@ -27,7 +26,7 @@ float finite_or_zero(double value) { return std::isfinite(value) ? to_float(valu
 /// Linear light of a stored colour. 8- and 16-bit values are sRGB codes, wider integers are clamped to 0 …
 /// 255 and read as 8-bit codes; floats are linear, with negative values and NaN as black.
 float to_light(double value, Type type) {
-    if (type == Type::uint16) return linear_from_srgb16(static_cast<std::uint16_t>(value));
+    if (type == Type::uint16) return imaging::linear_from_srgb16(static_cast<std::uint16_t>(value));
     if (is_integer(type)) return srgb8_table()[static_cast<std::size_t>(std::clamp(value, 0.0, 255.0))];
     return std::max(0.0f, finite_or_zero(value));
 }
@@ -269,4 +268,4 @@ Rows read_rows(const Source& source, const Header& header, const MeshLayout& lay
     }
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

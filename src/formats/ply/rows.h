@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 /// Contents of all rows. Indices are checked; coordinates are not.
 struct Rows {
@@ -43,4 +43,4 @@ struct Rows {
 /// rows.
 Rows read_rows(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch);
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

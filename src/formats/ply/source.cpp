@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 namespace {
 
 constexpr std::size_t max_excerpt = 160;
@@ -62,4 +62,4 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& ca
     return nearest ? "did you mean '" + *nearest + "'?" : std::move(otherwise);
 }
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

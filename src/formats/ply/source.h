@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace glint::ply {
+namespace glint::formats::ply {
 
 /// A view of a whole file in memory. Positions are byte offsets; lines and columns are counted only for
 /// messages.
@@ -42,4 +42,4 @@ std::string quoted(std::string_view word);
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
                        std::string otherwise);
 
-} // namespace glint::ply
+} // namespace glint::formats::ply

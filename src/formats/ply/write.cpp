@@ -1,6 +1,7 @@
 // Writing meshes as PLY files.
 
-#include "glint/formats.h"
+#include "glint/mesh_files.h"
+#include "glint/write_file.h"
 #include "imaging/tone.h"
 
 #include <algorithm>
@@ -54,22 +55,11 @@ class Output {
     std::string text_;
 };
 
-const char* format_name(PlyFormat format) {
-    switch (format) {
-    case PlyFormat::ascii:
-        return "ascii";
-    case PlyFormat::binary_little_endian:
-        return "binary_little_endian";
-    default:
-        return "binary_big_endian";
-    }
-}
-
 /// Whether every colour equals an 8-bit sRGB code bit for bit. Then bytes are lossless, and more programs
 /// read them.
 bool are_codes(const std::vector<glm::vec3>& colors) {
     const auto is_code = [](float light) {
-        return std::bit_cast<std::uint32_t>(linear_from_srgb8(srgb8_from_linear(light))) ==
+        return std::bit_cast<std::uint32_t>(imaging::linear_from_srgb8(imaging::srgb8_from_linear(light))) ==
                std::bit_cast<std::uint32_t>(light);
     };
     return std::all_of(colors.begin(), colors.end(),
@@ -81,7 +71,7 @@ void write_header(Output& out, const Mesh& mesh, PlyFormat format, bool byte_col
         for (const char* name : names) out.line(std::string("property ") + type + " " + name);
     };
     out.line("ply");
-    out.line(std::string("format ") + format_name(format) + " 1.0");
+    out.line("format " + std::string(name_of(format)) + " 1.0");
     out.line("element vertex " + std::to_string(mesh.positions.size()));
     properties("float", {"x", "y", "z"});
     if (!mesh.normals.empty()) properties("float", {"nx", "ny", "nz"});
@@ -101,7 +91,7 @@ void write_vertex(Output& out, const Mesh& mesh, std::size_t i, bool byte_colors
     if (!mesh.normals.empty()) numbers(mesh.normals[i]);
     if (!mesh.colors.empty() && !byte_colors) numbers(mesh.colors[i]);
     if (!mesh.colors.empty() && byte_colors)
-        for (int k = 0; k < 3; ++k) out.byte(srgb8_from_linear(mesh.colors[i][k]));
+        for (int k = 0; k < 3; ++k) out.byte(imaging::srgb8_from_linear(mesh.colors[i][k]));
     if (!mesh.uvs.empty()) numbers(mesh.uvs[i]);
     out.end_row();
 }

@@ -2,15 +2,14 @@
 
 #include "formats/scene/animation_tracks.h"
 
-#include "formats/scene/file_keys.h"
 #include "formats/scene/key_path.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "scene/text.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -34,8 +33,6 @@ bool has_values_between(KeyType type) {
     }
 }
 
-bool is_number(const TreeValue& value) { return value.kind == Kind::integer || value.kind == Kind::number; }
-
 TreeValue list_of(const Vec3& v, const SourcePos& where) {
     TreeValue list;
     list.kind = Kind::list;
@@ -52,7 +49,7 @@ TreeValue list_of(const Vec3& v, const SourcePos& where) {
 
 /// Whether two values have the same structure, so that their numbers correspond.
 bool same_form(const TreeValue& a, const TreeValue& b) {
-    if (is_number(a) && is_number(b)) return true;
+    if (a.is_number() && b.is_number()) return true;
     if (a.kind != b.kind || a.items.size() != b.items.size() || a.entries.size() != b.entries.size())
         return false;
     for (std::size_t i = 0; i < a.items.size(); ++i)
@@ -125,7 +122,7 @@ class TrackReader {
                            target.spec->name != "animation" && target.key != "name" &&
                            target.key != target.spec->selector;
         if (!moves) {
-            problems_.error(track.where, in_quotes(track.path) + " does not move",
+            problems_.error(track.where, scene::in_quotes(track.path) + " does not move",
                             "what moves is the camera, objects, lights, materials and settings");
             return false;
         }
@@ -150,7 +147,7 @@ class TrackReader {
     void write_out(TreeValue& value, KeyType type) const {
         if (type == KeyType::color && value.kind == Kind::text)
             value = list_of(linear_color(*color_codes(value.text), context_.colors), value.where);
-        else if (type == KeyType::scale && is_number(value))
+        else if (type == KeyType::scale && value.is_number())
             value = list_of(Vec3(value.number), value.where);
         for (TreeValue& entry : value.items)
             if (TreeEntry* scale = type == KeyType::transform ? entry.find("scale") : nullptr)
@@ -159,15 +156,15 @@ class TrackReader {
 
     /// Checks that the values can be interpolated as requested.
     bool check_form(Track& track, TableReader& table) {
-        if (track.timeline.interpolation == Interpolation::step) return true;
+        if (track.timeline.interpolation == scene::Interpolation::step) return true;
         if (!has_values_between(track.type)) {
             if (table.has("interpolation")) {
                 table.error(table.position_of("interpolation"),
-                            in_quotes(track.path) + " has no values in between",
+                            scene::in_quotes(track.path) + " has no values in between",
                             "leave \"interpolation\" out, or write \"step\"");
                 return false;
             }
-            track.timeline.interpolation = Interpolation::step;
+            track.timeline.interpolation = scene::Interpolation::step;
             return true;
         }
         for (const TreeValue& value : track.values) {
@@ -195,7 +192,7 @@ TreeValue blend(const Track& track, double frame, const std::vector<const TreeVa
         std::transform(all.begin(), all.end(), parts.begin(), part_of);
         part = blend(track, frame, parts);
     };
-    if (is_number(value)) {
+    if (value.is_number()) {
         value.number = track.timeline.at(frame, [&](std::size_t i) { return all[i]->number; });
         if (track.type == KeyType::whole_number) {
             value.number = std::floor(value.number + 0.5);
@@ -219,11 +216,11 @@ Tracks read_tracks(const TreeValue& root, Problems& problems) {
 
 TreeValue value_at(const Track& track, double frame) {
     const double within = track.timeline.within(frame);
-    if (track.timeline.interpolation == Interpolation::step)
+    if (track.timeline.interpolation == scene::Interpolation::step)
         return track.values[track.timeline.keyframe(within)];
     std::vector<const TreeValue*> all;
     for (const TreeValue& value : track.values) all.push_back(&value);
     return blend(track, within, all);
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// An animated value.
 struct Track {
     std::string path; ///< key path as written
     SourcePos where;  ///< of the path
     KeyType type = KeyType::number;
-    Timeline timeline;
+    scene::Timeline timeline;
     /// one for each of timeline.frames; all of the same structure unless stepped
     std::vector<TreeValue> values;
 };
@@ -35,4 +35,4 @@ Tracks read_tracks(const TreeValue& root, Problems& problems);
 /// The value of a track at a frame; its position is that of the keyframe at or before it.
 TreeValue value_at(const Track& track, double frame);
 
-} // namespace glint
+} // namespace glint::formats

@@ -3,35 +3,21 @@
 #include "formats/scene/colors.h"
 
 #include "imaging/tone.h"
+#include "scene/text.h"
 
-namespace glint {
+#include <charconv>
+
+namespace glint::formats {
 namespace {
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
-
-std::optional<std::uint32_t> hex_digit(char c) {
-    if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0');
-    if (c >= 'a' && c <= 'f') return static_cast<std::uint32_t>(c - 'a' + 10);
-    if (c >= 'A' && c <= 'F') return static_cast<std::uint32_t>(c - 'A' + 10);
-    return std::nullopt;
-}
-
+// "#rgb" doubles each digit.
 std::optional<std::uint32_t> hex_color(std::string_view digits) {
-    if (digits.size() != 3 && digits.size() != 6) return std::nullopt;
+    std::string six(digits);
+    if (six.size() == 3) six = {six[0], six[0], six[1], six[1], six[2], six[2]};
+    if (six.size() != 6) return std::nullopt;
     std::uint32_t rgb = 0;
-    for (const char c : digits) {
-        const auto digit = hex_digit(c);
-        if (!digit) return std::nullopt;
-        rgb = rgb << 4 | *digit;
-        // "#rgb" doubles each digit.
-        if (digits.size() == 3) rgb = rgb << 4 | *digit;
-    }
-    return rgb;
+    const auto [end, fault] = std::from_chars(six.data(), six.data() + six.size(), rgb, 16);
+    return fault == std::errc() && end == six.data() + six.size() ? std::optional(rgb) : std::nullopt;
 }
 
 // rgb.txt rounds 2.55 · n, a product of binary fractions: gray50 is 127, not 128.
@@ -51,7 +37,7 @@ std::optional<std::uint32_t> gray_percent(std::string_view name) {
 
 std::optional<std::uint32_t> color_codes(std::string_view text) {
     if (text.starts_with('#')) return hex_color(text.substr(1));
-    const std::string name = lower_case(text);
+    const std::string name = scene::lower_case(text);
     for (const NamedColor& color : css_colors())
         if (color.name == name) return color.rgb;
 
@@ -67,7 +53,7 @@ std::optional<std::uint32_t> color_codes(std::string_view text) {
 Vec3 linear_color(std::uint32_t rgb, ColorValues values) {
     const auto linear = [&](int shift) {
         const double value = static_cast<double>(rgb >> shift & 0xffu) / 255.0;
-        return values == ColorValues::srgb ? linear_from_srgb(value) : value;
+        return values == ColorValues::srgb ? imaging::linear_from_srgb(value) : value;
     };
     return {linear(16), linear(8), linear(0)};
 }
@@ -80,4 +66,4 @@ std::vector<std::string> color_names() {
     return names;
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -10,13 +10,23 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Conversion of the codes 0 … 255 of a colour to linear light.
 enum class ColorValues {
     srgb,  ///< decoded by the sRGB curve
     linear ///< divided by 255
 };
+} // namespace glint::formats
+
+namespace glint {
+
+template <>
+inline constexpr NamesUpTo<formats::ColorValues::linear> enum_names<formats::ColorValues>{"srgb", "linear"};
+
+} // namespace glint
+
+namespace glint::formats {
 
 struct NamedColor {
     std::string_view name; ///< lower case
@@ -45,4 +55,4 @@ Vec3 linear_color(std::uint32_t rgb, ColorValues values);
 /// All names, for suggestions.
 std::vector<std::string> color_names();
 
-} // namespace glint
+} // namespace glint::formats

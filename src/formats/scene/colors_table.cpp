@@ -2,7 +2,7 @@
 
 #include "formats/scene/colors.h"
 
-namespace glint {
+namespace glint::formats {
 
 // The named colours of CSS Color Module Level 4, section 6.1.
 std::span<const NamedColor> css_colors() {
@@ -140,4 +140,4 @@ std::span<const ShadedColor> x11_shades() {
     return table;
 }
 
-} // namespace glint
+} // namespace glint::formats

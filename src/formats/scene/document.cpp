@@ -4,13 +4,21 @@
 
 #include "formats/read_text.h"
 #include "formats/scene/document_edit.h"
-#include "glint/names.h"
+#include "glint/scene.h"
+#include "glint/write_file.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <span>
 
 namespace glint {
+
+using formats::parse_tree_value;
+using formats::SceneSource;
+using formats::text_of;
+using formats::TreeEntry;
+using formats::TreeValue;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +29,7 @@ std::string path_and(std::string_view path, std::string_view value) {
 
 /// The value in TOML syntax: as given without a trailing comment, or as a quoted string.
 std::string as_toml(std::string_view given) {
-    const std::string_view value = trimmed(given);
+    const std::string_view value = formats::trimmed(given);
     const auto tree = parse_tree_value(value, {});
     if (!tree) return scene_value(value);
     return std::string(value.substr(0, SceneSource(value, {}, {}).offset(tree->end)));
@@ -30,26 +38,28 @@ std::string as_toml(std::string_view given) {
 /// A parsed text.
 struct Parsed {
     SceneSource source;
-    Problems problems;
+    formats::Problems problems;
     TreeValue root;
 
     Parsed(const std::string& text, const std::string& name, std::vector<Override> overrides)
-        : source(text, name, std::move(overrides)), problems(source), root(parse_tree(source)) {}
+        : source(text, name, std::move(overrides)), problems(source), root(formats::parse_tree(source)) {}
     Parsed(const Parsed&) = delete;
     Parsed& operator=(const Parsed&) = delete;
 };
 
-constexpr SourcePos first_override{1, 0, 0};
+constexpr formats::SourcePos first_override{1, 0, 0};
+
+/// Whether files may be read is for those who read them.
+LoadOptions without_files(std::vector<Override> overrides = {}) {
+    return {.overrides = std::move(overrides), .allow_outside = true, .load_meshes = false};
+}
 
 /// The value at a path; null if there is none.
 const TreeValue* value_at(Parsed& parsed, std::string_view path) {
-    const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
+    const formats::KeyTarget target =
+        formats::find_target(parsed.root, path, first_override, parsed.problems);
     const TreeEntry* entry = target.table ? target.table->find(target.key) : nullptr;
     return entry ? &entry->value : nullptr;
-}
-
-bool is_number(const TreeValue& value) {
-    return value.kind == TreeValue::Kind::number || value.kind == TreeValue::Kind::integer;
 }
 
 fs::path folder_of(const std::string& file) { return fs::weakly_canonical(fs::absolute(file).parent_path()); }
@@ -58,13 +68,14 @@ fs::path folder_of(const std::string& file) { return fs::weakly_canonical(fs::ab
 
 SceneDocument::SceneDocument(std::string text, std::string name)
     : name_(std::move(name)), text_(std::move(text)), saved_(text_) {
-    parse_tree(SceneSource(text_, name_, {}));
+    formats::parse_tree(SceneSource(text_, name_, {}));
 }
 
 SceneDocument SceneDocument::open(const std::string& path, const LoadOptions& options) {
-    if (lower_extension(path) != ".ply") {
-        std::string text = read_text(path);
-        if (!looks_like_ply(text)) return {std::move(text), path == "-" ? stdin_name : path};
+    if (formats::lower_extension(path) != ".ply") {
+        std::string text = formats::read_text(path);
+        if (!formats::looks_like_ply(text))
+            return {std::move(text), path == "-" ? formats::stdin_name : path};
         if (path == "-")
             throw Error(ErrorKind::input, "a mesh from stdin has no scene file to edit", "name its file");
     }
@@ -83,8 +94,8 @@ std::vector<double> SceneDocument::numbers(std::string_view path) const {
     Parsed parsed(text_, name_, {Override(path)});
     const TreeValue* value = value_at(parsed, path);
     if (!value) return {};
-    if (is_number(*value)) return {value->number};
-    if (!std::all_of(value->items.begin(), value->items.end(), is_number)) return {};
+    if (value->is_number()) return {value->number};
+    if (!std::ranges::all_of(value->items, &TreeValue::is_number)) return {};
     std::vector<double> all;
     for (const TreeValue& item : value->items) all.push_back(item.number);
     return all;
@@ -117,11 +128,7 @@ void SceneDocument::set(std::string_view path, int value) { set(path, std::to_st
 void SceneDocument::set(std::string_view path, bool value) { set(path, value ? "true" : "false"); }
 
 void SceneDocument::set_all(const std::vector<Override>& values) {
-    LoadOptions options;
-    options.overrides = values;
-    options.allow_outside = true; // whether files may be read is for those who read them
-    options.load_meshes = false;
-    parse_scene(text_, name_, options);
+    parse_scene(text_, name_, without_files(values));
 
     SceneDocument next = *this;
     for (const Override& each : values) {
@@ -133,21 +140,23 @@ void SceneDocument::set_all(const std::vector<Override>& values) {
 
 void SceneDocument::put(std::string_view path, std::string_view given) {
     Parsed parsed(text_, name_, {path_and(path, given)});
-    const KeyTarget target = find_target(parsed.root, path, first_override, parsed.problems);
+    const formats::KeyTarget target =
+        formats::find_target(parsed.root, path, first_override, parsed.problems);
     parsed.problems.throw_if_any();
     std::string value = as_toml(given);
     const TreeValue wanted = *parse_tree_value(value, first_override);
     const TreeEntry* entry = target.table->find(target.key);
-    if (entry && same_value(entry->value, wanted)) return;
+    if (entry && formats::same_value(entry->value, wanted)) return;
 
     auto edit = std::find_if(edits_.begin(), edits_.end(),
                              [&](const Edit& each) { return each.target == target.path; });
     bool as_it_was = false;
     if (edit != edits_.end() && edit->original) {
         const auto original = parse_tree_value(*edit->original, first_override);
-        as_it_was = original && same_value(*original, wanted);
+        as_it_was = original && formats::same_value(*original, wanted);
     }
-    const TextEdit change = edit_for(parsed.source, parsed.root, target, as_it_was ? *edit->original : value);
+    const formats::TextEdit change =
+        formats::edit_for(parsed.source, parsed.root, target, as_it_was ? *edit->original : value);
 
     // A value set back to the original needs no edit; edits of sub-keys are superseded.
     if (edit == edits_.end()) {
@@ -165,10 +174,7 @@ void SceneDocument::put(std::string_view path, std::string_view given) {
 }
 
 void SceneDocument::set_camera(const CameraDescription& camera) {
-    LoadOptions options;
-    options.load_meshes = false;
-    options.allow_outside = true;
-    const auto now = parse_scene(text_, name_, options).description.camera;
+    const auto now = parse_scene(text_, name_, without_files()).description.camera;
     std::vector<Override> values;
     const auto set_key = [&](const char* key, const std::string& value) {
         values.push_back(path_and(std::string("camera.") + key, value));
@@ -187,21 +193,19 @@ void SceneDocument::set_camera(const CameraDescription& camera) {
 
 void SceneDocument::rebase(std::string text) {
     SceneDocument next(std::move(text), name_);
-    std::vector<Override> values;
-    for (const Edit& edit : edits_) values.push_back(path_and(edit.path, edit.value));
-    next.set_all(values);
+    next.set_all(changes());
     *this = std::move(next);
 }
 
 void SceneDocument::save() {
-    if (name_ == stdin_name)
+    if (name_ == formats::stdin_name)
         throw Error(ErrorKind::usage, "a scene from stdin has no file to be saved in", "name one");
     std::error_code ignored;
     if (fs::exists(name_, ignored)) {
         if (!saved_)
             throw Error(ErrorKind::output, "\"" + name_ + "\" exists", "save under another name",
                         {name_, 0, 0, {}});
-        std::string found = read_text(name_);
+        std::string found = formats::read_text(name_);
         if (found != *saved_) rebase(std::move(found));
     }
     write_file(name_, std::as_bytes(std::span(text_)));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -164,11 +164,8 @@ std::string_view text_of(const SceneSource& source, const TreeValue& value) {
 }
 
 bool same_value(const TreeValue& a, const TreeValue& b) {
-    const auto is_number = [](const TreeValue& v) {
-        return v.kind == Kind::integer || v.kind == Kind::number;
-    };
     if (a.kind == Kind::integer && b.kind == Kind::integer) return a.integer == b.integer;
-    if (is_number(a) && is_number(b))
+    if (a.is_number() && b.is_number())
         return a.number == b.number && std::signbit(a.number) == std::signbit(b.number);
     if (a.kind != b.kind || a.boolean != b.boolean || a.text != b.text) return false;
     if (a.items.size() != b.items.size() || a.entries.size() != b.entries.size()) return false;
@@ -180,4 +177,4 @@ bool same_value(const TreeValue& a, const TreeValue& b) {
     });
 }
 
-} // namespace glint
+} // namespace glint::formats

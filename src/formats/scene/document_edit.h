@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 /// A range of SceneSource::text() and its replacement.
 struct TextEdit {
@@ -28,4 +28,4 @@ std::string_view text_of(const SceneSource& source, const TreeValue& value);
 /// Whether two values are equal. Integers equal floats of the same value; positions are ignored.
 bool same_value(const TreeValue& a, const TreeValue& b);
 
-} // namespace glint
+} // namespace glint::formats

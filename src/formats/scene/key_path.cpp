@@ -4,10 +4,12 @@
 
 #include "scene/text.h"
 
-#include <charconv>
 #include <optional>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -19,13 +21,6 @@ std::string_view unquoted(std::string_view name) {
     const bool quotes =
         name.size() >= 2 && (name.front() == '"' || name.front() == '\'') && name.back() == name.front();
     return quotes ? name.substr(1, name.size() - 2) : name;
-}
-
-std::optional<std::size_t> number_of(std::string_view text) {
-    std::size_t number = 0;
-    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = !text.empty() && end.ec == std::errc{} && end.ptr == text.data() + text.size();
-    return whole ? std::optional(number) : std::nullopt;
 }
 
 /// The parts of a path such as "material.glass.index"; the name may contain dots.
@@ -49,13 +44,6 @@ std::string example(std::string_view table) {
     const TableSpec& spec = *find_table(table);
     const std::string key(spec.keys.front().key);
     return std::string(table) + (spec.form == TableForm::one ? "." : ".NAME.") + key + "=…";
-}
-
-std::vector<std::string> table_names() {
-    std::vector<std::string> names;
-    for (const TableSpec& spec : table_specs())
-        if (spec.form != TableForm::root && spec.form != TableForm::entry) names.emplace_back(spec.name);
-    return names;
 }
 
 class Finder {
@@ -130,7 +118,7 @@ class Finder {
         const std::string_view number = path.name.substr(split + transform_part.size());
         TreeEntry* entry = object.find("transform");
         const std::size_t count = entry ? entry->value.items.size() : 0;
-        const auto index = number_of(number);
+        const auto index = scene::parse_number<std::size_t>(number);
         if (!index || *index >= count)
             return fail("no entry " + in_quotes(number) + " of the transform",
                         count == 0 ? "the object has no transform"
@@ -163,7 +151,7 @@ class Finder {
             const TreeEntry* entry = items[i].find("name");
             if (entry && entry->value.kind == Kind::text && entry->value.text == name) return i;
         }
-        const auto number = number_of(name);
+        const auto number = scene::parse_number<std::size_t>(name);
         return number && *number < items.size() ? number : std::nullopt;
     }
 
@@ -180,19 +168,15 @@ class Finder {
             count = entry->value.items.size() + entry->value.entries.size();
         }
         const std::string_view wanted = unquoted(path.name);
-        std::string hint = problems_.suggestion(wanted, names);
-        if (hint.empty() && count == 0)
-            hint = "the scene has no " + std::string(spec.name);
-        else if (hint.empty() && spec.form == TableForm::list)
-            hint = "the scene has " + std::to_string(count) + ", numbered from 0";
-        else if (hint.empty())
-            hint = "the scene has " + listed(names);
-        return fail("no " + std::string(spec.name) + " " + in_quotes(wanted), std::move(hint));
+        const std::string what = count == 0                     ? "no " + std::string(spec.name)
+                                 : spec.form == TableForm::list ? std::to_string(count) + ", numbered from 0"
+                                                                : scene::listed(names);
+        return fail("no " + std::string(spec.name) + " " + in_quotes(wanted),
+                    problems_.suggestion(wanted, names, "the scene has " + what));
     }
 
     std::string suggest(std::string_view word, const std::vector<std::string>& names) const {
-        const std::string hint = problems_.suggestion(word, names);
-        return hint.empty() ? "expected one of " + listed(names) : hint;
+        return problems_.suggestion(word, names, "expected one of " + scene::listed(names));
     }
 
     TreeValue& root_;
@@ -229,4 +213,18 @@ TreeValue read_value(std::string_view text, const SourcePos& where) {
     return bare;
 }
 
-} // namespace glint
+void apply_overrides(TreeValue& root, const SceneSource& source, Problems& problems) {
+    int origin = 0;
+    for (const std::string& text : source.overrides()) {
+        const SourcePos where{++origin, 0, 0};
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos)
+            throw Error(ErrorKind::usage, "-D " + text + " has no value",
+                        "expected path=value, for example whitted.max_depth=3");
+        const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
+        const KeyTarget target = find_target(root, std::string_view(text).substr(0, equals), where, problems);
+        if (target.table) put_value(target, read_value(value, where), where);
+    }
+}
+
+} // namespace glint::formats

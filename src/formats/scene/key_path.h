@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace glint {
+namespace glint::formats {
 
 /// Removes surrounding white space.
 std::string_view trimmed(std::string_view text);
@@ -34,4 +34,8 @@ void put_value(const KeyTarget& target, TreeValue value, const SourcePos& where)
 /// Parses a value as for -D: TOML, otherwise text. All positions are `where`.
 TreeValue read_value(std::string_view text, const SourcePos& where);
 
-} // namespace glint
+/// Applies the overrides of the source (-D) to the tree of its file, in order; find_target() defines paths.
+/// Values that are not TOML are text. Reports invalid paths; throws Error(usage) if '=' is missing.
+void apply_overrides(TreeValue& root, const SceneSource& source, Problems& problems);
+
+} // namespace glint::formats

@@ -3,14 +3,12 @@
 #include "formats/scene/open_scene.h"
 
 #include "formats/read_text.h"
-#include "formats/scene/check.h"
 #include "formats/scene/key_path.h"
-#include "formats/scene/overrides.h"
 #include "scene/text.h"
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::formats {
 
 OpenScene::OpenScene(std::string text, std::string name, const LoadOptions& options)
     : text_(std::move(text)), name_(std::move(name)), options_(options),
@@ -78,9 +76,9 @@ SceneDescription OpenScene::at(double frame) const {
     } catch (const Error& error) {
         std::vector<Diagnostic> diagnostics = error.diagnostics();
         for (Diagnostic& diagnostic : diagnostics)
-            diagnostic.message = "frame " + show(frame) + ": " + diagnostic.message;
+            diagnostic.message = "frame " + scene::show(frame) + ": " + diagnostic.message;
         throw Error(error.kind(), std::move(diagnostics));
     }
 }
 
-} // namespace glint
+} // namespace glint::formats

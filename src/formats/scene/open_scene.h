@@ -2,14 +2,14 @@
 // A parsed scene file, which can be read as it is or at a frame of its animation.
 
 #include "formats/scene/animation_tracks.h"
-#include "formats/scene/meshes.h"
+#include "formats/scene/load_meshes.h"
 #include "formats/scene/tree.h"
-#include "glint/formats.h"
+#include "glint/scene_files.h"
 
 #include <mutex>
 #include <string>
 
-namespace glint {
+namespace glint::formats {
 
 class OpenScene {
   public:
@@ -36,4 +36,4 @@ class OpenScene {
     mutable MeshCache meshes_;
 };
 
-} // namespace glint
+} // namespace glint::formats

@@ -2,15 +2,17 @@
 
 #include "formats/scene/read.h"
 
-#include "formats/scene/file_keys.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/keys/check.h"
 #include "scene/text.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace glint {
+namespace glint::formats {
+
+using scene::in_quotes;
+
 namespace {
 
 using Kind = TreeValue::Kind;
@@ -22,7 +24,7 @@ void read_camera(TableReader table, CameraDescription& camera) {
         return table.error(table.position_of("look_at"), "\"look_at\" is where the \"eye\" is",
                            "the camera looks from one to the other");
     const char* view = table.has("look_at") ? "look_at" : "direction";
-    if (auto fault = view_fault(camera))
+    if (auto fault = scene::view_fault(camera))
         table.error(table.position_of(table.has("up") ? "up" : view), std::move(fault->message),
                     std::move(fault->hint));
 }
@@ -31,7 +33,7 @@ void read_material(TableReader table, Material& material, Problems& problems) {
     table.read(material);
     if (material.reflectivity > 1 && table.has("reflectivity"))
         problems.warning(table.position_of("reflectivity"),
-                         "\"reflectivity\" " + show(material.reflectivity) + " is above 1",
+                         "\"reflectivity\" " + scene::show(material.reflectivity) + " is above 1",
                          "the mirror image is brighter than what it shows");
 }
 
@@ -98,15 +100,11 @@ class SceneReader {
     }
 
     void report_unknown(const TreeEntry& entry) {
-        std::vector<std::string> names;
-        for (const TableSpec& spec : table_specs())
-            if (spec.form != TableForm::root && spec.form != TableForm::entry) names.emplace_back(spec.name);
+        std::vector<std::string> names = table_names();
         for (const std::string& key : key_names(*find_table(""), {})) names.push_back(key);
         const bool table = entry.value.kind == Kind::table || entry.value.kind == Kind::list;
-        std::string hint = problems_.suggestion(entry.key, names);
-        if (hint.empty()) hint = "expected one of " + listed(names);
         problems_.error(entry.where, (table ? "unknown table " : "unknown key ") + in_quotes(entry.key),
-                        std::move(hint));
+                        problems_.suggestion(entry.key, names, "expected one of " + scene::listed(names)));
     }
 
     void check_form(const TreeEntry& entry, const TableSpec& spec) {
@@ -183,8 +181,8 @@ class SceneReader {
     std::vector<Element> elements() const {
         std::vector<Element> all;
         for (const TableSpec& spec : table_specs()) {
-            const bool placed = spec.object || spec.name == "light";
-            const TreeEntry* entry = placed ? root_.find(spec.name) : nullptr;
+            const bool is_element = spec.object || spec.name == "light";
+            const TreeEntry* entry = is_element ? root_.find(spec.name) : nullptr;
             if (!entry || entry->value.kind != Kind::list) continue;
             for (const TreeValue& item : entry->value.items)
                 if (item.kind == Kind::table) all.push_back({&spec, &item});
@@ -246,4 +244,4 @@ void patch_scene(const TreeValue& root, SceneDescription& description, Problems&
     description = SceneReader(root, problems, true).run(std::move(description)).description;
 }
 
-} // namespace glint
+} // namespace glint::formats

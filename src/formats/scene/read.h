@@ -1,14 +1,14 @@
 #pragma once
 // Reading the tree of a scene file into a SceneDescription.
 
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "formats/scene/tree.h"
 #include "glint/scene.h"
 
 #include <string>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Source positions of the parts of an object.
 struct ObjectPositions {
@@ -35,7 +35,14 @@ ColorValues color_values_of(const TreeValue& root);
 /// Reads a scene without its animation. Reports errors in single tables; check_scene() does the rest.
 ReadScene read_scene(const TreeValue& root, Problems& problems);
 
+/// Reports duplicate names, unknown materials and meshes, degenerate triangles, coordinates out of range (for
+/// meshes that are loaded) and materials invalid for the balanced model.
+void check_scene(const ReadScene& scene, Problems& problems);
+
+/// Reports meshes and instances whose vertices are out of range after scaling and transforming.
+void check_mesh_extents(const ReadScene& scene, Problems& problems);
+
 /// Applies settings, camera and materials of the tree to an existing description.
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
 
-} // namespace glint
+} // namespace glint::formats

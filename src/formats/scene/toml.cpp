@@ -25,7 +25,7 @@
 // clang-format on
 #include <toml++/toml.h>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 constexpr int deepest_key = 16; ///< parts of a dotted key
@@ -43,7 +43,7 @@ SourcePos position_of(const toml::source_position& position) {
 }
 
 /// Text that must not reach the library, and its position.
-struct Offence {
+struct TextFault {
     std::size_t byte;
     std::string message;
     std::string hint;
@@ -55,7 +55,7 @@ class TextCheck {
   public:
     explicit TextCheck(std::string_view text) : text_(text) {}
 
-    std::optional<Offence> run() {
+    std::optional<TextFault> run() {
         while (at_ < text_.size() && !found_) {
             const char c = text_[at_];
             if (c == '#')
@@ -99,16 +99,15 @@ class TextCheck {
     std::string_view text_;
     std::size_t at_ = 0;
     int dots_ = 0;
-    std::optional<Offence> found_;
+    std::optional<TextFault> found_;
 };
 
 SourcePos position_of_byte(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, byte);
     const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t start = before.rfind('\n') + 1; // npos + 1 is 0
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; };
-    const auto wide =
-        std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(), continues);
+    const auto wide = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(start), before.end(),
+                                    scene::continues_utf8);
     return {0, static_cast<int>(lines) + 1, static_cast<int>(byte - start) + 1 - static_cast<int>(wide)};
 }
 
@@ -120,9 +119,9 @@ void refuse_what_is_no_text(const SceneSource& source) {
     if (zero != std::string_view::npos)
         throw_at(source, position_of_byte(text, zero), "a zero byte: this is not a text file",
                  "expected a scene file (TOML) or a PLY mesh");
-    if (auto offence = TextCheck(text).run())
-        throw_at(source, position_of_byte(text, offence->byte), std::move(offence->message),
-                 std::move(offence->hint));
+    if (auto fault = TextCheck(text).run())
+        throw_at(source, position_of_byte(text, fault->byte), std::move(fault->message),
+                 std::move(fault->hint));
 }
 
 TreeValue tree_of(const toml::node& node);
@@ -210,4 +209,4 @@ std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos
     return tree;
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -1,13 +1,12 @@
 // Reading transforms.
 
-#include "formats/scene/file_keys.h"
-#include "formats/scene/table.h"
+#include "formats/scene/table_reader.h"
 #include "math/trig.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 // Rodrigues' formula; exact for quarter turns about the axes.
@@ -73,4 +72,4 @@ Mat4 read_transform(const TreeValue& list, const ReadContext& context) {
     return whole;
 }
 
-} // namespace glint
+} // namespace glint::formats

@@ -6,18 +6,16 @@
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::formats {
 namespace {
 
 constexpr std::size_t longest_list = 1000;
 constexpr std::size_t max_excerpt = 240;
 
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; }
-
 // Length of the UTF-8 character that starts with this byte, if well formed.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
     std::size_t end = at + 1;
-    while (end < text.size() && continues_character(text[end])) ++end;
+    while (end < text.size() && scene::continues_utf8(text[end])) ++end;
     return end - at;
 }
 
@@ -43,23 +41,9 @@ TreeEntry* TreeValue::find(std::string_view key) {
 }
 
 std::string_view TreeValue::kind_words() const {
-    switch (kind) {
-    case Kind::boolean:
-        return "a boolean";
-    case Kind::integer:
-        return "an integer";
-    case Kind::number:
-        return "a number";
-    case Kind::text:
-        return "a string";
-    case Kind::date:
-        return "a date or time";
-    case Kind::list:
-        return "a list";
-    case Kind::table:
-        break;
-    }
-    return "a table";
+    constexpr std::string_view words[] = {"a boolean",      "an integer", "a number", "a string",
+                                          "a date or time", "a list",     "a table"};
+    return words[static_cast<std::size_t>(kind)];
 }
 
 SceneSource::SceneSource(std::string_view text, std::string name, std::vector<std::string> overrides)
@@ -68,7 +52,7 @@ SceneSource::SceneSource(std::string_view text, std::string name, std::vector<st
     line_starts_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i) {
         if (text_[i] == '\n') line_starts_.push_back(i + 1);
-        if (continues_character(text_[i])) continuations_.push_back(static_cast<std::uint32_t>(i));
+        if (scene::continues_utf8(text_[i])) continuations_.push_back(static_cast<std::uint32_t>(i));
     }
 }
 
@@ -156,9 +140,10 @@ void Problems::warning(const SourcePos& pos, std::string message, std::string hi
         add(warnings_, Severity::warning, pos, std::move(message), std::move(hint));
 }
 
-std::string Problems::suggestion(std::string_view word, const std::vector<std::string>& candidates) const {
+std::string Problems::suggestion(std::string_view word, const std::vector<std::string>& candidates,
+                                 std::string otherwise) const {
     constexpr std::size_t enough = 100;
-    return errors_.size() < enough ? did_you_mean(word, candidates) : "";
+    return errors_.size() < enough ? scene::did_you_mean(word, candidates, std::move(otherwise)) : otherwise;
 }
 
 std::vector<Diagnostic> Problems::in_order(std::vector<Problem> list) {
@@ -183,4 +168,4 @@ void Problems::throw_if_any() const {
 
 std::vector<Diagnostic> Problems::warnings() const { return in_order(warnings_); }
 
-} // namespace glint
+} // namespace glint::formats

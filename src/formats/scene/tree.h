@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace glint {
+namespace glint::formats {
 
 /// Source position of a value: in the file (origin 0), or in an override (origin 1, 2, …; without line).
 struct SourcePos {
@@ -41,6 +41,7 @@ struct TreeValue {
     /// The entry with that name; null if there is none.
     const TreeEntry* find(std::string_view key) const;
     TreeEntry* find(std::string_view key);
+    bool is_number() const { return kind == Kind::integer || kind == Kind::number; }
     /// "a boolean", "an integer", … for messages.
     std::string_view kind_words() const;
 };
@@ -88,8 +89,10 @@ class Problems {
     /// Adds a problem of another file that is referred to at this position.
     void error_elsewhere(const SourcePos& named_at, Diagnostic diagnostic);
     void warning(const SourcePos& pos, std::string message, std::string hint = {});
-    /// did_you_mean(), or empty after so many errors that searching would take long.
-    std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) const;
+    /// did_you_mean(), or `otherwise` if nothing is near, or after so many errors that searching would take
+    /// long.
+    std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
+                           std::string otherwise = {}) const;
 
     Location locate(const SourcePos& pos) const { return source_.locate(pos); }
     bool any_error() const { return !errors_.empty(); }
@@ -120,4 +123,4 @@ TreeValue parse_tree(const SceneSource& source);
 /// the value in the text, which a comment may follow.
 std::optional<TreeValue> parse_tree_value(std::string_view text, const SourcePos& where);
 
-} // namespace glint
+} // namespace glint::formats

@@ -2,13 +2,14 @@
 
 #include "formats/scene/write.h"
 #include "glint/document.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/text.h"
 
 #include <array>
 #include <cmath>
 
-namespace glint {
+namespace glint::formats {
+
 namespace {
 
 /// A value in TOML.
@@ -26,28 +27,30 @@ struct Written {
     std::string operator()(Choice value) const { return scene_value(key.choices[value.index]); }
     std::string operator()(const std::string& value) const { return scene_value(value); }
     std::string operator()(const std::array<int, 2>& pair) const {
-        return "[" + std::to_string(pair[0]) + ", " + std::to_string(pair[1]) + "]";
+        return list({std::to_string(pair[0]), std::to_string(pair[1])});
     }
     std::string operator()(const Vec3& v) const {
         const bool even = v.x == v.y && v.y == v.z;
         return key.type == KeyType::scale && even ? scene_value(v.x) : scene_value(v);
     }
     std::string operator()(const std::array<Vec3, 3>& points) const {
-        return "[" + scene_value(points[0]) + ", " + scene_value(points[1]) + ", " + scene_value(points[2]) +
-               "]";
+        return list({scene_value(points[0]), scene_value(points[1]), scene_value(points[2])});
     }
     std::string operator()(const Mat4& matrix) const {
         if (matrix == Mat4(1)) return "[]";
-        std::string text;
+        std::vector<std::string> rows;
         for (int row = 0; row < 4; ++row)
-            for (int column = 0; column < 4; ++column)
-                text += (text.empty() ? "" : ", ") + scene_value(matrix[column][row]);
-        return "[{ matrix = [" + text + "] }]";
+            for (int column = 0; column < 4; ++column) rows.push_back(scene_value(matrix[column][row]));
+        return "[{ matrix = " + list(rows) + " }]";
     }
     std::string operator()(const std::vector<double>& numbers) const {
-        std::string text;
-        for (const double x : numbers) text += (text.empty() ? "" : ", ") + scene_value(x);
-        return "[" + text + "]";
+        std::vector<std::string> texts;
+        for (const double x : numbers) texts.push_back(scene_value(x));
+        return list(texts);
+    }
+
+    static std::string list(const std::vector<std::string>& values) {
+        return "[" + scene::listed(values) + "]";
     }
 };
 
@@ -85,8 +88,21 @@ std::string object_text(const Object& object) {
 
 } // namespace
 
+std::string toml_text(const KeySpec& key, const KeyValue& value) { return std::visit(Written{key}, value); }
+
+std::string default_text(const KeySpec& key) {
+    if (!key.initial) return {};
+    const KeyValue value = key.initial();
+    const auto* text = std::get_if<std::string>(&value);
+    return text && text->empty() ? "" : toml_text(key, value);
+}
+
+} // namespace glint::formats
+
+namespace glint {
+
 std::string scene_value(double value) {
-    std::string text = show(value);
+    std::string text = scene::show(value);
     // Without a decimal point TOML reads an integer, which has no −0 and is limited to 2^63.
     const bool integer = text.find_first_not_of("-0123456789") == std::string::npos;
     if (integer && ((value == 0 && std::signbit(value)) || std::abs(value) >= 1e18)) text += ".0";
@@ -112,33 +128,24 @@ std::string scene_value(std::string_view value) {
     return text + '"';
 }
 
-std::string toml_text(const KeySpec& key, const KeyValue& value) { return std::visit(Written{key}, value); }
-
-std::string default_text(const KeySpec& key) {
-    if (!key.initial) return {};
-    const KeyValue value = key.initial();
-    const auto* text = std::get_if<std::string>(&value);
-    return text && text->empty() ? "" : toml_text(key, value);
-}
-
 std::string scene_text(const SceneDescription& description) {
     std::string text;
     const auto add = [&](const std::string& table) {
         if (!table.empty()) text += (text.empty() ? "" : "\n") + table;
     };
     if (description.camera) add(camera_text(*description.camera));
-    add(table_text(description_table("render"), KeyOwner(description.render)));
-    add(table_text(description_table("whitted"), KeyOwner(description.whitted)));
+    add(formats::table_text(description_table("render"), KeyOwner(description.render)));
+    add(formats::table_text(description_table("whitted"), KeyOwner(description.whitted)));
     for (const Material& material : description.materials)
-        add(table_text(description_table("material"), KeyOwner(material), material.name));
-    for (const Object& object : description.objects) add(object_text(object));
+        add(formats::table_text(description_table("material"), KeyOwner(material), material.name));
+    for (const Object& object : description.objects) add(formats::object_text(object));
     for (const Light& light : description.lights)
-        add(table_text(description_table("light"), KeyOwner(light)));
+        add(formats::table_text(description_table("light"), KeyOwner(light)));
     return text;
 }
 
 std::string camera_text(const CameraDescription& camera) {
-    return table_text(description_table("camera"), KeyOwner(camera));
+    return formats::table_text(description_table("camera"), KeyOwner(camera));
 }
 
 } // namespace glint

@@ -5,11 +5,11 @@
 
 #include <string>
 
-namespace glint {
+namespace glint::formats {
 
 std::string toml_text(const KeySpec& key, const KeyValue& value);
 
 /// The default of a key; empty if it has none.
 std::string default_text(const KeySpec& key);
 
-} // namespace glint
+} // namespace glint::formats

@@ -1,4 +1,4 @@
-// The buffers that the host fills (gpu/scene_data.h), eight of which OpenGL 4.3 guarantees, and the settings.
+// The settings and the buffers that the host fills (gpu/scene_data.h). OpenGL 4.3 guarantees eight buffers.
 
 layout(std430, binding = 0) readonly buffer Nodes { NodeRecord nodes[]; };
 layout(std430, binding = 1) readonly buffer Leaves { uint leaves[]; }; // trace/mesh/tree.h: leaf_words
@@ -21,12 +21,9 @@ dmat3 unpacked(PackedMatrix m) {
     return dmat3(unpacked(m.columns[0]), unpacked(m.columns[1]), unpacked(m.columns[2]));
 }
 
-// The words begin with a pair for each mesh in the world's own space, by its first triangle's running number.
+// The words begin with a pair for each mesh in the world's own space, in order of triangle numbers.
 uint mesh_first_triangle(uint mesh) { return words[2u * mesh]; }
 uint mesh_object(uint mesh) { return words[2u * mesh + 1u]; }
-
-/// The object of a transparent solid's number (ObjectRecord::interior).
-uint interior_object(uint interior) { return words[settings.first_interior + interior - 1u]; }
 
 /// Element i of an array of vectors that begins at `array` (ObjectRecord).
 uvec3 array_corners(uint array, uint i) {
@@ -34,3 +31,8 @@ uvec3 array_corners(uint array, uint i) {
     return uvec3(words[at], words[at + 1u], words[at + 2u]);
 }
 vec3 array_vector(uint array, uint i) { return uintBitsToFloat(array_corners(array, i)); }
+
+/// The elements of a triangle's corners, as columns.
+mat3 array_vectors(uint array, uvec3 corner) {
+    return mat3(array_vector(array, corner.x), array_vector(array, corner.y), array_vector(array, corner.z));
+}

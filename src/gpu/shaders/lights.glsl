@@ -1,5 +1,4 @@
-// A hit that is ready to be shaded and the shadow rays from it, one a turn of an estimator's loop. The steps are those
-// of shading/whitted_steps.shared.h.
+// A hit that is ready to be shaded and the shadow rays from it, one an iteration of the loop.
 
 // The surface that the path has hit.
 SurfaceRecord surface;
@@ -7,37 +6,34 @@ MaterialRecord material;
 uint surface_object;
 bool entering; // hit from outside
 
-// The light that it is asked about.
+// The light whose share is measured.
 uint light;
 LightArrival arrival;
 float passing; // the share of the light that passes what the shadow ray has met so far
 uvec4 shadow_interiors;
 
-bool enters(SurfacePoint point) { return dot(point.n, ray.direction) < 0.0f; }
+/// Lets the ray go on behind a hit.
+void pass_through(Hit hit, SurfacePoint point, inout uvec4 interiors) {
+    interiors = interiors_across(interiors, hit.object, enters(point.n, ray.direction));
+    after = hit;
+}
 
-/// Surfaces inside a transparent solid of higher rank are passed over on the same ray, one by one.
+/// Skips a surface inside a transparent solid of higher rank.
 bool passes_hidden(Hit hit, SurfacePoint point) {
     if (!interiors_hide(path.interiors, hit.object)) return false;
-    path.interiors = interiors_across(path.interiors, hit.object, enters(point));
-    after = hit;
+    pass_through(hit, point, path.interiors);
     return true;
 }
 
-/// Makes the path's hit ready to be shaded.
+/// Prepares the path's hit for shading.
 void meet_surface(Hit hit, SurfacePoint point) {
     phase = phase_lights;
     light = 0u;
     surface_object = hit.object;
     material = objects[hit.object].material;
-    entering = enters(point);
-    surface.p = point.p;
-    surface.p_error = point.p_error;
-    surface.v = -ray.direction;
-    surface.n_g = entering ? point.n : -point.n;
-    surface.n = surface.n_g;
-    surface.color = material.color;
-    bool behind = entering == object_is(hit.object, object_turned);
-    surface.lit_side = object_is(hit.object, object_lit_as_stored) && behind ? -1.0f : 1.0f;
+    entering = enters(point.n, ray.direction);
+    surface = surface_record(point, ray.direction, material.color, object_is(hit.object, object_lit_as_stored),
+                             object_is(hit.object, object_turned));
     interpolate(hit, surface);
 }
 
@@ -59,16 +55,15 @@ void next_light() {
     }
 }
 
-/// What the shadow ray has met takes its share of the light. False if the ray goes on behind it.
+/// Takes the share of light that a hit of the shadow ray blocks. False if the ray goes on behind it.
 bool ends_shadow_ray(Hit hit, SurfacePoint point) {
-    if (hit.kind != kind_none && any_hit) {
-        passing = 0.0f;
-    } else if (hit.kind != kind_none) {
+    if (hit.kind != kind_none) {
         if (!interiors_hide(shadow_interiors, hit.object))
             passing *= shadow_transmittance(settings.modes, objects[hit.object].material.transparency);
-        shadow_interiors = interiors_across(shadow_interiors, hit.object, enters(point));
-        after = hit;
-        if (passing > 0.0f) return false;
+        if (passing > 0.0f) {
+            pass_through(hit, point, shadow_interiors);
+            return false;
+        }
     }
     phase = phase_lights;
     ++light;

@@ -1,7 +1,7 @@
-// From films to the picture as it is shown: one slot a pixel of the tile, as in whitted.glsl.
+// From films to the picture that is shown, slot by slot.
 
 layout(local_size_x = 64) in;
-layout(rgba32f, binding = 0) uniform image2D known; // centres of pixels, where they were looked at
+layout(rgba32f, binding = 0) uniform image2D known; // centres of pixels, where they were measured
 layout(rgba32f, binding = 1) writeonly uniform image2D shown;
 
 /// Correctly rounded, as on the CPU: in double the quotient of two floats is too precise to be rounded twice.
@@ -46,15 +46,12 @@ void main() {
     if (slot >= settings.slot_count) return;
     uvec2 pixel = slot_pixel(slot);
     if (any(greaterThanEqual(pixel, uvec2(settings.end_x, settings.end_y)))) return;
-    uint mode = settings.show_mode;
-    if (mode == show_centres) {
+    if (settings.show_mode == show_centres) {
         imageStore(known, ivec2(pixel), vec4(pixel_value(slot, 1u), 1.0f));
         return;
     }
-    uint count = 0u;
-    if (mode == show_means) count = settings.known_samples;
-    if (mode == show_started) count = work[slot_field(slot, field_sample)] + settings.first_sample;
-    int step = mode == show_spread ? int(settings.known_step) : 1;
-    vec3 value = count == 0u ? spread(ivec2(pixel), step) : pixel_value(slot, count);
+    uint count = settings.known_samples;
+    if (settings.show_mode == show_started) count += work[slot_field(slot, field_sample)];
+    vec3 value = count == 0u ? spread(ivec2(pixel), int(settings.known_step)) : pixel_value(slot, count);
     imageStore(shown, ivec2(pixel), vec4(value, 1.0f));
 }

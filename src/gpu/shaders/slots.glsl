@@ -1,6 +1,6 @@
-// A slot is one pixel of the tile and the rays under way for it. Between two dispatches it waits in `work`: a sample's
-// tree of rays need not be followed to its end in one. Nothing here knows the light model: an estimator's main() opens
-// its slot, takes path after path, adds to `terms`, lets further paths wait, and closes the slot.
+// A slot is a pixel of the tile and the rays pending for it, which are kept in `work` between dispatches: a sample's
+// ray tree need not be finished in one. Nothing here knows the light model: an estimator (loop.glsl) opens its slot,
+// takes path after path, adds to `terms`, lets further paths wait, and closes the slot.
 
 /// A ray on its way, with the share of its light that reaches the pixel.
 struct Path {
@@ -19,8 +19,8 @@ struct Slot {
     bool begun;         // a sample is under way
     bool covered;       // it hit something
     float weight;       // of that sample: 1 or −1
-    uint waiting;       // paths in `work`, the last of which goes first
-    bool has_path;      // `path` goes before these
+    uint waiting;       // paths in `work`; the last is taken first
+    bool has_path;      // `path` is taken before these
     uint budget;        // paths that may still be followed in this dispatch
 };
 
@@ -34,9 +34,13 @@ const uint state_waiting = 0xffffu;
 const uint state_begun = 0x10000u;
 const uint state_negative = 0x20000u;
 const uint state_covered = 0x40000u;
-const uint state_running = 0x80000u; // a dispatch has begun with the slot, and has not saved it
+const uint state_running = 0x80000u; // a dispatch has opened the slot and has not saved it
 
-void add_term(uint term, vec3 value) { terms[GLINT_TERMS == 1 ? 0u : term] += value; }
+/// Adds light of the path to a term; below the first hit, to the term of the branch that leads there.
+void add_to_pixel(uint term, vec3 light) {
+    if (path.term != invalid_index) term = path.term;
+    terms[GLINT_TERMS == 1 ? 0u : term] += path.weight * light;
+}
 
 void save_vector(uint at, vec3 v) {
     work[at] = floatBitsToUint(v.x);
@@ -51,7 +55,7 @@ vec3 saved_vector(uint at) {
 uint term_field(uint term) { return slot_field(slot.number, field_terms + fields_of_term * term); }
 uint ray_field(uint ray) { return term_field(uint(GLINT_TERMS)) + ray * fields_of_ray * settings.slot_count; }
 
-/// Lets a path wait; the last goes first.
+/// Lets a path wait; the last is taken first.
 void let_wait(Path p) {
     uint at = ray_field(slot.waiting++);
     uint stride = settings.slot_count;
@@ -62,6 +66,13 @@ void let_wait(Path p) {
 #if GLINT_GLASS
     for (int i = 0; i < 4; ++i) work[at + uint(10 + i) * stride] = p.interiors[i];
 #endif
+}
+
+/// Takes a path next; the path that was next waits.
+void follow(Path next) {
+    if (slot.has_path) let_wait(path);
+    path = next;
+    slot.has_path = true;
 }
 
 Path last_waiting() {
@@ -76,7 +87,7 @@ Path last_waiting() {
     return p;
 }
 
-/// The step of the filter's table that has `tail`, by halving.
+/// The step of the filter's table that has `tail`, by binary search.
 uint filter_step(float tail) {
     uint low = 0u;
     uint high = uint(filter_steps);
@@ -144,7 +155,7 @@ bool open_slot() {
         slot.sample_number >= settings.end_sample)
         return false;
     uint state = work[state_at];
-    // The driver ended the estimator's loop before its end: see gpu/dispatch_budget.h.
+    // The driver ended the estimator's loop early: see gpu/dispatch_budget.h.
     if ((state & state_running) != 0u) {
         atomicOr(work[counter_faults], fault_loops);
         return false;
@@ -171,8 +182,31 @@ void save_slot() {
     if (slot.sample_number >= settings.end_sample) atomicAdd(work[counter_unfinished], 0xffffffffu); // one less
 }
 
-/// Takes the next path. False if the slot has nothing more to do in this dispatch: then it was saved, here and not behind
-/// the estimator's loop, for a driver may have ended that.
+// ── The ray of an iteration of the loop
+
+// What the loop does next.
+const uint phase_next = 0u;   // take a path
+const uint phase_path = 1u;   // trace it to a surface
+const uint phase_lights = 2u; // find a light that is worth a shadow ray
+const uint phase_shadow = 3u; // trace the shadow ray
+uint phase = phase_next;
+
+// The ray that is traced: from its origin on, or from behind the hit `after`.
+SpawnedRay ray;
+Hit after;
+bool any_hit; // any hit will do
+
+void start_ray(SpawnedRay next_ray, bool any) {
+    ray = next_ray;
+    after = no_hit(0.0f);
+    any_hit = any;
+}
+
+/// Hits have t < tmax.
+Hit trace_ray() { return trace(ray.origin, ray.direction, next_float(ray.tmax, -1.0f), after, any_hit); }
+
+/// Takes the next path. False if the slot has nothing more to do in this dispatch. Then it is saved, here and not after
+/// the loop, since a driver may end that early.
 bool next_path() {
     bool idle = !slot.has_path && slot.waiting == 0u;
     if (idle && slot.begun) end_sample();
@@ -187,6 +221,8 @@ bool next_path() {
         path = last_waiting();
     slot.has_path = false;
     --slot.budget;
+    phase = phase_path;
+    start_ray(SpawnedRay(path.origin, path.direction, infinite_t()), false);
     return true;
 }
 
@@ -195,31 +231,3 @@ void close_slot() {
     for (uint i = 0u; i < 4u; ++i)
         if (rays[i] != 0u) atomicAdd(work[counter_rays + i], rays[i]);
 }
-
-// ── The loop of an estimator: a ray a turn
-
-// What the loop does next.
-const uint phase_next = 0u;   // take a path
-const uint phase_path = 1u;   // trace it to a surface
-const uint phase_lights = 2u; // find a light that is worth a shadow ray
-const uint phase_shadow = 3u; // trace the shadow ray
-uint phase = phase_next;
-
-// The ray that is traced: from its origin on, or from behind the hit `after`.
-SpawnedRay ray;
-Hit after;
-bool any_hit; // the first hit that is found will do
-
-void start_ray(SpawnedRay next_ray, bool any) {
-    ray = next_ray;
-    after = no_hit(0.0f);
-    any_hit = any;
-}
-
-void start_path() {
-    phase = phase_path;
-    start_ray(SpawnedRay(path.origin, path.direction, infinite_t()), false);
-}
-
-/// Hits have t < tmax.
-Hit trace_ray() { return trace(ray.origin, ray.direction, next_float(ray.tmax, -1.0f), after, any_hit); }

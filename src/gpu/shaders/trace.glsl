@@ -1,5 +1,5 @@
-// Rays against everything: one loop for the closest hit, for the next one and for any, one node or one shape
-// a turn. The tree is that of gpu/tree.h; the tests are those of the CPU.
+// Rays against everything: one loop for the closest hit, for the next one and for any; each iteration tests one node
+// or one shape. The tree is that of gpu/tree.h; the tests are those of the CPU.
 
 const uint kind_none = 0u;
 const uint kind_triangle = 1u;
@@ -43,7 +43,7 @@ float largest(vec3 v) { return max(max(v.x, v.y), v.z); }
 /// The axes in the order kx, ky, kz of geometry/triangle.h.
 vec3 permuted(vec3 v, int kz) { return kz == 0 ? v.yzx : (kz == 1 ? v.zxy : v.xyz); }
 
-/// A ray in the space it is in, as boxes and triangles want it.
+/// A ray in the space that is traversed, prepared for tests of boxes and triangles.
 struct SpaceRay {
     vec3 origin;
     vec3 inverse; // bvh/traverse.h: BoxRay
@@ -54,7 +54,7 @@ struct SpaceRay {
     vec3 shear; // d[kx]/d[kz], d[ky]/d[kz], 1/d[kz]
 };
 
-/// 2^-20 is what boxes must grow by, in |coordinates|.
+/// Boxes grow by 2^-20 of the largest |coordinates|.
 SpaceRay space_ray(vec3 origin, vec3 direction, float corner, float slack) {
     SpaceRay ray;
     vec3 size = abs(direction);
@@ -223,16 +223,16 @@ bool traceable(vec3 origin, vec3 direction) {
     return zero == vec3(0.0f) && direction != vec3(0.0f);
 }
 
-uint turns = 0u; // of all walks so far
+uint turns = 0u; // iterations of all traversals so far
 
 #if GLINT_COUNT
-// What the last trace() did: nodes whose children's boxes it tested, and shapes that it tested.
+// Of the last trace(): nodes whose children's boxes were tested, and shapes that were tested.
 uint steps_to_nodes = 0u;
 uint steps_to_shapes = 0u;
 #endif
 
-// A walk through the tree goes depth first. A stack entry is a node with its children that are still to be entered, as
-// 24 and 8 bits, or leave_instance.
+// Traversal is depth first. A stack entry is a node with those of its children that are still to be entered, as 24 and
+// 8 bits, or leave_instance.
 const uint leave_instance = 0xffffffffu;
 uint walk_stack[GLINT_STACK];
 int walk_waiting; // entries of the stack
@@ -250,7 +250,7 @@ struct Walk {
     uint left;      // shapes that are still to be tested
 };
 
-/// Planes stand in no tree: they are tested first.
+/// Planes are in no tree: they are tested first.
 Walk walk_of(vec3 origin, vec3 direction) {
     walk_waiting = 0;
     return Walk(origin, direction, space_ray(origin, direction, settings.max_coordinate, settings.instance_slack),

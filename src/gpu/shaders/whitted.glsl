@@ -1,75 +1,57 @@
-// Whitted's model. Each turn of the loop traces one ray, to a surface or to a light. Trees of rays are followed depth
-// first; a ray carries its weight, so nothing is brought back from its branches.
-
-layout(local_size_x = 64) in;
+// Whitted's model. Ray trees are followed depth first; a ray carries its weight, so branches bring nothing back.
 
 LocalTerms local;
 
 void at_surface(Hit hit, SurfacePoint point) {
     if (hit.kind == kind_none) {
         // What never leaves a solid brings nothing; what misses everything gets the background.
-        if (path.interiors.x == 0u)
-            add_term(path.term == invalid_index ? term_emission : path.term, path.weight * settings.background);
+        if (path.interiors.x == 0u) add_to_pixel(term_emission, settings.background);
         phase = phase_next;
         return;
     }
     if (passes_hidden(hit, point)) return;
     if (path.depth == 0u) slot.covered = true;
-    path.weight *= interiors_transmittance(path.interiors, hit.t);
+    if (GLINT_GLASS != 0)
+        path.weight *= transmittance(objects[interiors_owner(path.interiors)].material.absorption, hit.t);
     meet_surface(hit, point);
     local = ambient_terms(settings.ambient_light, surface, material);
 }
 
-void at_light(Hit hit, SurfacePoint point) {
-    if (!ends_shadow_ray(hit, point)) return;
-    ShownLight shown = shown_light(settings.modes, surface, material, arrival, passing);
-    local.diffuse += shown.diffuse;
-    local.highlight += shown.highlight;
+void add_light() {
+    local = with_light(local, shown_light(settings.modes, surface, material, arrival, passing));
 }
 
 void add_local(LocalTerms shown) {
     if (path.term == invalid_index && GLINT_TERMS != 1) {
-        add_term(term_ambient, path.weight * shown.ambient);
-        add_term(term_diffuse, path.weight * shown.diffuse);
-        add_term(term_highlight, path.weight * shown.highlight);
-        add_term(term_clamp, path.weight * shown.clamp);
-        add_term(term_emission, path.weight * material.emission);
+        add_to_pixel(term_ambient, shown.ambient);
+        add_to_pixel(term_diffuse, shown.diffuse);
+        add_to_pixel(term_highlight, shown.highlight);
+        add_to_pixel(term_clamp, shown.clamp);
+        add_to_pixel(term_emission, material.emission);
     } else {
-        add_term(path.term, path.weight * ((local_sum(shown) + shown.clamp) + material.emission));
+        add_to_pixel(term_emission, (local_sum(shown) + shown.clamp) + material.emission);
     }
 }
 
-Path branch(SpawnedRay next_ray, float share, uint term, uvec4 interiors) {
-    return Path(next_ray.origin, next_ray.direction, path.weight * share, path.depth + 1u,
-                path.term == invalid_index ? term : path.term, interiors);
+void branch(Path from, SpawnedRay next_ray, float share, uint term, uvec4 interiors) {
+    if (share == 0.0f) return;
+    ++rays[term == term_reflection ? 1 : 2];
+    follow(Path(next_ray.origin, next_ray.direction, from.weight * share, from.depth + 1u,
+                from.term == invalid_index ? term : from.term, interiors));
 }
 
 /// The mirror ray is the next path; the refracted ray waits meanwhile.
 void bounce() {
+    Path from = path;
+    uvec4 beyond = interiors_across(from.interiors, surface_object, entering);
     Split split = split_at_sheet(surface, material);
-    uvec4 beyond = path.interiors;
     if (GLINT_GLASS != 0 && objects[surface_object].interior != 0u) {
-        beyond = interiors_across(path.interiors, surface_object, entering);
-        float index_before = interiors_index(path.interiors);
-        float index_after = interiors_index(beyond);
-        Refraction refraction = refraction_at(surface, index_before / index_after);
-        split = split_at_solid(material, refraction, index_before, index_after);
+        float index_1 = objects[interiors_owner(from.interiors)].material.index;
+        float index_2 = objects[interiors_owner(beyond)].material.index;
+        split = split_at_solid(material, refraction_at(surface, index_1 / index_2), index_1, index_2);
     }
-    bool reflects = split.reflected > 0.0f;
-    bool refracts = split.refracted > 0.0f;
-    slot.has_path = reflects || refracts;
-    if (refracts) {
-        ++rays.z;
-        Path refracted = branch(spawn_ray(surface, split.direction), split.refracted, term_transmission, beyond);
-        if (reflects)
-            let_wait(refracted);
-        else
-            path = refracted;
-    }
-    if (reflects) {
-        ++rays.y;
-        path = branch(reflected_ray(surface), split.reflected, term_reflection, path.interiors);
-    }
+    branch(from, spawn_ray(surface, split.direction), split.refracted, term_transmission, beyond);
+    branch(from, reflected_ray(surface), split.reflected, term_reflection, from.interiors);
 }
 
 /// All lights are known: the local terms, and the branches.
@@ -79,24 +61,4 @@ void finish() {
     add_local(weighted_terms(limited_terms(settings.modes, local), weight));
     phase = phase_next;
     if (goes_on) bounce();
-}
-
-void main() {
-    if (!open_slot()) return;
-    for (;;) {
-        if (phase == phase_next) {
-            if (!next_path()) break;
-            start_path();
-        }
-        Hit hit = trace_ray();
-        SurfacePoint point;
-        if (hit.kind != kind_none && !any_hit) point = surface_at(hit, ray.origin, ray.direction);
-        if (phase == phase_path)
-            at_surface(hit, point);
-        else
-            at_light(hit, point);
-        if (phase == phase_lights) next_light();
-        if (phase == phase_lights) finish();
-    }
-    close_slot();
 }

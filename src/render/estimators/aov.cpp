@@ -2,7 +2,7 @@
 
 #include "render/aov.shared.h"
 
-namespace glint {
+namespace glint::rendering {
 
 using trace::TraceCost;
 
@@ -10,13 +10,13 @@ static_assert(shown_shadows == static_cast<int>(Aov::shadows) &&
               shown_normal == static_cast<int>(Aov::normal) && shown_depth == static_cast<int>(Aov::depth) &&
               shown_cost == static_cast<int>(Aov::cost));
 
-WhittedSettings first_hit_settings(const SceneData& scene) {
+WhittedSettings first_hit_settings(const scene::SceneData& scene) {
     WhittedSettings settings = scene.description.whitted;
     settings.max_depth = 0;
     return settings;
 }
 
-AovEstimator::AovEstimator(const SceneData& scene, Aov aov, const CancelFlag* cancel,
+AovEstimator::AovEstimator(const scene::SceneData& scene, Aov aov, const CancelFlag* cancel,
                            const KernelChoice& kernel)
     : scene_(scene), aov_(aov), first_hits_(scene, first_hit_settings(scene), cancel, kernel) {}
 
@@ -44,4 +44,4 @@ vec3 AovEstimator::measure(const CameraSample& sample) {
                             node.shading_normal, hidden);
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,31 +1,41 @@
 #pragma once
-// The closed set of estimators: each measures what camera rays see.
+// The closed set of estimators: each measures what camera rays see. A new one needs no other file.
 
 #include "render/aov.h"
-#include "render/camera_sample.h"
 #include "render/estimators/aov.h"
 #include "render/estimators/whitted.h"
 #include "render/estimators/whitted_wavefront.h"
+#include "trace/simd/kernel_table.h"
 
 #include <span>
 #include <variant>
 
-namespace glint {
+namespace glint::rendering {
 
 /// Measures camera samples. Holds scratch memory: one for each thread.
 using Estimator = std::variant<Whitted, WhittedWavefront, AovEstimator>;
 
-/// The estimator of what a picture shows; of light, by the scene's integrator, one ray after another with
-/// Kernel::scalar. It refers to the scene.
-Estimator make_estimator(const SceneData& scene, Aov show, const CancelFlag* cancel,
-                         const KernelChoice& kernel);
+/// The estimator for what a picture shows: for light the scene's integrator, which traces one ray after
+/// another if the kernel is Kernel::scalar. It refers to the scene.
+inline Estimator make_estimator(const scene::SceneData& scene, Aov show, const CancelFlag* cancel,
+                                const KernelChoice& kernel) {
+    trace::row_of(kernel.target); // throws where the machine lacks it
+    if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
+    const WhittedSettings& settings = scene.description.whitted;
+    if (kernel.kernel == Kernel::scalar) return Whitted(scene, settings, cancel, kernel);
+    return WhittedWavefront(scene, settings, cancel, kernel);
+}
 
-/// Measures each sample into its element of `out`; `terms` says whether light is to be told apart by term.
-/// Values are of no use once the estimator's flag was set.
-void estimate(Estimator& estimator, std::span<const CameraSample> samples, std::span<Channels> out,
-              bool terms);
+/// Measures each sample into its element of `out`; `terms` requests the terms of light too.
+/// Values are useless once the estimator's cancel flag was set.
+inline void estimate(Estimator& estimator, std::span<const CameraSample> samples, std::span<Channels> out,
+                     bool terms) {
+    std::visit([&](auto& e) { e.estimate(samples, out, terms); }, estimator);
+}
 
 /// Rays since the estimator was made.
-RayCounts ray_counts(const Estimator& estimator);
+inline RayCounts ray_counts(const Estimator& estimator) {
+    return std::visit([](const auto& e) -> RayCounts { return e.counts(); }, estimator);
+}
 
-} // namespace glint
+} // namespace glint::rendering

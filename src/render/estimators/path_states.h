@@ -10,7 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace glint {
+namespace glint::rendering {
+
+inline constexpr std::size_t shading_numbers = [] {
+    std::size_t count = 0;
+    const MaterialRecord m{};
+    for_shading_numbers(m, [&](float) { ++count; });
+    return count;
+}();
 
 struct PathStates {
     /// Ray trees of glass can grow without end: what has no room here is followed by recursion.
@@ -43,7 +50,8 @@ struct PathStates {
     Row<std::uint8_t> located; ///< by World::surfaces(), else by surface_interaction()
     Vectors p, p_error, n_g, n, v, color;
     Numbers entering; ///< 1 or 0
-    Numbers lit_side, diffuse, highlight, shininess, reflectivity, transparency;
+    Numbers lit_side;
+    std::array<Numbers, shading_numbers> material_numbers; ///< as for_shading_numbers() lists them
 
     // One light: its direction, what arrives before shadows (0 where no shadow ray is sent), the shadow ray,
     // whether that is blocked, and the share of blocked light that passes all the same.
@@ -58,10 +66,10 @@ struct Wave {
     std::size_t first = 0;
     std::size_t count = 0;
 
-    /// Where the next wave begins.
+    /// Index of the first path of the next wave.
     std::size_t end() const {
         return (first + count + PathStates::alignment - 1) / PathStates::alignment * PathStates::alignment;
     }
 };
 
-} // namespace glint
+} // namespace glint::rendering

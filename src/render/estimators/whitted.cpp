@@ -1,12 +1,17 @@
+// Whitted's ray tracing, one ray after another.
+
 #include "render/estimators/whitted.h"
 
 #include "render/ray_recorder.h"
+#include "shading/interaction.shared.h"
 
 #include <optional>
 
-namespace glint {
+namespace glint::rendering {
 
+using scene::SceneData;
 using trace::Hit;
+using trace::PrimKind;
 namespace {
 
 Ray ray_of(const SpawnedRay& spawned) {
@@ -17,11 +22,55 @@ Ray ray_of(const SpawnedRay& spawned) {
     return ray;
 }
 
+void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
+    Hit middle = hit;
+    middle.u = 1.0f / 3.0f;
+    middle.v = 1.0f / 3.0f;
+    point = moved_off_edge(point, scene.world.surface(ray, middle).p);
+}
+
+/// The vectors at the corners of a triangle, as columns.
+mat3 at_corners(const std::vector<vec3>& vectors, const uvec3& corner) {
+    return {vectors[corner.x], vectors[corner.y], vectors[corner.z]};
+}
+
+/// Colour and shading normal, where the mesh has them by vertex. A cloud of spheres has a colour for each.
+void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord& s) {
+    const scene::ObjectData& object = scene.objects[hit.object];
+    const scene::MeshAttributes& attributes = scene.attributes[static_cast<std::size_t>(object.attributes)];
+    if (hit.kind == PrimKind::quadric) {
+        s.color = attributes.mesh->colors[hit.prim];
+        return;
+    }
+    const uvec3 corner = attributes.mesh->triangles[hit.prim];
+    if (attributes.colored) s.color = interpolated(at_corners(attributes.mesh->colors, corner), hit.u, hit.v);
+    if (attributes.normals == nullptr) return;
+    mat3 normals = at_corners(*attributes.normals, corner);
+    if (object.normal_matrix != scene::no_normal_matrix)
+        normals = transformed_normals(scene.normal_matrices[static_cast<std::size_t>(object.normal_matrix)],
+                                      normals);
+    s.n = shading_normal(interpolated(normals, hit.u, hit.v), s.n_g);
+}
+
 } // namespace
+
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
+    const scene::ObjectData& object = scene.objects[hit.object];
+    SurfacePoint point = scene.world.surface(ray, hit);
+    if (hit.on_edge) step_off_edge(scene, ray, hit, point);
+    SurfaceInteraction at;
+    at.object = hit.object;
+    at.material = &scene.materials[object.material];
+    at.entering = enters(point.n, ray.direction);
+    at.surface =
+        surface_record(point, ray.direction, at.material->color, object.lit_as_stored, object.turned);
+    if (object.attributes != scene::no_attributes) interpolate_vertices(scene, hit, at.surface);
+    return at;
+}
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
-    : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
       kernel_(kernel) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
@@ -33,11 +82,7 @@ Channels Whitted::trace(const CameraSample& sample, RayTree* record) {
     if (record != nullptr) recorder.emplace(*record);
     recorder_ = record != nullptr ? &*recorder : nullptr;
     ++counts_.primary;
-    Path path;
-    path.origin = sample.origin;
-    path.direction = sample.direction;
-    path.interior = start();
-    const Channels out = radiance(path);
+    const Channels out = radiance({{sample.origin, sample.direction, infinite_t()}, start()});
     recorder_ = nullptr;
     return out;
 }
@@ -50,16 +95,14 @@ const InteriorList* Whitted::start() {
     return interior;
 }
 
-Channels Whitted::radiance(Path path) {
+Channels Whitted::radiance(Path&& path) {
     Channels out;
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
-    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.origin, path.direction);
+    if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
-    Ray ray;
-    ray.origin = path.origin;
-    ray.direction = path.direction;
+    const Ray ray = ray_of(path.ray);
     Hit hit = scene_.world.closest(ray, kernel_);
     skip_hidden(ray, hit, path.interior);
     out.covered = static_cast<bool>(hit);
@@ -104,20 +147,20 @@ void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interio
 
 /// The list behind a surface that a ray goes through unbent.
 void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interior) {
-    if (is_dielectric(hit.object, scene_))
-        interior = crossed(interior, hit.object, enters(scene_, ray, hit), scene_, arena_);
+    if (!is_dielectric(hit.object, scene_)) return;
+    const bool entering = enters(scene_.world.surface(ray, hit).n, ray.direction);
+    interior = crossed(interior, hit.object, entering, scene_, arena_);
 }
 
 LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) {
     LocalTerms local = ambient_terms(scene_.ambient, at.surface, *at.material);
-    for (std::uint32_t i = 0; i < scene_.lights.size(); ++i) {
-        const LightArrival arrival = light_arrival(scene_.lights[i], at.surface);
-        if (recorder_ != nullptr) recorder_->begin_light(i, arrival);
+    for (const LightRecord& light : scene_.lights) {
+        const LightArrival arrival = light_arrival(light, at.surface);
+        if (recorder_ != nullptr) recorder_->begin_light(arrival);
         if (!is_worth_shadow_ray(*at.material, arrival)) continue;
-        const float passing = light_passing(scene_.lights[i], arrival, path, at);
+        const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
-        local.diffuse = local.diffuse + shown.diffuse;
-        local.highlight = local.highlight + shown.highlight;
+        local = with_light(local, shown);
         if (recorder_ != nullptr) recorder_->end_light(passing, shown);
     }
     return limited_terms(modes_, local);
@@ -139,13 +182,13 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
     if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
         interior = crossed(interior, at.object, at.entering, scene_, arena_);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
-    // Where nothing can pass, the recorder alone wants to know what blocks.
+    // If no light can pass, only the recorder needs the blockers.
     if (!may_pass && recorder_ == nullptr) return 0.0f;
     const float passing = walk_shadow(shadow, interior);
     return may_pass ? passing : 0.0f;
 }
 
-// Every visible surface takes its share. A recorder gets those behind the first opaque one too.
+/// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     blockers_.clear();
     scene_.world.all_hits(shadow, blockers_);
@@ -153,7 +196,7 @@ float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     for (const Hit& hit : blockers_) {
         const bool hidden = is_hidden(interior, hit.object, scene_);
         const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
-        if (recorder_ != nullptr) recorder_->blocker({hit.object, hit.t, transparency, hidden});
+        if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
         if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
         cross(shadow, hit, interior);
@@ -170,8 +213,8 @@ bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
 
 void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms) {
     const Bounce bounce = bounce_at(path, at);
-    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), bounce);
     const Split& split = bounce.split;
+    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
     if (split.reflected > 0.0f)
         terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
     if (split.refracted > 0.0f)
@@ -186,23 +229,23 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
         return bounce;
     }
     bounce.interior = crossed(path.interior, at.object, at.entering, scene_, arena_);
-    bounce.index_before = refractive_index(path.interior, scene_);
-    bounce.index_after = refractive_index(bounce.interior, scene_);
-    bounce.refraction = refraction_at(at.surface, bounce.index_before / bounce.index_after);
-    bounce.split = split_at_solid(*at.material, bounce.refraction, bounce.index_before, bounce.index_after);
+    const float index_before = refractive_index(path.interior, scene_);
+    const float index_after = refractive_index(bounce.interior, scene_);
+    const Refraction refraction = refraction_at(at.surface, index_before / index_after);
+    bounce.split = split_at_solid(*at.material, refraction, index_before, index_after);
+    if (recorder_ != nullptr) recorder_->refract(refraction, index_before, index_after);
     return bounce;
 }
 
 Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
     ++counts_.reflected;
-    const SpawnedRay ray = reflected_ray(at.surface);
-    return {ray.origin, ray.direction, path.interior, path.depth + 1, RayKind::reflected};
+    return {reflected_ray(at.surface), path.interior, path.depth + 1, RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
-    const SpawnedRay ray = spawn_ray(at.surface, bounce.split.direction);
-    return {ray.origin, ray.direction, bounce.interior, path.depth + 1, RayKind::refracted};
+    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior, path.depth + 1,
+            RayKind::refracted};
 }
 
 void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {
@@ -214,4 +257,4 @@ void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms)
     if (recorder_ != nullptr) recorder_->absorb(left_over);
 }
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,41 +1,58 @@
 #pragma once
 // Whitted's recursive ray tracing: a camera ray in, the light along it out, term by term. One ray after
-// another; the page to read first. whitted_wavefront.h has the same for many rays at once. T. Whitted, "An
+// another; the page to read first. whitted_wavefront.h traces many rays at once. T. Whitted, "An
 // Improved Illumination Model for Shaded Display", 1980; docs/light-model.md.
 
+#include "glint/explanation.h"
 #include "glint/render.h"
 #include "render/camera_sample.h"
 #include "render/interior_list.h"
-#include "render/ray_tree.h"
-#include "render/surface_interaction.h"
 #include "scene/scene_data.h"
+#include "shading/whitted.shared.h"
+#include "trace/world/world.h"
 
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 class RayRecorder;
+struct RayTree;
+
+struct SurfaceInteraction {
+    SurfaceRecord surface;
+    const MaterialRecord* material = nullptr;
+    std::uint32_t object = 0;
+    bool entering = true; ///< the ray comes from the object's outer side
+};
+
+/// The surface at a hit of a ray (unit direction): off the edge that it may lie on, with colour and shading
+/// normal of the mesh's vertices.
+SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit);
+
+/// The rays that go on from a surface.
+struct Bounce {
+    Split split;
+    const InteriorList* interior = nullptr; ///< behind the surface
+};
 
 /// Holds scratch memory: one for each thread. The scene must outlive it.
 class Whitted {
   public:
     /// A ray on its way.
     struct Path {
-        vec3 origin{0.0f};
-        vec3 direction{0.0f}; ///< unit
+        SpawnedRay ray; ///< direction of unit length
         const InteriorList* interior = nullptr;
         int depth = 0; ///< bounces so far
         RayKind kind = RayKind::primary;
     };
 
     /// `settings` stand for those of the scene's description.
-    Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel = nullptr,
-            const KernelChoice& kernel = {});
-    explicit Whitted(const SceneData& scene) : Whitted(scene, scene.description.whitted) {}
+    Whitted(const scene::SceneData& scene, const WhittedSettings& settings,
+            const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
+    explicit Whitted(const scene::SceneData& scene) : Whitted(scene, scene.description.whitted) {}
 
-    /// `out` has an element for each sample. Terms are set whether asked for or not. Incomplete where
-    /// `cancel` was set.
+    /// `out` has an element for each sample. Terms are always set. Incomplete if `cancel` was set.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
     /// One sample. `record`, if given, receives its ray tree; the arithmetic is the same with and without.
     Channels trace(const CameraSample& sample, RayTree* record = nullptr);
@@ -51,17 +68,17 @@ class Whitted {
     void skip_hidden(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
-    /// Where the light goes on from a surface, and its shares.
+    /// Mirror and refracted ray of a surface: direction and weights.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
     Path reflected_path(const Path& path, const SurfaceInteraction& at);
     Path refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
-    /// Follows the branches of a bounce to their ends and sets the terms that they bring.
+    /// Follows the branches of a bounce to their ends and sets their terms.
     void follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms);
-    /// Takes from light what the medium around the ray absorbs over a distance.
+    /// Absorbs light in the medium around the ray over a distance.
     void absorb(const InteriorList* interior, float distance, Terms& terms);
 
   private:
-    Channels radiance(Path path);
+    Channels radiance(Path&& path);
     LocalTerms local_light(const Path& path, const SurfaceInteraction& at);
     float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
                         const SurfaceInteraction& at);
@@ -70,7 +87,7 @@ class Whitted {
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
     const CancelFlag* cancel_;
@@ -81,4 +98,4 @@ class Whitted {
     RayRecorder* recorder_ = nullptr;
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -1,10 +1,12 @@
+// Whitted's ray tracing as a wavefront.
+
 #include "render/estimators/whitted_wavefront.h"
 
 #include "render/shade_batch.h"
 
 #include <algorithm>
 
-namespace glint {
+namespace glint::rendering {
 
 using trace::row_of;
 using trace::SurfaceRows;
@@ -33,9 +35,9 @@ SurfaceRows surface_rows(PathStates& s, std::size_t first) {
 
 } // namespace
 
-WhittedWavefront::WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
+WhittedWavefront::WhittedWavefront(const scene::SceneData& scene, const WhittedSettings& settings,
                                    const CancelFlag* cancel, const KernelChoice& kernel)
-    : scene_(scene), modes_(whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
       kernel_(kernel), shade_(shade_kernels[row_of(kernel.target)]),
       single_(scene, settings, cancel, kernel) {
     background_.emission = scene.background;
@@ -96,7 +98,7 @@ void WhittedWavefront::find_hits(Wave wave) {
 
 void WhittedWavefront::choose_materials(Wave wave) {
     PathStates& s = *states_;
-    const ObjectData* objects = scene_.objects.data();
+    const scene::ObjectData* objects = scene_.objects.data();
     const MaterialRecord* materials = scene_.materials.data();
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
         const MaterialRecord* nothing = s.interiors[i] == nullptr ? &background_ : &darkness_;
@@ -117,7 +119,7 @@ void WhittedWavefront::locate_surfaces(Wave wave) {
 
 /// True for objects whose surfaces have more than shape and material: vertex attributes, lit as stored.
 bool WhittedWavefront::needs_attributes(std::uint32_t object) const {
-    return scene_.objects[object].attributes != no_attributes || scene_.objects[object].lit_as_stored;
+    return scene_.objects[object].attributes != scene::no_attributes || scene_.objects[object].lit_as_stored;
 }
 
 void WhittedWavefront::put_surface(std::size_t i) {
@@ -144,7 +146,7 @@ void WhittedWavefront::add_light(const LightRecord& light, Wave wave) {
     shade_.add_light(modes_, wave, s);
 }
 
-/// Finds the share of blocked light that passes, where any may.
+/// Sets the share of blocked light that passes, for paths where any may.
 void WhittedWavefront::pass_blockers(Wave wave) {
     PathStates& s = *states_;
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
@@ -168,7 +170,7 @@ Wave WhittedWavefront::spawn(Wave wave, int depth) {
     counts_.reflected += next.count;
     if (scene_.any_transparent)
         for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
-            if (states_->transparency[i] > 0.0f) spawn_at_glass(i, depth, next);
+            if (states_->materials[i]->transparency > 0.0f) spawn_at_glass(i, depth, next);
     return next;
 }
 
@@ -189,8 +191,8 @@ void WhittedWavefront::spawn(const Whitted::Path& path, std::size_t parent, Term
     PathStates& s = *states_;
     const std::size_t i = next.first + next.count++;
     s.rays[i] = Ray{};
-    s.rays[i].origin = path.origin;
-    s.rays[i].direction = path.direction;
+    s.rays[i].origin = path.ray.origin;
+    s.rays[i].direction = path.ray.direction;
     s.interiors[i] = path.interior;
     s.parents[i] = static_cast<std::uint32_t>(parent);
     s.parent_terms[i] = term;
@@ -211,7 +213,7 @@ void WhittedWavefront::weigh_local_terms(std::size_t i) {
         for (PathStates::Numbers& row : states_->terms[static_cast<std::size_t>(term)]) row[i] *= weight;
 }
 
-/// Adds up the paths' terms and what their branches bring, the deepest wave first.
+/// Sums the paths' terms, including those from branches, the deepest wave first.
 void WhittedWavefront::add_up() {
     for (std::size_t n = waves_.size(); n-- > 0;) {
         if (scene_.any_transparent) absorb(waves_[n]);
@@ -231,12 +233,8 @@ void WhittedWavefront::absorb(Wave wave) {
 }
 
 Whitted::Path WhittedWavefront::path_at(std::size_t i, int depth) const {
-    Whitted::Path path;
-    path.origin = states_->rays[i].origin;
-    path.direction = states_->rays[i].direction;
-    path.interior = states_->interiors[i];
-    path.depth = depth;
-    return path;
+    const Ray& ray = states_->rays[i];
+    return {{ray.origin, ray.direction, ray.tmax}, states_->interiors[i], depth};
 }
 
 SurfaceInteraction WhittedWavefront::surface_at(std::size_t i) const {
@@ -265,4 +263,4 @@ void WhittedWavefront::put_terms(const Terms& terms, std::size_t i) {
     for (std::size_t t = 0; t < term_count; ++t) put(terms.value[t], states_->terms[t], i);
 }
 
-} // namespace glint
+} // namespace glint::rendering

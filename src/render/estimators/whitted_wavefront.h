@@ -1,8 +1,8 @@
 #pragma once
 // Whitted's ray tracing of many camera rays at once, breadth first: each wave holds the paths of one depth.
 // Its rays are traced together, then light by light its shadow rays, and shaded in vectors
-// (render/shade_batch.h). Results have the bits of Whitted, which shades what is rare: glass, and branches
-// that have no room in PathStates.
+// (render/shade_batch.h). Results have the bits of Whitted, which shades glass, and follows branches for
+// which PathStates has no room.
 
 #include "render/estimators/path_states.h"
 #include "render/estimators/whitted.h"
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace glint {
+namespace glint::rendering {
 
 struct ShadeKernels;
 
@@ -19,11 +19,10 @@ struct ShadeKernels;
 class WhittedWavefront {
   public:
     /// `settings` stand for those of the scene's description.
-    WhittedWavefront(const SceneData& scene, const WhittedSettings& settings,
+    WhittedWavefront(const scene::SceneData& scene, const WhittedSettings& settings,
                      const CancelFlag* cancel = nullptr, const KernelChoice& kernel = {});
 
-    /// `out` has an element for each sample, whose terms are set where `terms` asks for them. Unchanged where
-    /// `cancel` was set.
+    /// `out` has an element for each sample; its terms are set if `terms`. Unchanged if `cancel` was set.
     void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
 
     RayCounts counts() const { return counts_ + single_.counts(); }
@@ -52,7 +51,7 @@ class WhittedWavefront {
     Terms terms_at(std::size_t i) const;
     void put_terms(const Terms& terms, std::size_t i);
 
-    const SceneData& scene_;
+    const scene::SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
     const CancelFlag* cancel_;
@@ -60,11 +59,11 @@ class WhittedWavefront {
     const ShadeKernels& shade_;
     Whitted single_;
     RayCounts counts_;            ///< beside those of single_
-    MaterialRecord background_{}; ///< what is seen where nothing is hit
-    MaterialRecord darkness_{};   ///< and where nothing is hit from inside a solid
+    MaterialRecord background_{}; ///< for rays that hit nothing
+    MaterialRecord darkness_{};   ///< for rays that hit nothing from inside a solid
     std::unique_ptr<PathStates> states_;
     std::vector<Wave> waves_;
     trace::World::Scratch scratch_;
 };
 
-} // namespace glint
+} // namespace glint::rendering

@@ -7,16 +7,17 @@
 // Keys of lights name one member for each kind that has the key. A few keys are not a member as it stands;
 // their accessors are written out: `size` (two members), `look_at` and `radiant_intensity` (read in another
 // form than they are kept in), and a light's `type` (the alternative of a variant). The file's own forms of a
-// value, such as colours by name and lists of transforms, are the reader's business (formats/scene/table.h).
+// value, such as colours by name and lists of transforms, are read by
+// formats/scene/table_reader.h.
 
 #include "glint/keys.h"
 #include "glint/limits.h"
-#include "glint/names.h"
+#include "glint/scene.h"
 
 #include <limits>
 #include <utility>
 
-namespace glint::keys {
+namespace glint::scene::keys {
 
 inline constexpr double float_limit = std::numeric_limits<float>::max();
 
@@ -233,4 +234,4 @@ KeyRow scale(std::string_view key) {
     return bound<Vec3, member>(key, KeyType::scale);
 }
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace glint {
+namespace glint::scene {
 namespace {
 
 bool is_zero(const Vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -160,4 +160,4 @@ std::optional<KeyFault> balance_fault(const Material& m) {
                     "energy = \"balanced\" needs at most 1"};
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -2,12 +2,17 @@
 // The checks of values by the key table, for files and for descriptions made in memory.
 
 #include "glint/keys.h"
-#include "scene/keys/fault.h"
 
 #include <optional>
 #include <string>
 
-namespace glint {
+namespace glint::scene {
+
+/// What is wrong with a value, and what is expected instead (may be empty).
+struct KeyFault {
+    std::string message;
+    std::string hint;
+};
 
 /// Is one of the value's numbers infinite, NaN or out of range?
 std::optional<KeyFault> number_fault(const KeySpec& key, double x);
@@ -24,4 +29,4 @@ std::optional<KeyFault> view_fault(const CameraDescription& camera);
 /// With energy = "balanced".
 std::optional<KeyFault> balance_fault(const Material& material);
 
-} // namespace glint
+} // namespace glint::scene

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace glint::keys {
+namespace glint::scene::keys {
 namespace {
 
 using Kind = decltype(Light::kind);
@@ -79,4 +79,4 @@ TableSpec light_table() {
         }};
 }
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

@@ -3,7 +3,7 @@
 #include "scene/keys/bind.h"
 #include "scene/keys/tables.h"
 
-namespace glint::keys {
+namespace glint::scene::keys {
 
 TableSpec material_table() {
     using M = Material;
@@ -35,4 +35,4 @@ TableSpec material_table() {
             }};
 }
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

@@ -3,7 +3,7 @@
 #include "scene/keys/bind.h"
 #include "scene/keys/tables.h"
 
-namespace glint::keys {
+namespace glint::scene::keys {
 namespace {
 
 /// Sets the direction, after the eye was read. It is written as `direction`.
@@ -94,4 +94,4 @@ TableSpec whitted_table() {
         }};
 }
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

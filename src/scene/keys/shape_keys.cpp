@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace glint::keys {
+namespace glint::scene::keys {
 namespace {
 
 constexpr auto standing = {PolyhedronKind::prism, PolyhedronKind::pyramid};
@@ -211,4 +211,4 @@ std::vector<TableSpec> tables_of(const std::variant<Shapes...>*) {
 
 std::vector<TableSpec> object_tables() { return tables_of(static_cast<const Shape*>(nullptr)); }
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

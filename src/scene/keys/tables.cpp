@@ -1,12 +1,16 @@
 #include "scene/keys/tables.h"
 
-#include "glint/names.h"
+#include "glint/scene.h"
 #include "scene/text.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace glint {
+
+namespace keys = scene::keys;
+
+using scene::show;
 
 std::string NumberRange::text() const {
     const bool below = low > -std::numeric_limits<double>::infinity();
@@ -37,7 +41,7 @@ std::string TableSpec::header(std::string_view name_of_it) const {
     case TableForm::entry:
         break;
     }
-    return "an entry of " + in_quotes(name);
+    return "an entry of " + scene::in_quotes(name);
 }
 
 const std::vector<TableSpec>& description_tables() {
@@ -54,7 +58,7 @@ const std::vector<TableSpec>& description_tables() {
 const TableSpec& description_table(std::string_view name) {
     for (const TableSpec& table : description_tables())
         if (table.name == name) return table;
-    throw std::out_of_range("no table of a scene is named " + in_quotes(name));
+    throw std::out_of_range("no table of a scene is named " + scene::in_quotes(name));
 }
 
 const KeySpec* find_key(const TableSpec& table, std::string_view key, std::string_view type) {

@@ -3,7 +3,7 @@
 
 #include "glint/keys.h"
 
-namespace glint::keys {
+namespace glint::scene::keys {
 
 TableSpec camera_table();
 TableSpec render_table();
@@ -18,4 +18,4 @@ TableSpec shape_table();
 /// The tables of all alternatives of Shape, in their order, with the keys that every object has.
 std::vector<TableSpec> object_tables();
 
-} // namespace glint::keys
+} // namespace glint::scene::keys

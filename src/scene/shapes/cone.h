@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline dvec3 apex(const ConeShape& s) { return s.base + glm::normalize(s.axis) * s.height; }
 
@@ -13,15 +13,8 @@ inline double support(const ConeShape& s, const dvec3& d) {
     return std::max(rim, glm::dot(d, apex(s)));
 }
 
-inline ShapeBox box(const ConeShape& s) {
-    ShapeBox box;
-    box.grow(s.base, s.radius);
-    box.grow(apex(s));
-    return box;
-}
-
 inline void bake(const ConeShape& s, ShapeBaker& out) {
-    out.quadric(make_cone(s.base, glm::normalize(s.axis), s.height, s.radius), box(s));
+    out.quadric(geometry::make_cone(s.base, glm::normalize(s.axis), s.height, s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const CylinderShape&) { return true; }
 
@@ -11,15 +11,8 @@ inline double support(const CylinderShape& s, const dvec3& d) {
     return glm::dot(d, s.base) + std::max(0.0, s.height * glm::dot(d, axis)) + s.radius * glm::length(across);
 }
 
-inline ShapeBox box(const CylinderShape& s) {
-    ShapeBox box;
-    box.grow(s.base, s.radius);
-    box.grow(s.base + glm::normalize(s.axis) * s.height, s.radius);
-    return box;
-}
-
 inline void bake(const CylinderShape& s, ShapeBaker& out) {
-    out.quadric(make_cylinder(s.base, glm::normalize(s.axis), s.height, s.radius), box(s));
+    out.quadric(geometry::make_cylinder(s.base, glm::normalize(s.axis), s.height, s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const DiskShape&) { return false; }
 
@@ -10,14 +10,8 @@ inline double support(const DiskShape& s, const dvec3& d) {
     return glm::dot(d, s.center) + s.radius * glm::length(d - glm::dot(d, normal) * normal);
 }
 
-inline ShapeBox box(const DiskShape& s) {
-    ShapeBox box;
-    box.grow(s.center, s.radius);
-    return box;
-}
-
 inline void bake(const DiskShape& s, ShapeBaker& out) {
-    out.quadric(make_disk(s.center, glm::normalize(s.normal), s.radius), box(s));
+    out.quadric(geometry::make_disk(s.center, glm::normalize(s.normal), s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

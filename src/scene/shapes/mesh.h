@@ -3,7 +3,7 @@
 
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 /// Baking finds out whether a mesh is closed.
 inline bool has_inside(const MeshShape&) { return true; }
@@ -22,7 +22,7 @@ inline double farthest(const Mesh& mesh, const dvec3& d) {
 inline double support(const MeshShape& s, const dvec3& d) {
     return s.data ? farthest(*s.data, s.scale * d) : no_support;
 }
-/// Whoever has the scene asks for the mesh's.
+/// support() of a scene (scene/support.h) looks up the mesh.
 inline double support(const InstanceShape&, const dvec3&) { return no_support; }
 
 /// Around the finite vertices as stored, before the mesh's own scale.
@@ -33,10 +33,8 @@ inline ShapeBox box(const MeshShape& s) {
         if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box.grow(dvec3(p));
     return box;
 }
-/// Whoever has the scene asks for the mesh's.
-inline ShapeBox box(const InstanceShape&) { return {}; }
 
 inline void bake(const MeshShape&, ShapeBaker& out) { out.mesh(); }
 inline void bake(const InstanceShape& s, ShapeBaker& out) { out.instance(s.mesh); }
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const PlaneShape& s) { return s.solid; }
 
@@ -17,4 +17,4 @@ inline ShapeBox box(const PlaneShape& s) {
 
 inline void bake(const PlaneShape& s, ShapeBaker& out) { out.plane(s.normal, s.offset); }
 
-} // namespace glint
+} // namespace glint::scene

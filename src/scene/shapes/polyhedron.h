@@ -3,7 +3,7 @@
 #include "scene/shapes/cylinder.h"
 #include "scene/shapes/sphere.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const PolyhedronShape&) { return true; }
 
@@ -20,42 +20,30 @@ inline double support(const PolyhedronShape& s, const dvec3& d) {
     }
 }
 
-inline ShapeBox box(const PolyhedronShape& s) {
+inline geometry::Polyhedron make_polyhedron(const PolyhedronShape& s) {
+    const geometry::Footing footing{s.center, s.axis, s.sides, s.radius, s.height};
     switch (s.kind) {
     case PolyhedronKind::box:
-        return {s.center - s.size * 0.5, s.center + s.size * 0.5};
-    case PolyhedronKind::prism:
-    case PolyhedronKind::pyramid:
-        return box(CylinderShape{s.center, s.axis, s.height, s.radius});
-    default:
-        return box(SphereShape{s.center, s.radius});
-    }
-}
-
-inline Polyhedron make_polyhedron(const PolyhedronShape& s) {
-    const Footing footing{s.center, s.axis, s.sides, s.radius, s.height};
-    switch (s.kind) {
-    case PolyhedronKind::box:
-        return make_box(s.center, s.size);
+        return geometry::make_box(s.center, s.size);
     case PolyhedronKind::tetrahedron:
-        return make_tetrahedron(s.center, s.radius);
+        return geometry::make_tetrahedron(s.center, s.radius);
     case PolyhedronKind::octahedron:
-        return make_octahedron(s.center, s.radius);
+        return geometry::make_octahedron(s.center, s.radius);
     case PolyhedronKind::dodecahedron:
-        return make_dodecahedron(s.center, s.radius);
+        return geometry::make_dodecahedron(s.center, s.radius);
     case PolyhedronKind::icosahedron:
-        return make_icosahedron(s.center, s.radius);
+        return geometry::make_icosahedron(s.center, s.radius);
     case PolyhedronKind::prism:
-        return make_prism(footing);
+        return geometry::make_prism(footing);
     case PolyhedronKind::pyramid:
-        return make_pyramid(footing);
+        return geometry::make_pyramid(footing);
     }
     return {};
 }
 
 inline void bake(const PolyhedronShape& s, ShapeBaker& out) {
-    Polyhedron solid = make_polyhedron(s);
+    geometry::Polyhedron solid = make_polyhedron(s);
     out.triangles(solid.positions, std::move(solid.triangles), true);
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline std::vector<dvec3> corners(const RectangleShape& s) {
     return {s.corner, s.corner + s.u, s.corner + s.u + s.v, s.corner + s.v};
@@ -13,12 +13,6 @@ inline double support(const RectangleShape& s, const dvec3& d) {
     double most = no_support;
     for (const dvec3& p : corners(s)) raise_support(most, d, p);
     return most;
-}
-
-inline ShapeBox box(const RectangleShape& s) {
-    ShapeBox box;
-    for (const dvec3& p : corners(s)) box.grow(p);
-    return box;
 }
 
 /// Degenerate: less wide than the rounding of its coordinates.
@@ -34,4 +28,4 @@ inline void bake(const RectangleShape& s, ShapeBaker& out) {
     out.triangles(corners(s), {{0, 1, 2}, {0, 2, 3}}, false);
 }
 
-} // namespace glint
+} // namespace glint::scene

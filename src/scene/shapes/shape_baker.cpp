@@ -2,7 +2,7 @@
 
 #include "scene/validate.h"
 
-namespace glint {
+namespace glint::scene {
 
 using trace::WorldInput;
 namespace {
@@ -29,19 +29,22 @@ void ShapeBaker::plane(const dvec3& normal, double offset) {
     baked_.input.planes.push_back(plane);
 }
 
-void ShapeBaker::quadric(const QuadricShape& shape, const ShapeBox& box) {
+void ShapeBaker::quadric(const QuadricShape& shape) {
     WorldInput::Quadric quadric{id_, 0, shape, -1};
     if (object_.transform != dmat4(1.0)) {
         const double scale = similarity_scale(object_.transform);
         if (scale > 0) {
-            quadric.shape = transformed(shape, object_.transform, scale);
+            quadric.shape = geometry::transformed(shape, object_.transform, scale);
         } else {
             quadric.affine = static_cast<std::int32_t>(baked_.input.world_from_local.size());
             baked_.input.world_from_local.push_back(object_.transform);
         }
     }
     baked_.input.quadrics.push_back(quadric);
-    baked_.objects[id_].bounds = transform_box(object_.transform, box.lo, box.hi);
+    const geometry::Interval x = geometry::extent(shape, {1, 0, 0}), y = geometry::extent(shape, {0, 1, 0}),
+                             z = geometry::extent(shape, {0, 0, 1});
+    baked_.objects[id_].bounds =
+        transform_box(object_.transform, {x.low, y.low, z.low}, {x.high, y.high, z.high});
 }
 
 void ShapeBaker::triangles(const std::vector<dvec3>& positions, std::vector<uvec3> triangles, bool closed) {
@@ -58,4 +61,4 @@ void ShapeBaker::instance(const std::string& name) {
     meshes_.bake(mesh, object_.transform * mesh.transform, id_);
 }
 
-} // namespace glint
+} // namespace glint::scene

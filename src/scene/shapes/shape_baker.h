@@ -4,7 +4,7 @@
 #include "geometry/quadric.h"
 #include "glint/scene.h"
 #include "scene/bake_mesh.h"
-#include "scene/keys/fault.h"
+#include "scene/keys/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace glint {
+namespace glint::scene {
 
 /// A box in double around a shape, in the shape's own space.
 struct ShapeBox {
@@ -20,9 +20,9 @@ struct ShapeBox {
     dvec3 hi{-std::numeric_limits<double>::infinity()};
 
     bool empty() const { return lo.x > hi.x; }
-    void grow(const dvec3& p, double radius = 0) {
-        lo = glm::min(lo, p - radius);
-        hi = glm::max(hi, p + radius);
+    void grow(const dvec3& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
     }
 };
 
@@ -52,8 +52,8 @@ class ShapeBaker {
 
     /// All p with normal · p = offset.
     void plane(const dvec3& normal, double offset);
-    /// A quadric within `box`. It is moved where the transform keeps angles, else solved in its own space.
-    void quadric(const QuadricShape& shape, const ShapeBox& box);
+    /// It is moved where the transform keeps angles, else solved in its own space.
+    void quadric(const QuadricShape& shape);
     /// `closed`: they bound a volume.
     void triangles(const std::vector<dvec3>& positions, std::vector<uvec3> triangles, bool closed);
     /// The object's own mesh.
@@ -69,4 +69,4 @@ class ShapeBaker {
     MeshBaker& meshes_;
 };
 
-} // namespace glint
+} // namespace glint::scene

@@ -3,7 +3,7 @@
 namespace glint {
 
 bool is_solid(const Shape& shape) {
-    return std::visit([](const auto& s) { return has_inside(s); }, shape);
+    return std::visit([](const auto& s) { return scene::has_inside(s); }, shape);
 }
 
 } // namespace glint

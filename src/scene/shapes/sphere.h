@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const SphereShape&) { return true; }
 
@@ -9,14 +9,8 @@ inline double support(const SphereShape& s, const dvec3& d) {
     return glm::dot(d, s.center) + s.radius * glm::length(d);
 }
 
-inline ShapeBox box(const SphereShape& s) {
-    ShapeBox box;
-    box.grow(s.center, s.radius);
-    return box;
-}
-
 inline void bake(const SphereShape& s, ShapeBaker& out) {
-    out.quadric(make_sphere(s.center, s.radius), box(s));
+    out.quadric(geometry::make_sphere(s.center, s.radius));
 }
 
-} // namespace glint
+} // namespace glint::scene

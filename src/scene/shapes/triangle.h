@@ -1,7 +1,7 @@
 #pragma once
 #include "scene/shapes/shape_baker.h"
 
-namespace glint {
+namespace glint::scene {
 
 inline bool has_inside(const TriangleShape&) { return false; }
 
@@ -9,12 +9,6 @@ inline double support(const TriangleShape& s, const dvec3& d) {
     double most = no_support;
     for (const dvec3& p : s.vertices) raise_support(most, d, p);
     return most;
-}
-
-inline ShapeBox box(const TriangleShape& s) {
-    ShapeBox box;
-    for (const dvec3& p : s.vertices) box.grow(p);
-    return box;
 }
 
 /// Degenerate: less high over its longest edge than the rounding of its coordinates.
@@ -32,4 +26,4 @@ inline void bake(const TriangleShape& s, ShapeBaker& out) {
     out.triangles({s.vertices.begin(), s.vertices.end()}, {{0, 1, 2}}, false);
 }
 
-} // namespace glint
+} // namespace glint::scene

@@ -11,9 +11,6 @@
 
 namespace glint::trace {
 
-using bvh::int4;
-using bvh::max_leaf_size;
-
 /// Maximum number of vertices in a leaf.
 inline constexpr std::uint32_t leaf_vertices = 8;
 /// Padding behind the last leaf, in words, for vector loads of eight.

@@ -1,6 +1,5 @@
 // Refitting: new vertex positions in an existing tree.
 
-#include "math/finite.h"
 #include "trace/mesh/pack.h"
 #include "trace/mesh/tree.h"
 
@@ -16,19 +15,10 @@ namespace {
 /// Nodes per task.
 constexpr std::size_t grain = 256;
 
-void store_box(WideNode& node, std::size_t child, const Bounds& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        node.lo[axis][child] = box.lo[axis];
-        node.hi[axis][child] = box.hi[axis];
-    }
-}
-
 Bounds bounds_of(const WideNode& node) {
     Bounds box;
     for (std::size_t child = 0; child < wide_children; ++child)
-        if (node.child[child] != invalid_index)
-            box.grow(Bounds{{node.lo[0][child], node.lo[1][child], node.lo[2][child]},
-                            {node.hi[0][child], node.hi[1][child], node.hi[2][child]}});
+        if (node.child[child] != invalid_index) box.grow(child_box(node, child));
     return box;
 }
 
@@ -58,7 +48,7 @@ class Refitter {
         for (std::size_t child = 0; child < wide_children; ++child) {
             if (node.child[child] == invalid_index || (node.child[child] & leaf_bit) == 0) continue;
             const LeafCode leaf{node.child[child]};
-            store_box(node, child, box_of(leaf));
+            set_box(node, child, box_of(leaf));
             if (!move(leaf)) broken.push_back({at, child});
         }
     }
@@ -114,14 +104,11 @@ class Refitter {
     std::uint32_t write(std::span<const std::uint32_t> numbers) {
         const LeafDraft leaf = draft_leaf(positions_, triangles_, numbers, VertexIdentity::index);
         if (leaf.fits()) return append_leaf(leaf, tree_.leaf_words);
-        WideNode node;
-        for (std::size_t child = 0; child < wide_children; ++child) {
-            store_box(node, child, Bounds{});
-            node.child[child] = invalid_index;
-            if (2 * child >= numbers.size()) continue;
+        WideNode node = empty_node();
+        for (std::size_t child = 0; 2 * child < numbers.size(); ++child) {
             node.child[child] =
                 write(numbers.subspan(2 * child, std::min<std::size_t>(2, numbers.size() - 2 * child)));
-            store_box(node, child, box_of(LeafCode{node.child[child]}));
+            set_box(node, child, box_of(LeafCode{node.child[child]}));
         }
         tree_.nodes.push_back(node);
         return static_cast<std::uint32_t>(tree_.nodes.size() - 1);
@@ -135,7 +122,7 @@ class Refitter {
             for (std::size_t child = 0; child < wide_children; ++child) {
                 if ((node.child[child] & leaf_bit) != 0) continue;
                 assert(node.child[child] > at);
-                store_box(node, child, bounds_of(tree_.nodes[node.child[child]]));
+                set_box(node, child, bounds_of(tree_.nodes[node.child[child]]));
                 heights[at] = std::max(heights[at], heights[node.child[child]] + 1);
             }
         }
@@ -160,7 +147,7 @@ bool all_finite(std::span<const vec3> positions, std::span<const uvec3> triangle
 void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles,
            parallel::TaskPool& pool) {
     if (triangles.size() != tree.triangles)
-        throw std::invalid_argument("a tree can follow the triangles only that it was built over");
+        throw std::invalid_argument("the number of triangles is not that of the tree");
     if (tree.left_out > 0 || !all_finite(positions, triangles)) {
         tree = build_mesh_tree(positions, triangles, pool, tree.quality);
     } else if (!tree.nodes.empty()) {

@@ -1,6 +1,6 @@
 // Binned search for spatial splits, clipping of triangles, and partitioning with duplication of references.
 
-#include "trace/mesh/spatial_split.h"
+#include "trace/mesh/split.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ constexpr int slices = 16;
 /// Bound on the rounding error of an interpolated point: at most 11 · 2^-24 of the larger coordinate on each
 /// axis, plus the smallest normal float for underflow.
 float4 clipping_error(float4 a, float4 b) {
-    return (bvh::max4(a, -a) + bvh::max4(b, -b)) * splat(0x1p-20f) + splat(std::numeric_limits<float>::min());
+    return (max4(a, -a) + max4(b, -b)) * splat(0x1p-20f) + splat(std::numeric_limits<float>::min());
 }
 
 bool is_empty(const SimdBounds& box) {

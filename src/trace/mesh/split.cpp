@@ -2,13 +2,11 @@
 
 #include "trace/mesh/split.h"
 
-#include "trace/mesh/spatial_split.h"
-
 namespace glint::trace {
 
 int bins_for(std::size_t size, BuildQuality quality) {
     if (quality == BuildQuality::fast) return size > 1024 ? 16 : 8;
-    return size > 256 ? bvh::max_bins : size > 16 ? 16 : 8;
+    return size > 256 ? max_bins : size > 16 ? 16 : 8;
 }
 
 namespace {
@@ -47,7 +45,7 @@ bool may_pay(const MeshBuild& build, const PrimRange& range, const Bins& bins, c
 std::pair<PrimRange, PrimRange> split(const MeshBuild& build, const PrimRange& whole, const Binning& binning,
                                       Bins& bins, bool filled) {
     PrimRange range = whole;
-    if (range.depth >= bvh::max_sah_depth) return split_in_half(range, build.refs);
+    if (range.depth >= max_sah_depth) return split_in_half(range, build.refs);
     if (!filled) {
         bins.clear(binning.bins);
         bins.fill(binning, build.refs + range.begin, build.refs + range.end);

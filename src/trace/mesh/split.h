@@ -10,18 +10,6 @@
 
 namespace glint::trace {
 
-using bvh::Binning;
-using bvh::Bins;
-using bvh::Cut;
-using bvh::float4;
-using bvh::half_area;
-using bvh::PrimRange;
-using bvh::PrimRef;
-using bvh::SimdBounds;
-using bvh::splat;
-using bvh::to_float4;
-using bvh::without_w;
-
 inline constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Parameters shared by all steps of a build.
@@ -44,5 +32,29 @@ int bins_for(std::size_t size, BuildQuality quality);
 /// `filled`, otherwise they are scratch memory.
 std::pair<PrimRange, PrimRange> split(const MeshBuild& build, const PrimRange& range, const Binning& binning,
                                       Bins& bins, bool filled);
+
+// Spatial splits: references are clipped at a plane, so that a triangle may appear on both sides with a
+// smaller box each (Stich, Friedrich, Dietrich, "Spatial Splits in Bounding Volume Hierarchies", 2009).
+
+struct SpatialCut {
+    int axis = -1; ///< -1: none
+    float plane = 0;
+    float cost = std::numeric_limits<float>::infinity(); ///< in the units of Cut
+};
+
+/// The cheapest of some planes for which the range has spare capacity.
+SpatialCut cheapest_spatial_cut(const MeshBuild& build, const PrimRange& range);
+
+/// Splits a range at a plane as far as its capacity allows; returns false, with no effect, if a side would be
+/// empty.
+bool split_at(const MeshBuild& build, const PrimRange& range, const SpatialCut& cut,
+              std::pair<PrimRange, PrimRange>& sides);
+
+/// Bounds of the parts of a reference's triangle, within the reference's box, on both sides of a plane; a
+/// side may be empty. Rounded outward by more than the clipping error.
+struct ClippedBoxes {
+    SimdBounds left, right;
+};
+ClippedBoxes clip(const MeshBuild& build, const PrimRef& ref, int axis, float plane);
 
 } // namespace glint::trace

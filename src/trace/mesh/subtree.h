@@ -48,7 +48,7 @@ class WideWriter {
     void fill(std::uint32_t wide, std::uint32_t at, int depth) {
         depth_ = std::max(depth_, depth);
         const WideRoots roots = children_of(tree_, at);
-        WideNode node = bvh::empty_node();
+        WideNode node = empty_node();
         for (std::uint32_t i = 0; i < roots.count; ++i)
             set_child(node, i, tree_[roots.nodes[i]].box, allocate(roots.nodes[i]));
         out_[wide] = node;

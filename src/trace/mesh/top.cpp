@@ -171,7 +171,7 @@ std::vector<std::uint32_t> choose_parts(MeshTop& top, float scale) {
         const float area = half_area(node.box, scale);
         if (node.is_leaf) {
             for (std::size_t i = 0; i < node.costs.size(); ++i)
-                node.costs[i] = area * (bvh::wide_node_cost - saved_by_roots[i]);
+                node.costs[i] = area * (wide_node_cost - saved_by_roots[i]);
         } else {
             const BinaryNode& left = top.nodes[node.left];
             const BinaryNode& right = top.nodes[node.left + 1];

@@ -11,10 +11,6 @@
 
 namespace glint::trace {
 
-using bvh::BinaryNode;
-using bvh::RootCosts;
-using bvh::WideRoots;
-
 /// Ranges with more capacity than this are split; the others are the leaves of the top.
 inline constexpr std::size_t top_grain = 64;
 

@@ -3,7 +3,6 @@
 
 #include "trace/mesh/tree.h"
 
-#include "math/finite.h"
 #include "parallel/in_order.h"
 #include "parallel/large_pages.h"
 #include "trace/mesh/pack.h"
@@ -14,6 +13,7 @@
 #include <array>
 #include <cassert>
 #include <numeric>
+#include <stdexcept>
 #include <vector>
 
 namespace glint::trace {
@@ -82,7 +82,7 @@ References fill_refs(std::span<const vec3> positions, std::span<const uvec3> tri
 /// otherwise all are.
 constexpr std::size_t min_sampled_parts = 32;
 
-/// Whether a part belongs to the sample: scattered, as neighbours are alike.
+/// Whether a part belongs to the sample, which is scattered, as neighbours are similar.
 bool is_sampled(std::size_t part) { return (static_cast<std::uint32_t>(part) * 0x9e3779b9u) >> 28 == 0; }
 
 /// Memory budget in bytes a triangle, with and without shared vertices.
@@ -220,7 +220,7 @@ class TreeWriter {
     void promote_only_part() {
         tree_.depth = parts_[0].depth;
         if ((parts_[0].root & leaf_bit) == 0) return;
-        tree_.nodes.push_back(bvh::empty_node());
+        tree_.nodes.push_back(empty_node());
         set_child(tree_.nodes[0], 0, {to_float4(tree_.bounds.lo), to_float4(tree_.bounds.hi)},
                   parts_[0].root);
         tree_.depth = 1;
@@ -314,6 +314,12 @@ class PartBuilder {
 };
 
 } // namespace
+
+void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles) {
+    for (const uvec3& corners : triangles)
+        if (std::max({corners.x, corners.y, corners.z}) >= positions.size())
+            throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
+}
 
 MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles,
                          parallel::TaskPool& pool, BuildQuality quality) {

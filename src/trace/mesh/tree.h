@@ -15,15 +15,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 namespace glint::trace {
 
-using bvh::leaf_bit;
-using bvh::max_tree_depth;
-using bvh::wide_children;
-using bvh::WideNode;
+using namespace bvh;
 
 /// The least (t, triangle) of a ray, or triangle = invalid_index.
 using TriangleRecord = tracing::Hit;
@@ -57,6 +53,9 @@ struct MeshTree {
     std::size_t bytes() const { return nodes.size() * sizeof(WideNode) + leaf_words.size() * 4; }
 };
 
+/// Throws std::invalid_argument for a vertex index out of range.
+void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
+
 /// Builds a tree; it does not depend on the number of threads. Triangles with a vertex that is not finite are
 /// left out, so nothing hits them. Throws std::length_error if the leaves exceed 512 MiB.
 MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3> triangles,
@@ -68,10 +67,6 @@ MeshTree build_mesh_tree(std::span<const vec3> positions, std::span<const uvec3>
 /// that of the build.
 void refit(MeshTree& tree, std::span<const vec3> positions, std::span<const uvec3> triangles,
            parallel::TaskPool& pool);
-
-/// Scalar single-ray queries: the reference for all kernels.
-TriangleRecord closest_scalar(const MeshTree& tree, const Ray& ray);
-bool occluded_scalar(const MeshTree& tree, const Ray& ray);
 
 /// Single-ray queries with the chosen kernel.
 TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice = {});

@@ -13,7 +13,6 @@ namespace glint::trace {
 /// How a batch is traced: as coherent packets or as streams filtered ray by ray.
 enum class BatchForm : std::uint8_t { packets, streams };
 
-/// Pointers are null if the target was not compiled.
 struct BatchKernels {
     void (*closest)(const MeshTree& tree, const Ray* rays, TriangleRecord* records, std::size_t count,
                     BatchForm form);
@@ -27,8 +26,17 @@ struct SingleKernels {
 
 /// Plain, SSE4, AVX2, AVX-512, in this order.
 inline constexpr std::size_t kernel_targets = 4;
-extern const std::array<BatchKernels, kernel_targets> batch_kernels;
-extern const std::array<SingleKernels, kernel_targets> single_kernels;
+
+/// Kernels by target; null if the target was not compiled.
+template <class Kernels>
+using KernelTable = std::array<const Kernels*, kernel_targets>;
+
+/// The table of an object that each target's namespace defines under one name.
+#define GLINT_KERNEL_TABLE(name)                                                                             \
+    { HWY_CHOOSE_FALLBACK(name), HWY_CHOOSE_SSE4(name), HWY_CHOOSE_AVX2(name), HWY_CHOOSE_AVX3(name) }
+
+extern const KernelTable<BatchKernels> batch_kernels;
+extern const KernelTable<SingleKernels> single_kernels;
 
 /// Row of a target in these tables. Throws std::invalid_argument if the machine lacks the target.
 std::size_t row_of(SimdTarget target);

@@ -1,5 +1,6 @@
 // Runtime dispatch: detects the SIMD targets of the machine and calls the kernels.
 
+#include "trace/mesh/scalar.h"
 #include "trace/simd/kernel_table.h"
 
 #include <stdexcept>
@@ -43,7 +44,7 @@ std::size_t count_rows() {
 /// Detected once; the static costs one branch.
 bool has(std::size_t row) {
     static const std::size_t rows = count_rows();
-    return batch_kernels[row].closest != nullptr && row < rows;
+    return batch_kernels[row] != nullptr && row < rows;
 }
 
 /// Row of the widest available target.
@@ -89,12 +90,12 @@ namespace glint::trace {
 
 TriangleRecord closest(const MeshTree& tree, const Ray& ray, const KernelChoice& choice) {
     if (choice.kernel == Kernel::scalar) return closest_scalar(tree, ray);
-    return single_kernels[row_of(choice.target)].closest(tree, ray);
+    return single_kernels[row_of(choice.target)]->closest(tree, ray);
 }
 
 bool occluded(const MeshTree& tree, const Ray& ray, const KernelChoice& choice) {
     if (choice.kernel == Kernel::scalar) return occluded_scalar(tree, ray);
-    return single_kernels[row_of(choice.target)].occluded(tree, ray);
+    return single_kernels[row_of(choice.target)]->occluded(tree, ray);
 }
 
 void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<TriangleRecord> records, RayHint hint,
@@ -103,8 +104,8 @@ void closest(const MeshTree& tree, std::span<const Ray> rays, std::span<Triangle
         for (std::size_t i = 0; i < rays.size(); ++i) records[i] = closest(tree, rays[i], choice);
         return;
     }
-    batch_kernels[row_of(choice.target)].closest(tree, rays.data(), records.data(), rays.size(),
-                                                 form_of(choice.kernel, hint));
+    batch_kernels[row_of(choice.target)]->closest(tree, rays.data(), records.data(), rays.size(),
+                                                  form_of(choice.kernel, hint));
 }
 
 void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
@@ -113,8 +114,8 @@ void occluded(const MeshTree& tree, std::span<const Ray> rays, std::span<std::ui
         for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = occluded(tree, rays[i], choice) ? 1 : 0;
         return;
     }
-    batch_kernels[row_of(choice.target)].occluded(tree, rays.data(), blocked.data(), rays.size(),
-                                                  form_of(choice.kernel, hint));
+    batch_kernels[row_of(choice.target)]->occluded(tree, rays.data(), blocked.data(), rays.size(),
+                                                   form_of(choice.kernel, hint));
 }
 
 } // namespace glint::trace

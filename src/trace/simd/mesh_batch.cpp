@@ -7,6 +7,7 @@
 // Ray Stream Traversal", 2014). The result is the least (t, triangle), so it depends on neither traversal
 // order, kernel nor vector width.
 
+#include "trace/mesh/scalar.h"
 #include "trace/simd/flags.h"
 #include "trace/simd/kernel_table.h"
 
@@ -365,6 +366,8 @@ void occluded_batch(const MeshTree& tree, const Ray* rays, std::uint8_t* blocked
 
 #endif
 
+extern const BatchKernels batch{closest_batch, occluded_batch};
+
 } // namespace HWY_NAMESPACE
 } // namespace glint::trace
 HWY_AFTER_NAMESPACE();
@@ -372,12 +375,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint::trace {
 
-const std::array<BatchKernels, kernel_targets> batch_kernels{{
-    {HWY_CHOOSE_FALLBACK(closest_batch), HWY_CHOOSE_FALLBACK(occluded_batch)},
-    {HWY_CHOOSE_SSE4(closest_batch), HWY_CHOOSE_SSE4(occluded_batch)},
-    {HWY_CHOOSE_AVX2(closest_batch), HWY_CHOOSE_AVX2(occluded_batch)},
-    {HWY_CHOOSE_AVX3(closest_batch), HWY_CHOOSE_AVX3(occluded_batch)},
-}};
+const KernelTable<BatchKernels> batch_kernels GLINT_KERNEL_TABLE(batch);
 
 } // namespace glint::trace
 #endif

@@ -47,9 +47,9 @@ HWY_INLINE void clip(const GrownPlanes<V>& planes, const V (&inverse)[3], const 
         near[axis] = hn::MulAdd(planes.near[axis], inverse[axis], offset[axis]);
         far[axis] = hn::MulAdd(planes.far[axis], inverse[axis], offset[axis]);
         if constexpr (is_mixed) {
-            const V least = hn::Min(near[axis], far[axis]);
+            const V nearest = hn::Min(near[axis], far[axis]);
             far[axis] = hn::Max(near[axis], far[axis]);
-            near[axis] = least;
+            near[axis] = nearest;
         }
     }
     entry = hn::Max(hn::Max(near[0], near[1]), hn::Max(near[2], entry));
@@ -161,7 +161,7 @@ HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const G
                               hn::Set(dr, node[group.far_at[2] + child])};
     const GrownPlanes<RayFloats> planes(group, near, far);
     std::uint64_t inside = 0;
-    RayFloats least = hn::Set(dr, infinity);
+    RayFloats nearest = hn::Set(dr, infinity);
     for (; vectors != 0; vectors &= vectors - 1) {
         const std::size_t i = first_bit(vectors);
         tally(&TraceCounters::boxes, 1);
@@ -173,10 +173,10 @@ HWY_INLINE std::uint64_t enter_box(const float* node, std::size_t child, const G
         RayFloats exit = hn::Load(dr, group.limit + i);
         clip<is_mixed>(planes, inverse, offset, entry, exit);
         const auto hit = hn::Le(entry, exit);
-        if (with_key) least = hn::Min(least, hn::IfThenElse(hit, entry, hn::Set(dr, infinity)));
+        if (with_key) nearest = hn::Min(nearest, hn::IfThenElse(hit, entry, hn::Set(dr, infinity)));
         inside |= std::uint64_t{bits_of(dr, hit)} << i;
     }
-    if (with_key) key = hn::GetLane(hn::MinOfLanes(dr, least));
+    if (with_key) key = hn::GetLane(hn::MinOfLanes(dr, nearest));
     return inside;
 }
 

@@ -4,11 +4,9 @@
 #include "trace/mesh/tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <hwy/highway.h>
 
@@ -185,22 +183,22 @@ HWY_INLINE Signs load_tile(Group& group, const TreeConstants& constants, const R
         Floats o[4], d[4];
         load(group, i, from, o, d);
         const Floats ax = hn::Abs(d[0]), ay = hn::Abs(d[1]), az = hn::Abs(d[2]);
-        const Floats most = max_of(ax, ay, az);
+        const Floats longest = max_of(ax, ay, az);
         const Floats reach = max_of(hn::Abs(o[0]), hn::Abs(o[1]), hn::Abs(o[2]));
         // Comparisons fail for NaN, and the sum is NaN if any summand is.
         const Floats sum =
             hn::Add(hn::Add(ax, ay), hn::Add(hn::Add(az, o[0]), hn::Add(hn::Add(o[1], o[2]), d[3])));
         const Floats scale = hn::Add(reach, hn::Set(df, constants.corner));
-        const auto long_enough = hn::And(hn::Ge(most, hn::Mul(scale, hn::Set(df, min_direction_ratio))),
-                                         hn::Ge(most, hn::Set(df, min_length)));
-        const auto near_enough = hn::And(hn::Le(most, hn::Set(df, constants.max_length)),
+        const auto long_enough = hn::And(hn::Ge(longest, hn::Mul(scale, hn::Set(df, min_direction_ratio))),
+                                         hn::Ge(longest, hn::Set(df, min_length)));
+        const auto near_enough = hn::And(hn::Le(longest, hn::Set(df, constants.max_length)),
                                          hn::Le(reach, hn::Set(df, constants.max_origin)));
         const auto grouped =
             hn::And(hn::And(long_enough, near_enough), hn::And(hn::Eq(sum, sum), hn::Eq(o[3], o[3])));
         signs.ungrouped |= std::uint64_t{~bits_of(grouped) & lane_mask} << i;
-        const auto x_first = hn::Eq(ax, most);
+        const auto x_first = hn::Eq(ax, longest);
         signs.axis[0] |= std::uint64_t{bits_of(x_first)} << i;
-        signs.axis[1] |= std::uint64_t{bits_of(hn::AndNot(x_first, hn::Eq(ay, most)))} << i;
+        signs.axis[1] |= std::uint64_t{bits_of(hn::AndNot(x_first, hn::Eq(ay, longest)))} << i;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto below = hn::Lt(hn::BitCast(di, d[k]), hn::Zero(di));
             signs.negative[k] |= std::uint64_t{bits_of(hn::RebindMask(df, below))} << i;
@@ -254,17 +252,17 @@ HWY_INLINE void set_up(Group& group, const TreeConstants& constants, bool is_mix
             d[k] = hn::Load(dr, group.direction[k] + i);
             size[k] = hn::Abs(d[k]);
         }
-        const RayFloats most = max_of(size[0], size[1], size[2]);
-        const RayFloats least = hn::Mul(most, hn::Set(dr, min_direction_ratio));
+        const RayFloats longest = max_of(size[0], size[1], size[2]);
+        const RayFloats min_size = hn::Mul(longest, hn::Set(dr, min_direction_ratio));
         for (std::size_t k = 0; k < 3; ++k) {
             const RayFloats o = hn::Load(dr, group.origin[k] + i);
             reaches = hn::Max(reaches, hn::Abs(o));
-            inverse[k] = hn::Div(hn::Set(dr, 1.0f), hn::CopySignToAbs(hn::Max(size[k], least), d[k]));
+            inverse[k] = hn::Div(hn::Set(dr, 1.0f), hn::CopySignToAbs(hn::Max(size[k], min_size), d[k]));
             hn::Store(inverse[k], dr, group.inverse[k] + i);
             hn::Store(hn::Neg(hn::Mul(o, inverse[k])), dr, group.offset[k] + i);
         }
-        const auto x_first = hn::Eq(size[0], most);
-        const auto y_first = hn::AndNot(x_first, hn::Eq(size[1], most));
+        const auto x_first = hn::Eq(size[0], longest);
+        const auto y_first = hn::AndNot(x_first, hn::Eq(size[1], longest));
         const auto cycle = [&](RayFloats for_x, RayFloats for_y, RayFloats for_z) {
             return hn::IfThenElse(x_first, for_x, hn::IfThenElse(y_first, for_y, for_z));
         };

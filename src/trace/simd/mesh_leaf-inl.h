@@ -6,9 +6,7 @@
 #include "trace/mesh/tree.h"
 #include "trace/simd/counters.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -132,9 +130,9 @@ struct LeafVectors {
 /// greatest is negative (or underflows) if both signs occur.
 template <class V>
 HWY_INLINE hn::Mask<hn::DFromV<V>> outside(V u, V v, V w) {
-    const V least = hn::Min(u, hn::Min(v, w));
-    const V most = hn::Max(u, hn::Max(v, w));
-    return hn::Lt(hn::Mul(least, most), hn::Zero(hn::DFromV<V>()));
+    const V low = hn::Min(u, hn::Min(v, w));
+    const V high = hn::Max(u, hn::Max(v, w));
+    return hn::Lt(hn::Mul(low, high), hn::Zero(hn::DFromV<V>()));
 }
 HWY_INLINE std::uint32_t candidates_of(Floats u, Floats v, Floats w) { return ~bits_of(outside(u, v, w)); }
 

@@ -192,14 +192,14 @@ HWY_INLINE std::uint64_t test_together(const Leaf& leaf, Group& group, std::size
         const Integers front = hn::Compress(words, hn::RebindMask(di, left));
         const Integers from = hn::And(hn::Sub(hn::Iota(di, 0), hn::Set(di, there)), seven);
         const Integers moved = hn::TableLookupLanes(front, hn::IndicesFromVec(di, from));
-        const auto take = [&](Integers place, Floats values, Floats& lanes_of) {
+        const auto take = [&](Integers slots, Floats values, Floats& lanes_of) {
             lanes_of = hn::IfThenElse(
-                to, hn::TableLookupLanes(values, hn::IndicesFromVec(df, hn::And(place, seven))), lanes_of);
+                to, hn::TableLookupLanes(values, hn::IndicesFromVec(df, hn::And(slots, seven))), lanes_of);
         };
-        const auto take_vertex = [&](Integers place, ExactVertex& vertex) {
-            take(place, x, vertex.x);
-            take(place, y, vertex.y);
-            take(place, scaled, vertex.z);
+        const auto take_vertex = [&](Integers slots, ExactVertex& vertex) {
+            take(slots, x, vertex.x);
+            take(slots, y, vertex.y);
+            take(slots, scaled, vertex.z);
         };
         take_vertex(moved, pairs.a);
         take_vertex(hn::ShiftRight<3>(moved), pairs.b);

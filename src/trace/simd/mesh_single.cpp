@@ -2,6 +2,7 @@
 // to be conservative and may use fused multiply-adds; the triangle test performs the operations of
 // geometry/triangle.h.
 
+#include "trace/mesh/scalar.h"
 #include "trace/simd/kernel_table.h"
 
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
@@ -33,13 +34,13 @@ class SingleRay {
         const vec3 far = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
         const vec3 reach = glm::abs(ray.origin);
         const vec3 d = glm::abs(ray.direction);
-        const float most = std::max(d.x, std::max(d.y, d.z));
+        const float longest = std::max(d.x, std::max(d.y, d.z));
         const float scale =
             std::max(reach.x, std::max(reach.y, reach.z)) + std::max(far.x, std::max(far.y, far.z));
         const float pad = 0x1p-20f * scale;
-        const float least = std::max({most * min_direction_ratio, scale * min_scale_ratio, 2.95e-39f});
+        const float min_size = std::max({longest * min_direction_ratio, scale * min_scale_ratio, 2.95e-39f});
         for (int axis = 0; axis < 3; ++axis) {
-            const float clamped = std::max(d[axis], least);
+            const float clamped = std::max(d[axis], min_size);
             const float size = 1.0f / clamped;
             const float inverse = std::copysign(size, ray.direction[axis]);
             const float shift = ray.origin[axis] * inverse;
@@ -102,7 +103,7 @@ StackEntry push_sorted(const WideNode& node, std::uint32_t met, const float* ent
     return nearest;
 }
 
-LeafRay leaf_ray_of(const Ray& ray, const ShearedRay& sheared) {
+LeafRay leaf_ray_of(const Ray& ray, const geometry::ShearedRay& sheared) {
     const float limit = next_float(ray.tmax, -1.0f);
     return {sheared.ox, sheared.oy, sheared.oz, sheared.sx, sheared.sy,   sheared.sz,
             ray.tmin,   limit,      0.0f,       0.0f,       invalid_index};
@@ -115,7 +116,7 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
     alignas(32) float entries[8];
     std::uint32_t met = box_ray.meets(tree.nodes[0], next_float(ray.tmax, -1.0f), entries);
     if (met == 0) return false;
-    const ShearedRay sheared(ray);
+    const geometry::ShearedRay sheared(ray);
     LeafRay leaf_ray = leaf_ray_of(ray, sheared);
     StackEntry stack[stack_size];
     std::size_t size = 0;
@@ -147,7 +148,7 @@ bool follow(const MeshTree& tree, const Ray& ray, TriangleRecord& record) {
 
 } // namespace
 
-// Exported to the kernel table.
+// Called by the batch kernels too.
 TriangleRecord closest_single(const MeshTree& tree, const Ray& ray) {
     TriangleRecord record;
     const bool hit = !tree.nodes.empty() && is_traceable(ray) && follow<false>(tree, ray, record);
@@ -160,6 +161,8 @@ bool occluded_single(const MeshTree& tree, const Ray& ray) {
 
 #endif
 
+extern const SingleKernels single{closest_single, occluded_single};
+
 } // namespace HWY_NAMESPACE
 } // namespace glint::trace
 HWY_AFTER_NAMESPACE();
@@ -167,12 +170,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace glint::trace {
 
-const std::array<SingleKernels, kernel_targets> single_kernels{{
-    {HWY_CHOOSE_FALLBACK(closest_single), HWY_CHOOSE_FALLBACK(occluded_single)},
-    {HWY_CHOOSE_SSE4(closest_single), HWY_CHOOSE_SSE4(occluded_single)},
-    {HWY_CHOOSE_AVX2(closest_single), HWY_CHOOSE_AVX2(occluded_single)},
-    {HWY_CHOOSE_AVX3(closest_single), HWY_CHOOSE_AVX3(occluded_single)},
-}};
+const KernelTable<SingleKernels> single_kernels GLINT_KERNEL_TABLE(single);
 
 } // namespace glint::trace
 #endif

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include <hwy/highway.h>
 
@@ -35,8 +34,8 @@ HWY_INLINE std::uint32_t intersect(const Exact& exact, std::uint32_t triangle, G
 
     const hn::RebindToUnsigned<decltype(dfe)> du;
     const auto number = hn::Set(du, triangle);
-    const auto least = hn::Load(du, group.triangle + first);
-    const auto lower = hn::RebindMask(dfe, hn::Eq(hn::Min(number, least), number));
+    const auto best = hn::Load(du, group.triangle + first);
+    const auto lower = hn::RebindMask(dfe, hn::Eq(hn::Min(number, best), number));
     const auto closer = hn::Or(hn::Lt(exact.t, limit), hn::And(hn::Eq(exact.t, limit), lower));
     const std::uint32_t hits = bits_of(dfe, closer);
     if (hits == 0) return 0;
@@ -46,7 +45,7 @@ HWY_INLINE std::uint32_t intersect(const Exact& exact, std::uint32_t triangle, G
     put(exact.t, group.limit + first);
     put(exact.weight_1(), group.u + first);
     put(exact.weight_2(), group.v + first);
-    hn::Store(hn::IfThenElse(hn::RebindMask(du, closer), number, least), du, group.triangle + first);
+    hn::Store(hn::IfThenElse(hn::RebindMask(du, closer), number, best), du, group.triangle + first);
     return hits;
 }
 

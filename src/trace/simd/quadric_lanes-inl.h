@@ -1,11 +1,11 @@
-// The equations of quadrics and planes for vectors of rays, for every SIMD target: the same text as for one
-// ray, read once more in the vocabulary of math/double_lanes-inl.h.
+// The equations of quadrics and planes for vectors of rays, for every SIMD target: the shared header compiled
+// again with the types of math/lanes-inl.h.
 
 #include "geometry/quadric.shared.h"
 
 #include <hwy/highway.h>
 
-#include "math/double_lanes-inl.h"
+#include "math/lanes-inl.h"
 
 #if defined(GLINT_TRACE_SIMD_QUADRIC_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SIMD_QUADRIC_LANES_INL_H
@@ -25,7 +25,7 @@
 #define GLINT_FN HWY_INLINE
 #define GLINT_LANES
 
-// Without its guard it is read again.
+// Without its guard it is included again.
 #undef GLINT_GEOMETRY_QUADRIC_SHARED_H
 
 HWY_BEFORE_NAMESPACE();

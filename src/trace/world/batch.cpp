@@ -1,7 +1,7 @@
 // Batch queries of World: first planes and quadrics, then meshes and instances for the rays that may still
 // hit one.
 
-#include "trace/simd/surface_batch.h"
+#include "trace/simd/quadric_batch.h"
 #include "trace/world/world.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ bool has_no_triangles(const WorldData& world) {
 
 /// Grows a vector without shrinking or clearing it.
 template <class T>
-T* room_for(std::vector<T>& v, std::size_t count) {
+T* grown(std::vector<T>& v, std::size_t count) {
     if (v.size() < count) v.resize(count);
     return v.data();
 }
@@ -40,65 +40,65 @@ void for_each_set(std::span<const std::uint8_t> flags, Use&& use) {
 void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint, Scratch& scratch,
                     const KernelChoice& choice) const {
     const std::size_t count = rays.size();
-    std::uint8_t* meets_mesh = room_for(scratch.flags, count);
-    surface_kernels[row_of(choice.target)].closest(*data_, rays.data(), count, hits.data(), meets_mesh);
+    std::uint8_t* meets_mesh = grown(scratch.flags, count);
+    quadric_kernels[row_of(choice.target)]->closest(*data_, rays.data(), count, hits.data(), meets_mesh);
     if (has_no_triangles(*data_)) return;
 
-    Ray* open = room_for(scratch.rays, count);
-    std::uint32_t* numbers = room_for(scratch.numbers, count);
-    std::size_t left = 0;
+    Ray* rest = grown(scratch.rays, count);
+    std::uint32_t* indices = grown(scratch.numbers, count);
+    std::size_t count_left = 0;
     for_each_set({meets_mesh, count}, [&](std::uint32_t i) {
-        open[left] = rays[i];
-        if (hits[i]) open[left].tmax = next_float(hits[i].t, 1.0f);
-        numbers[left++] = i;
+        rest[count_left] = rays[i];
+        if (hits[i]) rest[count_left].tmax = next_float(hits[i].t, 1.0f);
+        indices[count_left++] = i;
     });
     if (!data_->mesh_tree.nodes.empty()) {
-        TriangleRecord* records = room_for(scratch.records, left);
-        trace::closest(data_->mesh_tree, {open, left}, {records, left}, hint, choice);
-        for (std::size_t i = 0; i < left; ++i) {
+        TriangleRecord* records = grown(scratch.records, count_left);
+        trace::closest(data_->mesh_tree, {rest, count_left}, {records, count_left}, hint, choice);
+        for (std::size_t i = 0; i < count_left; ++i) {
             if (records[i].triangle == invalid_index) continue;
-            keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
-            open[i].tmax = next_float(hits[numbers[i]].t, 1.0f);
+            keep_closer(*data_, rays[indices[i]], records[i], hits[indices[i]]);
+            rest[i].tmax = next_float(hits[indices[i]].t, 1.0f);
         }
     }
     if (data_->instances.empty()) return;
-    InstanceRecord* records = room_for(scratch.instance_records, left);
-    data_->instance_tree.closest({open, left}, {records, left}, hint, choice);
-    for (std::size_t i = 0; i < left; ++i)
+    InstanceRecord* records = grown(scratch.instance_records, count_left);
+    data_->instance_tree.closest({rest, count_left}, {records, count_left}, hint, choice);
+    for (std::size_t i = 0; i < count_left; ++i)
         if (records[i].instance != invalid_index)
-            keep_closer(*data_, rays[numbers[i]], records[i], hits[numbers[i]]);
+            keep_closer(*data_, rays[indices[i]], records[i], hits[indices[i]]);
 }
 
 void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                      Scratch& scratch, const KernelChoice& choice) const {
     const std::size_t count = rays.size();
-    std::uint8_t* meets_mesh = room_for(scratch.flags, count);
-    surface_kernels[row_of(choice.target)].occluded(*data_, rays.data(), count, blocked.data(), meets_mesh);
+    std::uint8_t* meets_mesh = grown(scratch.flags, count);
+    quadric_kernels[row_of(choice.target)]->occluded(*data_, rays.data(), count, blocked.data(), meets_mesh);
     if (has_no_triangles(*data_)) return;
 
-    Ray* open = room_for(scratch.rays, count);
-    std::uint32_t* numbers = room_for(scratch.numbers, count);
-    std::size_t left = 0;
+    Ray* rest = grown(scratch.rays, count);
+    std::uint32_t* indices = grown(scratch.numbers, count);
+    std::size_t count_left = 0;
     for_each_set({meets_mesh, count}, [&](std::uint32_t i) {
-        open[left] = rays[i];
-        numbers[left++] = i;
+        rest[count_left] = rays[i];
+        indices[count_left++] = i;
     });
     // The flags have been read, so their memory can hold results.
-    std::uint8_t* answers = meets_mesh;
+    std::uint8_t* results = meets_mesh;
     if (!data_->mesh_tree.nodes.empty()) {
-        trace::occluded(data_->mesh_tree, {open, left}, {answers, left}, hint, choice);
-        std::size_t still = 0;
-        for (std::size_t i = 0; i < left; ++i) {
-            blocked[numbers[i]] = answers[i];
-            open[still] = open[i];
-            numbers[still] = numbers[i];
-            still += answers[i] ^ 1u;
+        trace::occluded(data_->mesh_tree, {rest, count_left}, {results, count_left}, hint, choice);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count_left; ++i) {
+            blocked[indices[i]] = results[i];
+            rest[kept] = rest[i];
+            indices[kept] = indices[i];
+            kept += results[i] ^ 1u;
         }
-        left = still;
+        count_left = kept;
     }
     if (data_->instances.empty()) return;
-    data_->instance_tree.occluded({open, left}, {answers, left}, hint, choice);
-    for (std::size_t i = 0; i < left; ++i) blocked[numbers[i]] = answers[i];
+    data_->instance_tree.occluded({rest, count_left}, {results, count_left}, hint, choice);
+    for (std::size_t i = 0; i < count_left; ++i) blocked[indices[i]] = results[i];
 }
 
 void World::surfaces(std::span<const Ray> rays, std::span<const Hit> hits, const SurfaceRows& rows,

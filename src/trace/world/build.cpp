@@ -1,7 +1,5 @@
 // Building the trees of a World.
 
-#include "math/finite.h"
-#include "math/inverse.h"
 #include "trace/world/data.h"
 
 #include <algorithm>
@@ -33,7 +31,7 @@ WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
     return all;
 }
 
-void build_triangles(WorldData& world, BuildQuality quality, TaskPool& pool) {
+void build_triangles(WorldData& world, BuildQuality quality, parallel::TaskPool& pool) {
     std::size_t triangles = 0;
     std::size_t positions = 0;
     for (const auto& mesh : world.meshes) {
@@ -61,15 +59,15 @@ BoxRef box_of(const WorldData& world, const Quadric& quadric, std::uint32_t id) 
             gradient = glm::transpose(affine.linear) * gradient;
             shift = affine.translation[axis];
         }
-        const Interval reach = extent(quadric.shape, gradient);
+        const geometry::Interval range = geometry::extent(quadric.shape, gradient);
         constexpr float infinity = std::numeric_limits<float>::infinity();
-        box.lo[axis] = std::nextafter(static_cast<float>(reach.low + shift), -infinity);
-        box.hi[axis] = std::nextafter(static_cast<float>(reach.high + shift), infinity);
+        box.lo[axis] = std::nextafter(static_cast<float>(range.low + shift), -infinity);
+        box.hi[axis] = std::nextafter(static_cast<float>(range.high + shift), infinity);
     }
     return box;
 }
 
-void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
+void build_quadrics(WorldData& world, const WorldInput& input, parallel::TaskPool& pool) {
     std::vector<Quadric> quadrics;
     for (const auto& q : input.quadrics) quadrics.push_back({q.affine, q.object, q.prim, 0, q.shape});
     // Group by kind, so that leaves mostly contain one kind.
@@ -90,22 +88,21 @@ void build_quadrics(WorldData& world, const WorldInput& input, TaskPool& pool) {
 
 /// Numbers planes and quadrics in the order that decides ties.
 void number_surfaces(WorldData& world) {
-    std::vector<QuadricRef>& names = world.surfaces;
+    std::vector<QuadricRef>& refs = world.surfaces;
     std::uint32_t index = 0;
-    for (const PlanePrim& p : world.planes) names.push_back({PrimKind::plane, p.object, 0, index++});
+    for (const PlanePrim& p : world.planes) refs.push_back({PrimKind::plane, p.object, 0, index++});
     index = 0;
-    for (const Quadric& q : world.quadrics) names.push_back({PrimKind::quadric, q.object, q.prim, index++});
-    std::sort(names.begin(), names.end(), [](const QuadricRef& a, const QuadricRef& b) {
+    for (const Quadric& q : world.quadrics) refs.push_back({PrimKind::quadric, q.object, q.prim, index++});
+    std::sort(refs.begin(), refs.end(), [](const QuadricRef& a, const QuadricRef& b) {
         return std::pair(a.object, a.prim) < std::pair(b.object, b.prim);
     });
-    for (std::uint32_t number = 0; number < names.size(); ++number) {
-        const QuadricRef& name = names[number];
-        world.first_surface.resize(std::max<std::size_t>(world.first_surface.size(), name.object + 1),
-                                   number);
-        if (name.kind == PrimKind::plane)
-            world.planes[name.index].surface = number;
+    for (std::uint32_t number = 0; number < refs.size(); ++number) {
+        const QuadricRef& ref = refs[number];
+        world.first_surface.resize(std::max<std::size_t>(world.first_surface.size(), ref.object + 1), number);
+        if (ref.kind == PrimKind::plane)
+            world.planes[ref.index].surface = number;
         else
-            world.quadrics[name.index].surface = number;
+            world.quadrics[ref.index].surface = number;
     }
 }
 
@@ -119,8 +116,8 @@ void count_shared(WorldData& world) {
             bytes_of(*mesh.source.positions) + bytes_of(*mesh.source.triangles) + mesh.tree.bytes();
         depth = std::max(depth, mesh.tree.depth);
     }
-    for (const InstanceData& placed : world.instances)
-        stats.triangles += world.shared_meshes[placed.mesh].source.triangles->size();
+    for (const InstanceData& instance : world.instances)
+        stats.triangles += world.shared_meshes[instance.mesh].source.triangles->size();
     stats.nodes += world.instance_tree.nodes();
     stats.depth = world.instance_tree.depth() + depth;
     stats.bytes += bytes_of(world.instances) + world.instance_tree.bytes();
@@ -145,15 +142,10 @@ void count(WorldData& world, const WorldInput& input) {
 
 } // namespace
 
-World::World() : data_(std::make_shared<Data>()) {}
-World::~World() = default;
-World::World(const World&) = default;
-World& World::operator=(const World&) = default;
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
+World::World() : data_(std::make_shared<WorldData>()) {}
 
-World::World(WorldInput input, TaskPool& pool) {
-    auto world = std::make_shared<Data>();
+World::World(WorldInput input, parallel::TaskPool& pool) {
+    auto world = std::make_shared<WorldData>();
     add_instances(*world, input, pool);
     world->meshes = std::move(input.meshes);
     std::sort(world->meshes.begin(), world->meshes.end(),

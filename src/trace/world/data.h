@@ -7,21 +7,15 @@
 #include "geometry/triangle.h"
 #include "math/index.h"
 #include "math/offset.shared.h"
-#include "trace/mesh/walk.h"
+#include "trace/mesh/scalar.h"
 #include "trace/world/instance_tree.h"
 #include "trace/world/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
 namespace glint::trace {
-
-using bvh::BoxRay;
-using bvh::Tree;
-using bvh::TreeNode;
-using bvh::TreeRef;
 
 /// A quadric, in local space if it has one.
 struct Quadric {
@@ -36,7 +30,7 @@ struct Quadric {
 struct PlanePrim {
     std::uint32_t object = 0;
     std::uint32_t surface = 0; ///< index into WorldData::surfaces
-    Plane plane;
+    geometry::Plane plane;
     double squared = 1;      ///< normal · normal
     dvec3 unit{0.0, 0.0, 1}; ///< the normal of unit length
 };
@@ -55,7 +49,7 @@ struct Affine {
     dmat3 inverse{1.0};
     dvec3 translation{0};
 
-    Line to_local(const Line& line) const {
+    geometry::Line to_local(const geometry::Line& line) const {
         return {inverse * (line.origin - translation), inverse * line.direction};
     }
 };
@@ -93,18 +87,14 @@ struct WorldData {
     WorldStats stats;
 };
 
-struct World::Data : WorldData {};
-
 /// Moves shared meshes and instances from the input and builds their trees. An instance that its tree does
 /// not accept is baked and added to input.meshes.
-void add_instances(WorldData& world, WorldInput& input, TaskPool& pool);
-
-/// Throws std::invalid_argument for a vertex index out of range.
-void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles);
+void add_instances(WorldData& world, WorldInput& input, parallel::TaskPool& pool);
 
 /// The part of a line inside a quadric, transformed to local space if needed; false if there is none.
-inline bool intersect(const WorldData& world, const Line& line, const Quadric& quadric, SolidSpan& span) {
-    const Line local =
+inline bool intersect(const WorldData& world, const geometry::Line& line, const Quadric& quadric,
+                      SolidSpan& span) {
+    const geometry::Line local =
         quadric.affine < 0 ? line : world.affines[static_cast<std::size_t>(quadric.affine)].to_local(line);
     return intersect(local, quadric.shape, span);
 }
@@ -140,7 +130,7 @@ inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uin
 inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
     const auto at =
         std::lower_bound(world.instances.begin(), world.instances.end(), object,
-                         [](const InstanceData& placed, std::uint32_t o) { return placed.object < o; });
+                         [](const InstanceData& instance, std::uint32_t o) { return instance.object < o; });
     if (at == world.instances.end() || at->object != object) return invalid_index;
     return static_cast<std::uint32_t>(at - world.instances.begin());
 }
@@ -151,8 +141,8 @@ inline const WorldInput::Triangles& mesh_of(const WorldData& world, std::uint32_
                              [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
 }
 
-inline TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
-    TriangleVertices vertices;
+inline geometry::TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
+    geometry::TriangleVertices vertices;
     for (int i = 0; i < 3; ++i) {
         const vec3& p = positions[corners[i]];
         vertices[static_cast<std::size_t>(i)] = {p.x, p.y, p.z};
@@ -160,13 +150,14 @@ inline TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3
     return vertices;
 }
 
-inline TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
+inline geometry::TriangleVertices vertices_of(const WorldInput::Triangles& mesh, std::uint32_t prim) {
     return vertices_of(mesh.positions, mesh.triangles[prim]);
 }
 
 /// Triangle of an instance in the mesh's space.
-inline TriangleVertices vertices_of(const WorldData& world, const InstanceData& placed, std::uint32_t prim) {
-    const WorldInput::SharedMesh& mesh = world.shared_meshes[placed.mesh].source;
+inline geometry::TriangleVertices vertices_of(const WorldData& world, const InstanceData& instance,
+                                              std::uint32_t prim) {
+    const WorldInput::SharedMesh& mesh = world.shared_meshes[instance.mesh].source;
     return vertices_of(*mesh.positions, (*mesh.triangles)[prim]);
 }
 
@@ -192,7 +183,7 @@ inline std::uint32_t plain_surface(const WorldData& world, const Hit& hit) {
     return plain ? number : invalid_index;
 }
 
-inline Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
+inline geometry::Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dvec3(ray.direction)}; }
 
 /// Sink that keeps the least hit.
 struct Closest {
@@ -222,15 +213,15 @@ class TriangleTester {
     bool leaf(const MeshTree& tree, LeafCode leaf) {
         for (std::uint32_t i = 0; i < leaf.triangles(); ++i) {
             std::uint32_t number;
-            const TriangleVertices vertices = leaf_triangle(tree, leaf, i, number);
+            const geometry::TriangleVertices vertices = leaf_triangle(tree, leaf, i, number);
             if (triangle(vertices, number)) return true;
         }
         return false;
     }
 
-    bool triangle(const TriangleVertices& vertices, std::uint32_t number) {
+    bool triangle(const geometry::TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
-        if (!intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
+        if (!geometry::intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
         const Hit found = instance_ == invalid_index
                               ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
                               : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
@@ -239,7 +230,7 @@ class TriangleTester {
 
   private:
     const WorldData& world_;
-    ShearedRay sheared_;
+    geometry::ShearedRay sheared_;
     float tmin_;
     Sink& sink_;
     std::uint32_t instance_;
@@ -264,10 +255,10 @@ class QuadricTester {
     }
 
     bool planes() {
-        for (const PlanePrim& numbered : world_.planes) {
+        for (const PlanePrim& plane_prim : world_.planes) {
             double t;
-            if (!intersect(line_, numbered.plane, t)) continue;
-            if (root(t, 0.0f, numbered.object, 0, PrimKind::plane)) return true;
+            if (!intersect(line_, plane_prim.plane, t)) continue;
+            if (root(t, 0.0f, plane_prim.object, 0, PrimKind::plane)) return true;
         }
         return false;
     }
@@ -281,7 +272,7 @@ class QuadricTester {
     }
 
     const WorldData& world_;
-    Line line_;
+    geometry::Line line_;
     float tmin_;
     Sink& sink_;
 };
@@ -302,7 +293,7 @@ bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& si
     return done;
 }
 
-/// Like search_surfaces() for the triangles of a tree: mesh_tree, or that of an instance.
+/// Like trace_quadrics() for the triangles of a tree: mesh_tree, or that of an instance.
 template <class Sink>
 bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, TriangleTester<Sink> test) {
     bool done = false;
@@ -341,21 +332,6 @@ void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& r
 
 void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& record, Hit& hit);
 
-/// Tests every triangle of every instance; returns whether the sink ended the search.
-template <class Sink>
-bool instances_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
-    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
-        const Ray local = world.instance_tree.to_local(i, ray);
-        if (!is_traceable(local)) continue;
-        TriangleTester<Sink> test(world, local, sink, i);
-        const InstanceData& placed = world.instances[i];
-        const std::size_t count = world.shared_meshes[placed.mesh].source.triangles->size();
-        for (std::uint32_t prim = 0; prim < count; ++prim)
-            if (test.triangle(vertices_of(world, placed, prim), prim)) return true;
-    }
-    return false;
-}
-
 /// trace() by brute force.
 template <class Sink>
 void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
@@ -367,7 +343,15 @@ void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     for (std::size_t m = 0; m < world.meshes.size(); ++m)
         for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
             if (triangles.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
-    instances_brute_force(world, ray, sink);
+    for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
+        const Ray local = world.instance_tree.to_local(i, ray);
+        if (!is_traceable(local)) continue;
+        TriangleTester<Sink> test(world, local, sink, i);
+        const InstanceData& instance = world.instances[i];
+        const std::size_t count = world.shared_meshes[instance.mesh].source.triangles->size();
+        for (std::uint32_t prim = 0; prim < count; ++prim)
+            if (test.triangle(vertices_of(world, instance, prim), prim)) return;
+    }
 }
 
 } // namespace glint::trace

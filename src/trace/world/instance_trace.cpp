@@ -3,8 +3,10 @@
 // meet its box at once.
 
 #include "math/offset.shared.h"
-#include "trace/mesh/walk.h"
+#include "trace/mesh/scalar.h"
 #include "trace/world/instance_tree.h"
+
+#include <type_traits>
 
 namespace glint::trace {
 namespace {
@@ -197,28 +199,31 @@ bool InstanceTree::occluded(const Ray& ray, const KernelChoice& choice) const {
     return found;
 }
 
-void InstanceTree::closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint,
-                           const KernelChoice& choice) const {
+template <class Result>
+void InstanceTree::trace_batches(std::span<const Ray> rays, std::span<Result> results, RayHint hint,
+                                 const KernelChoice& choice) const {
+    constexpr bool any = std::is_same_v<Result, std::uint8_t>;
     for (std::size_t at = 0; at < rays.size(); at += batch_rays) {
         const std::size_t count = std::min(batch_rays, rays.size() - at);
-        std::fill_n(records.data() + at, count, InstanceRecord{});
+        std::fill_n(results.data() + at, count, Result{});
         if (tree_.empty()) continue;
         Batch batch(rays.subspan(at, count), hint, choice, *this);
-        batch.records = records.data() + at;
-        trace<false>(batch);
+        if constexpr (any)
+            batch.blocked = results.data() + at;
+        else
+            batch.records = results.data() + at;
+        trace<any>(batch);
     }
+}
+
+void InstanceTree::closest(std::span<const Ray> rays, std::span<InstanceRecord> records, RayHint hint,
+                           const KernelChoice& choice) const {
+    trace_batches(rays, records, hint, choice);
 }
 
 void InstanceTree::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint,
                             const KernelChoice& choice) const {
-    for (std::size_t at = 0; at < rays.size(); at += batch_rays) {
-        const std::size_t count = std::min(batch_rays, rays.size() - at);
-        std::fill_n(blocked.data() + at, count, std::uint8_t{0});
-        if (tree_.empty()) continue;
-        Batch batch(rays.subspan(at, count), hint, choice, *this);
-        batch.blocked = blocked.data() + at;
-        trace<true>(batch);
-    }
+    trace_batches(rays, blocked, hint, choice);
 }
 
 } // namespace glint::trace

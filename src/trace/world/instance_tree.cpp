@@ -2,9 +2,6 @@
 
 #include "trace/world/instance_tree.h"
 
-#include "math/finite.h"
-#include "math/inverse.h"
-
 #include <map>
 #include <stdexcept>
 
@@ -36,12 +33,11 @@ bool is_valid(const MeshInstance& instance, double condition) {
 /// rotated mesh more tightly than its bounding box.
 void add_boxes(const MeshTree& mesh, std::uint32_t node, int levels, std::vector<Bounds>& boxes) {
     const WideNode& at = mesh.nodes[node];
-    for (int k = 0; k < wide_children && at.child[k] != invalid_index; ++k) {
+    for (std::size_t k = 0; k < wide_children && at.child[k] != invalid_index; ++k) {
         if (levels > 1 && (at.child[k] & leaf_bit) == 0)
             add_boxes(mesh, at.child[k], levels - 1, boxes);
         else
-            boxes.push_back(
-                {vec3(at.lo[0][k], at.lo[1][k], at.lo[2][k]), vec3(at.hi[0][k], at.hi[1][k], at.hi[2][k])});
+            boxes.push_back(child_box(at, k));
     }
 }
 
@@ -67,8 +63,7 @@ BoxRef box_of(const MeshInstance& instance, std::span<const Bounds> boxes, doubl
         lo = glm::min(lo, middle - half);
         hi = glm::max(hi, middle + half);
     }
-    const Bounds& whole = instance.mesh->bounds;
-    const double reach = std::max(largest(dvec3(whole.lo)), largest(dvec3(whole.hi)));
+    const double reach = double(instance.mesh->bounds.max_coordinate());
     const dvec3 slack(grown_by * (norm(m) * reach + condition * largest(instance.translation)));
     lo -= slack;
     hi += slack;

@@ -21,17 +21,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 namespace glint::trace {
-
-using bvh::BoxRay;
-using bvh::BoxRef;
-using bvh::Tree;
-using bvh::TreeNode;
-using bvh::TreeRef;
 
 /// The least (t, instance, triangle) of a ray, or instance = invalid_index.
 using InstanceRecord = tracing::InstanceHit;
@@ -116,25 +109,17 @@ class InstanceTree {
 
     /// Where the ray enters a child's box within [tmin, limit]; infinite if it misses.
     float entry(const Query& query, std::uint32_t node, std::size_t child, float limit) const {
-        const TreeNode& boxes = tree_.nodes[node];
         const float pad = query.box.pad + slack_[node][child] * query.reach;
-        float first = query.tmin;
-        float last = limit;
-        for (int axis = 0; axis < 3; ++axis) {
-            const float to_lo =
-                (boxes.lo[axis][child] - query.box.origin[axis] - pad) * query.box.inverse[axis];
-            const float to_hi =
-                (boxes.hi[axis][child] - query.box.origin[axis] + pad) * query.box.inverse[axis];
-            first = std::max(first, std::min(to_lo, to_hi));
-            last = std::min(last, std::max(to_lo, to_hi));
-        }
-        return first <= last ? first : std::numeric_limits<float>::infinity();
+        return entry_distance(tree_.nodes[node], child, query.box, pad, query.tmin, limit);
     }
 
     /// visit() of a subtree, for a ray that may enter it.
     template <class Visit>
     void visit_below(TreeRef from, const Query& query, const float& limit, Visit&& visit) const;
 
+    template <class Result>
+    void trace_batches(std::span<const Ray> rays, std::span<Result> results, RayHint hint,
+                       const KernelChoice& choice) const;
     template <bool any>
     void trace(Batch& batch) const;
     template <bool any>
@@ -156,26 +141,11 @@ void InstanceTree::visit(const Ray& ray, const float& limit, Visit&& visit) cons
 
 template <class Visit>
 void InstanceTree::visit_below(TreeRef from, const Query& query, const float& limit, Visit&& visit) const {
-    struct Waiting {
-        TreeRef ref;
-        float t;
+    const auto enter = [&](std::uint32_t node, float(&entries)[2]) {
+        for (std::size_t child = 0; child < 2; ++child) entries[child] = entry(query, node, child, limit);
     };
-    Waiting stack[max_tree_depth + 1];
-    std::size_t size = 0;
-    stack[size++] = {from, query.tmin};
-    while (size > 0) {
-        const Waiting at = stack[--size];
-        if (at.t > limit) continue;
-        if (at.ref.count > 0) {
-            if (visit(tree_.order[at.ref.first])) return;
-            continue;
-        }
-        const float entries[2] = {entry(query, at.ref.first, 0, limit), entry(query, at.ref.first, 1, limit)};
-        const std::size_t near = entries[1] < entries[0] ? 1 : 0;
-        for (const std::size_t child : {1 - near, near})
-            if (entries[child] <= limit)
-                stack[size++] = {tree_.nodes[at.ref.first].child[child], entries[child]};
-    }
+    traverse_below(tree_, from, limit, enter,
+                   [&](std::uint32_t first, std::uint32_t) { return visit(tree_.order[first]); });
 }
 
 } // namespace glint::trace

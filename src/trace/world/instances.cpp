@@ -34,23 +34,16 @@ WorldInput::Triangles baked(const WorldInput::SharedMesh& mesh, const WorldInput
 double slack_of(const MeshInstance& at, const dmat3& inverse) {
     const Bounds& box = at.mesh->bounds;
     if (box.empty()) return 0;
-    const double reach = std::max(largest(dvec3(box.lo)), largest(dvec3(box.hi)));
+    const double reach = double(box.max_coordinate());
     const double residual = norm(inverse * at.linear - dmat3(1.0));
     const double stretch = norm(at.linear) * norm(inverse);
-    const dvec3 t = glm::abs(at.translation);
     return norm(at.linear) * residual * 2.0 * reach +
-           double_error * stretch * (std::max({t.x, t.y, t.z}) + norm(at.linear) * reach);
+           double_error * stretch * (largest(at.translation) + norm(at.linear) * reach);
 }
 
 } // namespace
 
-void check_corners(std::span<const vec3> positions, std::span<const uvec3> triangles) {
-    for (const uvec3& corners : triangles)
-        if (std::max({corners.x, corners.y, corners.z}) >= positions.size())
-            throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
-}
-
-void add_instances(WorldData& world, WorldInput& input, TaskPool& pool) {
+void add_instances(WorldData& world, WorldInput& input, parallel::TaskPool& pool) {
     for (WorldInput::SharedMesh& mesh : input.shared_meshes) {
         if (mesh.positions == nullptr || mesh.triangles == nullptr)
             throw std::invalid_argument("a shared mesh has no vertices or no triangles");
@@ -60,10 +53,10 @@ void add_instances(WorldData& world, WorldInput& input, TaskPool& pool) {
     }
     std::sort(input.instances.begin(), input.instances.end(),
               [](auto& a, auto& b) { return a.object < b.object; });
-    std::vector<MeshInstance> placed;
+    std::vector<MeshInstance> tree_input;
     for (const WorldInput::Instance& instance : input.instances) {
         if (instance.mesh >= world.shared_meshes.size())
-            throw std::invalid_argument("an instance names a mesh that there is not");
+            throw std::invalid_argument("an instance refers to a mesh that does not exist");
         const MeshInstance at = inner(world, instance);
         if (!InstanceTree::accepts(at)) {
             input.meshes.push_back(baked(world.shared_meshes[instance.mesh].source, instance));
@@ -72,11 +65,11 @@ void add_instances(WorldData& world, WorldInput& input, TaskPool& pool) {
         // Normals transform by the inverse transpose; the winding flips if the transform mirrors.
         const bool mirrored = glm::determinant(at.linear) < 0;
         world.instances.push_back({instance.object, instance.mesh, instance.flip != mirrored, at.linear, 0});
-        placed.push_back(at);
+        tree_input.push_back(at);
     }
-    world.instance_tree = InstanceTree(placed, pool);
-    for (std::uint32_t i = 0; i < placed.size(); ++i)
-        world.instances[i].slack = slack_of(placed[i], world.instance_tree.inverse(i));
+    world.instance_tree = InstanceTree(tree_input, pool);
+    for (std::uint32_t i = 0; i < tree_input.size(); ++i)
+        world.instances[i].slack = slack_of(tree_input[i], world.instance_tree.inverse(i));
 }
 
 } // namespace glint::trace

@@ -9,22 +9,22 @@ namespace glint::trace {
 namespace {
 
 /// Error bound of double arithmetic with a large margin, relative to the largest product of a sum.
-constexpr double lost = 0x1p-45;
+constexpr double double_error = 0x1p-45;
 
 /// Ignores NaN in p.
 void grow(SimdBounds& box, float4 p) {
-    box.lo = bvh::min4(p, box.lo);
-    box.hi = bvh::max4(p, box.hi);
+    box.lo = min4(p, box.lo);
+    box.hi = max4(p, box.hi);
 }
 
 /// Largest |coordinate|; infinite if unknown.
 double size_of(const SimdBounds& box) {
-    double most = 0;
+    double size = 0;
     for (int axis = 0; axis < 3; ++axis)
         for (const float x : {box.lo[axis], box.hi[axis]})
-            most =
-                std::isnan(x) ? std::numeric_limits<double>::infinity() : std::max(most, std::abs(double(x)));
-    return most;
+            size =
+                std::isnan(x) ? std::numeric_limits<double>::infinity() : std::max(size, std::abs(double(x)));
+    return size;
 }
 
 /// Range of normal · p for p in a box.
@@ -65,30 +65,27 @@ PacketBounds::PacketBounds(const RayBoxes& boxes)
 
 // If all origins are on one side of the plane by more than the error bound, and the padded ends too, the
 // exact t is outside the interval by far more than its error; likewise if all rays lead away from the plane.
-bool PacketBounds::misses(const PlanePrim& numbered) const {
+bool PacketBounds::misses(const PlanePrim& plane_prim) const {
     if (!forward_) return false;
-    const dvec3& normal = numbered.plane.normal;
-    const double offset = numbered.plane.offset;
+    const dvec3& normal = plane_prim.plane.normal;
+    const double offset = plane_prim.plane.offset;
     const double length = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-    const double margin = lost * (length * start_size_ + std::abs(offset));
+    const double margin = double_error * (length * start_size_ + std::abs(offset));
     const Dots starts(normal, starts_);
     const bool above = starts.lo - offset > margin;
     if (!above && !(offset - starts.hi > margin)) return false;
     const Dots slopes(normal, directions_);
-    const double flat = lost * length * direction_size_;
+    const double flat = double_error * length * direction_size_;
     if (above ? slopes.lo > flat : -slopes.hi > flat) return true;
     if (!bounded_) return false;
     const Dots ends(normal, ends_);
-    const double pad = length * end_pad_ + lost * std::abs(offset);
+    const double pad = length * end_pad_ + double_error * std::abs(offset);
     return above ? ends.lo - offset > pad : offset - ends.hi > pad;
 }
 
 bool PacketBounds::misses(const Bounds& box, float slack) const {
     if (!forward_) return false;
-    double corner = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        corner = std::max({corner, std::abs(double(box.lo[axis])), std::abs(double(box.hi[axis]))});
-    const double pad = 0x1p-20 * (start_size_ + corner) + double(slack) * start_size_;
+    const double pad = 0x1p-20 * (start_size_ + double(box.max_coordinate())) + double(slack) * start_size_;
     if (bounded_)
         for (int axis = 0; axis < 3; ++axis) {
             const double lo = double(std::min(starts_.lo[axis], ends_.lo[axis])) - end_pad_;
@@ -134,17 +131,17 @@ bool PacketBounds::passes_by(const Bounds& box, double pad) const {
 
 CullMask cull(const WorldData& world, const TriangleBounds& bounds, const RayBoxes& boxes) {
     CullMask cull_mask;
-    const PacketBounds reach(boxes);
-    if (reach.empty()) return cull_mask;
+    const PacketBounds packet(boxes);
+    if (packet.empty()) return cull_mask;
     const auto bit = [](std::size_t i) { return std::uint64_t{1} << std::min<std::size_t>(i, 63); };
     for (std::size_t i = 0; i < world.planes.size(); ++i)
-        if (!reach.misses(world.planes[i])) cull_mask.planes |= bit(i);
+        if (!packet.misses(world.planes[i])) cull_mask.planes |= bit(i);
     if (world.quadrics.size() > few_quadrics)
-        cull_mask.quadrics = reach.misses(world.quadric_tree.bounds) ? 0 : ~std::uint64_t{0};
+        cull_mask.quadrics = packet.misses(world.quadric_tree.bounds) ? 0 : ~std::uint64_t{0};
     else
         for (std::size_t i = 0; i < world.quadrics.size(); ++i)
-            if (!reach.misses(world.quadrics[i].box)) cull_mask.quadrics |= bit(i);
-    cull_mask.triangles = !bounds.box.empty() && !reach.misses(bounds.box, bounds.slack);
+            if (!packet.misses(world.quadrics[i].box)) cull_mask.quadrics |= bit(i);
+    cull_mask.triangles = !bounds.box.empty() && !packet.misses(bounds.box, bounds.slack);
     return cull_mask;
 }
 

@@ -12,10 +12,6 @@
 
 namespace glint::trace {
 
-using bvh::float4;
-using bvh::SimdBounds;
-using bvh::splat;
-
 /// Bounds of the components of a batch of rays. Rays with an empty interval or NaN may be omitted, as they
 /// hit nothing; otherwise NaN means unknown.
 struct RayBoxes {

@@ -5,6 +5,7 @@
 #include "geometry/quadric.h"
 #include "geometry/surface.shared.h"
 #include "math/bounds.h"
+#include "math/index.h"
 #include "math/ray.h"
 #include "math/vec.h"
 #include "parallel/task_pool.h"
@@ -24,10 +25,10 @@ enum class PrimKind : std::uint8_t { none, triangle, quadric, plane };
 /// A hit. Of all hits of a ray the closest is the least (t, object, prim).
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
-    /// Triangle: weight of vertex 1 (the report's β). Quadric: 0 where the ray enters, 1 where it leaves.
+    /// Triangle: weight of vertex 1. Quadric: 0 if the ray enters, 1 if it leaves.
     float u = 0;
-    float v = 0; ///< triangle: weight of vertex 2 (the report's γ)
-    std::uint32_t object = 0xffffffffu;
+    float v = 0; ///< triangle: weight of vertex 2
+    std::uint32_t object = invalid_index;
     std::uint32_t prim = 0; ///< primitive index within its object, in file order
     PrimKind kind = PrimKind::none;
     bool on_edge = false; ///< triangle: hit exactly on an edge or a vertex
@@ -103,18 +104,14 @@ struct WorldStats {
 
 struct WorldData;
 
+/// Copies share everything.
 class World {
   public:
     World();
     /// Builds the trees; the result does not depend on the number of threads. Throws std::invalid_argument
     /// for an index out of range and for a quadric without finite bounds. Triangles with a vertex that is not
     /// finite are never hit.
-    World(WorldInput input, TaskPool& pool);
-    ~World();
-    World(const World&); ///< copies share everything
-    World& operator=(const World&);
-    World(World&&) noexcept;
-    World& operator=(World&&) noexcept;
+    World(WorldInput input, parallel::TaskPool& pool);
 
     /// The least (t, object, prim) with tmin < t < tmax; kind `none` if there is none.
     Hit closest(const Ray& ray, const KernelChoice& choice = {}) const;
@@ -157,8 +154,7 @@ class World {
     const WorldData& data() const; ///< for backends with their own trees
 
   private:
-    struct Data;
-    std::shared_ptr<const Data> data_;
+    std::shared_ptr<const WorldData> data_;
 };
 
 } // namespace glint::trace

@@ -1,0 +1,92 @@
+// load_scene() and parse_scene(): from text or mesh to description.
+
+#include "formats/read_text.h"
+#include "formats/scene/key_path.h"
+#include "formats/scene/open_scene.h"
+#include "glint/mesh_files.h"
+#include "scene/text.h"
+
+#include <cmath>
+
+namespace glint {
+namespace {
+
+std::string_view axis_letter(Axis axis) { return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z"; }
+
+void refuse_overrides_of_lists(const formats::SceneSource& source, formats::Problems& problems) {
+    int origin = 0;
+    for (const std::string& text : source.overrides()) {
+        const TableSpec* spec = formats::find_table(text.substr(0, text.find('.')));
+        ++origin;
+        if (spec && (spec->form == TableForm::list || spec->name == "animation"))
+            problems.error({origin, 0, 0}, "a bare mesh has no " + spec->header() + " to change",
+                           "write a scene around it: glint new mesh");
+    }
+    problems.throw_if_any();
+}
+
+// Overrides of a bare mesh reach what its preview scene has: settings, its camera, its materials by name.
+void override_preview(SceneDescription& preview, const std::string& name, const LoadOptions& options) {
+    const formats::SceneSource source({}, name, options.overrides);
+    formats::Problems problems(source);
+    formats::TreeValue root;
+    formats::TreeValue materials;
+    for (const Material& material : preview.materials) materials.entries.push_back({material.name, {}, {}});
+    root.entries.push_back({"material", {}, std::move(materials)});
+    refuse_overrides_of_lists(source, problems);
+    formats::apply_overrides(root, source, problems);
+    formats::patch_scene(root, preview, problems);
+    problems.throw_if_any();
+}
+
+LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOptions& options) {
+    LoadedScene scene;
+    if (path != formats::stdin_name) scene.files.push_back(path);
+    scene.warnings = std::move(mesh.warnings);
+    const Axis up = options.up ? *options.up : guess_up_axis(*mesh.mesh);
+    if (!options.up) {
+        const std::string other = up == Axis::z ? "y" : "z";
+        scene.notes.push_back("up axis: " + std::string(axis_letter(up)) +
+                              " (guessed from the shape); change it with --up " + other);
+    }
+    scene.description = preview_scene(std::move(mesh.mesh), path, up);
+    override_preview(scene.description, path, options);
+    return scene;
+}
+
+void refuse_other_meshes(const std::string& path) {
+    const std::string extension = formats::lower_extension(path);
+    for (const char* known :
+         {".obj", ".stl", ".gltf", ".glb", ".off", ".fbx", ".3ds", ".dae", ".x3d", ".blend", ".usd"})
+        if (extension == known)
+            throw Error(ErrorKind::input, "meshes of type " + extension + " cannot be read",
+                        "convert it to PLY", {path, 0, 0, {}});
+}
+
+} // namespace
+
+LoadedScene parse_scene(std::string_view text, const std::string& name, const LoadOptions& options) {
+    formats::require_scene_size(text, name);
+    const auto scene = std::make_shared<formats::OpenScene>(std::string(text), name, options);
+    LoadedScene loaded = scene->load();
+    if (!loaded.animation.keys.empty()) loaded.animation.scene = scene;
+    return loaded;
+}
+
+SceneDescription scene_at(const LoadedScene& scene, double frame) {
+    if (!std::isfinite(frame)) throw Error(ErrorKind::usage, "there is no frame " + scene::show(frame));
+    return scene.animation.scene ? scene.animation.scene->at(frame) : scene.description;
+}
+
+LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+    if (path != "-" && formats::lower_extension(path) == ".ply")
+        return load_preview(load_mesh(path, options), path, options);
+    const std::string text = formats::read_text(path);
+    const std::string name = path == "-" ? formats::stdin_name : path;
+    if (formats::looks_like_ply(text))
+        return load_preview(parse_ply(std::as_bytes(std::span(text)), name, options), name, options);
+    refuse_other_meshes(path);
+    return parse_scene(text, name, options);
+}
+
+} // namespace glint
