@@ -22,13 +22,6 @@ Ray ray_of(const SpawnedRay& spawned) {
     return ray;
 }
 
-void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
-    Hit middle = hit;
-    middle.u = 1.0f / 3.0f;
-    middle.v = 1.0f / 3.0f;
-    point = moved_off_edge(point, scene.world.surface(ray, middle).p);
-}
-
 /// The vectors at the corners of a triangle, as columns.
 mat3 at_corners(const std::vector<vec3>& vectors, const uvec3& corner) {
     return {vectors[corner.x], vectors[corner.y], vectors[corner.z]};
@@ -56,8 +49,7 @@ void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord&
 
 SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
     const scene::ObjectData& object = scene.objects[hit.object];
-    SurfacePoint point = scene.world.surface(ray, hit);
-    if (hit.on_edge) step_off_edge(scene, ray, hit, point);
+    const SurfacePoint point = scene.world.surface(ray, hit);
     SurfaceInteraction at;
     at.object = hit.object;
     at.material = &scene.materials[object.material];
