@@ -38,9 +38,10 @@ struct BoxRay {
 };
 
 /// Slab test: narrows [entry, exit] to where the ray is in the box of a child grown by `pad`; entry > exit if
-/// it misses. For nodes with lo and hi as [axis][child].
+/// it misses. For nodes with lo and hi as [axis][child]. Inline: a call costs pictures of glass a tenth.
 template <class Node>
-void clip(const Node& node, std::size_t child, const BoxRay& ray, float pad, float& entry, float& exit) {
+[[gnu::always_inline]] inline void clip(const Node& node, std::size_t child, const BoxRay& ray, float pad,
+                                        float& entry, float& exit) {
     for (int axis = 0; axis < 3; ++axis) {
         // The smaller of the two is the near plane: rounding is monotone and the inverse never 0.
         const float one = (node.lo[axis][child] - ray.origin[axis] - pad) * ray.inverse[axis];
@@ -52,8 +53,8 @@ void clip(const Node& node, std::size_t child, const BoxRay& ray, float pad, flo
 
 /// Where the ray enters the box of a child within [tmin, limit]; infinite if it misses.
 template <class Node>
-float entry_distance(const Node& node, std::size_t child, const BoxRay& ray, float pad, float tmin,
-                     float limit) {
+[[gnu::always_inline]] inline float entry_distance(const Node& node, std::size_t child, const BoxRay& ray,
+                                                   float pad, float tmin, float limit) {
     clip(node, child, ray, pad, tmin, limit);
     return tmin <= limit ? tmin : std::numeric_limits<float>::infinity();
 }
