@@ -39,7 +39,9 @@ int new_command(const Arguments& arguments, Console& console) {
         throw Error(ErrorKind::output, fmt::format("\"{}\" exists", path), "--force overwrites it");
     write_text(output, text);
     if (path == "-") return exit_code::done;
-    console.line(fmt::format("{}: written; render it with: glint {}", path, path));
+    // A file that is named like a command needs a folder.
+    console.line(
+        fmt::format("{}: written; render it with: glint {}{}", path, find_command(path) ? "./" : "", path));
     return exit_code::done;
 }
 
