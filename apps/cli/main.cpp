@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "failures.h"
 #include "help.h"
+#include "interrupt.h"
 
 #include "glint/render.h"
 
@@ -71,6 +72,8 @@ int dispatch(const std::vector<std::string>& words) {
 
 /// Throws nothing.
 int run(const std::vector<std::string>& words) noexcept {
+    reserve_standard_streams();
+    report_failing_writes();
     // Faults of the command line itself come before --color is known.
     Console console(Verbosity::normal, wants_color("auto"));
     return guarded(console, [&] { return dispatch(words); });

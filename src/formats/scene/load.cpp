@@ -41,6 +41,7 @@ void override_preview(SceneDescription& preview, const std::string& name, const 
 
 LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOptions& options) {
     LoadedScene scene;
+    scene.bare_mesh = true;
     if (path != formats::stdin_name) scene.files.push_back(path);
     scene.warnings = std::move(mesh.warnings);
     const Axis up = options.up ? *options.up : guess_up_axis(*mesh.mesh);
