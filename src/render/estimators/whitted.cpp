@@ -2,10 +2,13 @@
 
 #include "render/estimators/whitted.h"
 
+#include "glint/error.h"
+#include "parallel/stack.h"
 #include "render/ray_recorder.h"
 #include "shading/interaction.shared.h"
 
 #include <optional>
+#include <string>
 
 namespace glint::rendering {
 
@@ -20,6 +23,15 @@ Ray ray_of(const SpawnedRay& spawned) {
     ray.direction = spawned.direction;
     ray.tmax = spawned.tmax;
     return ray;
+}
+
+/// Throws before the recursion runs out of stack.
+void require_stack(int max_depth) {
+    constexpr std::size_t one_level = std::size_t{64} << 10U; // more than a level and what it calls need
+    if (parallel::stack_left() >= one_level) return;
+    throw Error(ErrorKind::resource,
+                "the stack of a thread is too small for max_depth = " + std::to_string(max_depth),
+                "lower max_depth, or raise the limit of the stack: ulimit -s unlimited");
 }
 
 /// The vectors at the corners of a triangle, as columns.
@@ -91,6 +103,7 @@ Channels Whitted::radiance(Path&& path) {
     Channels out;
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
+    require_stack(max_depth_);
     if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
