@@ -37,6 +37,19 @@ void expect_as(const std::string& text, double frame, const std::vector<Override
     EXPECT_EQ(scene_text(moved(text, frame)), meaning(still, overrides)) << text;
 }
 
+TEST(Animation, WithoutACameraOneCameraShowsAllFrames) {
+    const auto scene =
+        parse("material.m.color = \"red\"\n[[sphere]]\nname = \"s\"\nmaterial = \"m\"\n[[animate]]\n"
+              "key = \"sphere.s.center\"\nframes = [0, 10]\nvalues = [[0, 0, 0], [5, 0, 0]]\n");
+    SceneDescription both = scene.description;
+    both.framing.moments = nullptr;
+    both.objects.push_back(both.objects[0]);
+    std::get<SphereShape>(both.objects[1].shape).center = Vec3(5, 0, 0);
+    const CameraDescription camera = fit_camera(both);
+    EXPECT_EQ(fit_camera(scene.description).eye, camera.eye);
+    for (const double frame : {0.0, 5.0, 10.0}) EXPECT_EQ(fit_camera(scene_at(scene, frame)).eye, camera.eye);
+}
+
 TEST(Animate, MovesEveryKindOfKey) {
     expect_as(animated("camera.eye", "[0, 10]", "[[0, -10, 2], [10, -10, 4]]"), 5,
               {"camera.eye=[5, -10, 3]"});
