@@ -38,9 +38,18 @@ void expect_as(const std::string& text, double frame, const std::vector<Override
 }
 
 TEST(Animation, WithoutACameraOneCameraShowsAllFrames) {
-    const auto scene = parse(
-        "material.m.color = \"red\"\n[[sphere]]\nname = \"s\"\nradius = 1\nmaterial = \"m\"\n[[animate]]\n"
-        "key = \"sphere.s.center\"\nframes = [0, 10]\nvalues = [[0, 0, 0], [5, 0, 0]]\n");
+    const auto scene = parse_scene(R"(material.m.color = "red"
+[[sphere]]
+name = "s"
+center = [0, 0, 0]
+radius = 1
+material = "m"
+[[animate]]
+key = "sphere.s.center"
+frames = [0, 10]
+values = [[0, 0, 0], [5, 0, 0]]
+)",
+                                   "moving.toml");
     SceneDescription both = scene.description;
     both.framing.moments = nullptr;
     both.objects.push_back(both.objects[0]);
