@@ -5,13 +5,13 @@
 #include "scene/overlaps.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
-
 #include "shading/light_gain.h"
 
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace glint {
 namespace {
@@ -21,6 +21,12 @@ std::string title(const Object& object) {
     return object.name.empty() ? type : type + " \"" + object.name + "\"";
 }
 
+std::string rounded(double x) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.2g", x);
+    return number;
+}
+
 class WarningFinder {
   public:
     explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {}
@@ -28,6 +34,7 @@ class WarningFinder {
     std::vector<Diagnostic> run() {
         check_lights();
         check_camera();
+        check_precision();
         for (const Material& m : description_.materials) check_gain(m);
         check_open_glass();
         if (scene_.any_transparent) check_overlaps();
@@ -84,6 +91,26 @@ class WarningFinder {
         for (const std::uint32_t id : everything_around(camera.eye))
             warn(camera.where, "the camera is inside " + title(object(id)),
                  "move it out if that is not meant");
+    }
+
+    // Coordinates have single precision: far from the origin their steps exceed what a pixel shows.
+    void check_precision() {
+        const CameraDescription& camera = *description_.camera;
+        const RenderSettings& r = description_.render;
+        const double a_pixel = 2 * tan_degrees(camera.fov / 2) / fov_side(camera.fov_axis, r.width, r.height);
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const Bounds& box = scene_.objects[id].bounds;
+            if (box.empty()) continue;
+            const dvec3 middle = (dvec3(box.lo) + dvec3(box.hi)) / 2.0;
+            const dvec3 far = glm::abs(middle);
+            const double step = std::max({far.x, far.y, far.z}) * 0x1p-23;
+            const double pixels = step / (glm::length(middle - camera.eye) * a_pixel);
+            if (!(pixels > 1)) continue;
+            warn(object(id).where,
+                 title(object(id)) + " is so far from the origin that single precision has steps of " +
+                     rounded(step) + " there, about " + rounded(pixels) + " pixels",
+                 "move everything, the camera too, nearer to the origin");
+        }
     }
 
     // More light leaves than arrives.

@@ -67,6 +67,19 @@ TEST(Warnings, TellOfACameraInsideSomething) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
+TEST(Warnings, TellWhereSinglePrecisionIsCoarserThanPixels) {
+    SceneDescription scene = plain();
+    const Vec3 far(5e6, 0, 0);
+    scene.camera->eye = far - Vec3(0, 10, 0);
+    scene.camera->direction = Vec3(0, 1, 0);
+    add(scene, SphereShape{far, 1}, "clay");
+    const Messages found = warned(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].find("single precision has steps of 0.6 there"), std::string::npos) << found[0];
+    scene.camera->eye = Vec3(0, -10, 0);
+    EXPECT_EQ(warned(scene), Messages{}) << "from far away";
+}
+
 TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {
     SceneDescription scene = plain();
     Mesh box = box_mesh(Vec3(9, 0, 0), Vec3(4));

@@ -49,7 +49,8 @@ References fill_refs(std::span<const vec3> positions, std::span<const uvec3> tri
         part.begin = part.end = task * triangles_per_task;
         double areas = 0;
         int samples = 0;
-        for (std::size_t i = part.begin; i < std::min(part.begin + triangles_per_task, triangles.size()); ++i) {
+        for (std::size_t i = part.begin; i < std::min(part.begin + triangles_per_task, triangles.size());
+             ++i) {
             const vec3& a = positions[triangles[i].x];
             const vec3& b = positions[triangles[i].y];
             const vec3& c = positions[triangles[i].z];
