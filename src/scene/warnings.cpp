@@ -2,6 +2,7 @@
 
 #include "geometry/mesh.h"
 #include "glint/keys.h"
+#include "math/trig.h"
 #include "scene/overlaps.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
