@@ -2,6 +2,7 @@
 
 #include "formats/read_text.h"
 
+#include "formats/read_bytes.h"
 #include "glint/error.h"
 #include "scene/text.h"
 
@@ -53,7 +54,9 @@ std::string read_file(const std::string& path) {
 
 std::string read_text(const std::string& path) {
     std::string text = path == "-" ? read_stream(std::cin) : read_file(path);
-    require_scene_size(text, path == "-" ? stdin_name : path);
+    const std::string name = path == "-" ? stdin_name : path;
+    require_scene_size(text, name);
+    refuse_compressed(text, name);
     return text;
 }
 
