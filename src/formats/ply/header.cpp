@@ -22,7 +22,6 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 /// A hint on the format of a file that is not PLY.
 std::string other_kind(std::string_view text) {
     if (text.empty()) return "the file is empty";
-    if (text.starts_with("\x1f\x8b")) return "this one is gzip-compressed: unpack it first";
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "this one is UTF-16 text";
     if (text.starts_with("solid")) return "this one looks like STL";
     if (text.starts_with("glTF")) return "this one looks like glTF";
