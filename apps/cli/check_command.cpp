@@ -24,7 +24,7 @@ std::string verdict(const std::string& file, const SceneDescription& description
 bool check_file(const std::string& file, const LoadOptions& options, const FrameRange& frames,
                 Console& console) {
     try {
-        const LoadedScene loaded = load_scene(file, options);
+        const LoadedScene loaded = read_scene(file, options);
         report(loaded, console);
         if (!loaded.animation.keys.empty())
             for (const int frame : frames.of(loaded.animation)) scene_at(loaded, frame);
@@ -46,7 +46,6 @@ bool check_file(const std::string& file, const LoadOptions& options, const Frame
 
 int check_command(const Arguments& arguments, Console& console) {
     const LoadOptions options = load_options(arguments);
-    for (const std::string& file : arguments.operands()) require_mesh_for_up(arguments, file);
     const FrameRange frames = frame_range(arguments).value_or(FrameRange{.all = true});
     std::size_t bad = 0;
     for (const std::string& file : arguments.operands())

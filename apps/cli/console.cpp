@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace glint::cli {
@@ -28,12 +29,24 @@ bool is_terminal(int file) {
     return isatty(file) == 1 && !term.empty() && term != "dumb";
 }
 
+/// Messages that cannot be shown must not stop the work.
+void print(const std::string& text) {
+    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+    std::fflush(stderr);
+}
+
 bool wants_color_on(int file, const std::string& when) {
     if (when != "auto") return when == "always";
     return is_terminal(file) && environment("NO_COLOR").empty();
 }
 
 } // namespace
+
+void reserve_standard_streams() {
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(file, F_GETFD) < 0 && open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
+            return;
+}
 
 bool stderr_is_terminal() { return is_terminal(STDERR_FILENO); }
 
@@ -76,14 +89,13 @@ void Console::detail(const std::string& text) {
 void Console::status(const std::string& text) {
     if (quiet() || !stderr_is_terminal()) return;
     const std::lock_guard lock(mutex_);
-    if (!text.empty() || status_shown_) fmt::print(stderr, "{}{}", erase_line, text);
+    if (!text.empty() || status_shown_) print(erase_line + text);
     status_shown_ = !text.empty();
-    std::fflush(stderr);
 }
 
 void Console::write(const std::string& text) {
     const std::lock_guard lock(mutex_);
-    fmt::print(stderr, "{}{}\n", status_shown_ ? erase_line : "", text);
+    print((status_shown_ ? erase_line : "") + text + "\n");
     status_shown_ = false;
 }
 

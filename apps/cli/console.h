@@ -11,6 +11,10 @@ namespace glint::cli {
 
 enum class Verbosity { quiet, normal, verbose };
 
+/// If the caller has closed stdin, stdout or stderr, opens them so that every use fails. Otherwise the next
+/// file that is opened would take the place, and messages would be written into a picture.
+void reserve_standard_streams();
+
 /// Is stderr a terminal with colours and cursor movement (TERM is set and not "dumb")?
 bool stderr_is_terminal();
 /// Are messages coloured? `when` is "auto", "always" or "never"; auto respects NO_COLOR.

@@ -70,7 +70,8 @@ void write_heat(const std::string& path, const LoadedPicture& a, const LoadedPic
     const double full_scale = max_difference > 0 && std::isfinite(max_difference) ? max_difference : 1;
     PictureOptions options;
     options.view = View::raw;
-    write_picture(path, difference_heat(relative_to_white(a), relative_to_white(b), full_scale), options);
+    const Image heat = difference_heat(relative_to_white(a), relative_to_white(b), full_scale);
+    write_output({"-o", path}, [&] { write_picture(path, heat, options); });
 }
 
 } // namespace
@@ -82,7 +83,7 @@ int diff_command(const Arguments& arguments, Console& console) {
     const auto heat = arguments.text("output");
     if (heat) {
         output_format(*heat);
-        require_writable(*heat);
+        require_outputs(arguments.operands(), {{"-o", *heat}});
     }
     const LoadedPicture a = read_picture(arguments.operands()[0]);
     const LoadedPicture b = read_picture(arguments.operands()[1]);

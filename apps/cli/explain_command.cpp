@@ -102,12 +102,12 @@ void check_pixel_options(const Arguments& arguments) {
 
 int explain_command(const Arguments& arguments, Console& console) {
     const std::string& file = arguments.operands().front();
-    const std::string output = arguments.text("output").value_or("-");
+    const Output output{"-o", arguments.text("output").value_or("-")};
     check_pixel_options(arguments);
-    require_mesh_for_up(arguments, file);
-    require_writable(output);
+    require_outputs({file}, {output});
 
-    const LoadedScene loaded = load_scene(file, load_options(arguments));
+    const LoadedScene loaded = read_scene(file, load_options(arguments));
+    require_outputs(loaded.files, {output});
     SceneDescription description = at_frame(arguments, loaded);
     apply_flags(arguments, description);
     report(loaded, console);
@@ -116,7 +116,7 @@ int explain_command(const Arguments& arguments, Console& console) {
     const Scene scene = build_scene(description, how);
     console.warnings(warnings(scene));
     const std::string title = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
-    const bool color = output == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
+    const bool color = output.path == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
     const bool page = arguments.text("format") == "html";
     Backend backend(arguments, console);
     write_text(output, page ? page_text(scene, arguments, title, backend, console)

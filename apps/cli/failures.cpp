@@ -4,9 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <unistd.h>
 
 namespace glint::cli {
 namespace {
@@ -21,9 +25,19 @@ int code_of(ErrorKind kind) {
                                          : exit_code::internal;
 }
 
-} // namespace
+int report_defect(Console& console, const std::exception& defect) {
+    console.error(fmt::format("internal error: {}", defect.what()),
+                  "this is a defect of glint: please report it");
+    return exit_code::internal;
+}
 
-int report_failure(Console& console) {
+/// Uses no memory. Not by stdio, whose buffer may have to be allocated.
+void report_out_of_memory() {
+    constexpr std::string_view text = "glint: error: out of memory\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+int report_and_classify(Console& console) {
     try {
         throw;
     } catch (const Error& error) {
@@ -32,15 +46,44 @@ int report_failure(Console& console) {
     } catch (const std::bad_alloc&) {
         console.error("out of memory");
         return exit_code::resource;
+    } catch (const std::system_error& refused) {
+        if (refused.code() != std::errc::resource_unavailable_try_again)
+            return report_defect(console, refused);
+        console.error("the system starts no more threads", "end other programs, or use fewer --threads");
+        return exit_code::resource;
     } catch (const std::length_error& limit) {
         // A limit of the library ("too many triangles"), or of a container.
         console.error(limit.what(), "this is more than glint can hold");
         return exit_code::resource;
     } catch (const std::exception& defect) {
-        console.error(fmt::format("internal error: {}", defect.what()),
-                      "this is a defect of glint: please report it");
-        return exit_code::internal;
+        return report_defect(console, defect);
     }
+}
+
+} // namespace
+
+int report_failure(Console& console) noexcept {
+    try {
+        return report_and_classify(console);
+    } catch (...) {
+        // Not even the message found memory.
+        report_out_of_memory();
+        return exit_code::resource;
+    }
+}
+
+void end_without_memory_if_uncaught() {
+    std::set_terminate([] {
+        // What a destructor, a thread or a function that must not throw let go.
+        try {
+            if (std::current_exception()) throw;
+        } catch (const std::bad_alloc&) {
+            report_out_of_memory();
+            std::_Exit(exit_code::resource);
+        } catch (...) {
+        }
+        std::abort();
+    });
 }
 
 } // namespace glint::cli

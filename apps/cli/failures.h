@@ -6,7 +6,10 @@
 namespace glint::cli {
 
 /// Prints why the exception being handled was thrown, and returns the exit code. To be called in a catch
-/// block.
-int report_failure(Console& console);
+/// block. Also if no memory is left for the message.
+int report_failure(Console& console) noexcept;
+
+/// From here on a std::bad_alloc that nothing catches ends the program like one that is caught.
+void end_without_memory_if_uncaught();
 
 } // namespace glint::cli

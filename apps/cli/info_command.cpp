@@ -99,8 +99,7 @@ int info_command(const Arguments& arguments, Console& console) {
         return exit_code::done;
     }
     const std::string& file = arguments.operands().front();
-    require_mesh_for_up(arguments, file);
-    const LoadedScene loaded = load_scene(file, load_options(arguments));
+    const LoadedScene loaded = read_scene(file, load_options(arguments));
     report(loaded, console);
     const SceneDescription description = at_frame(arguments, loaded);
     BuildSceneOptions how;

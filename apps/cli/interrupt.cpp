@@ -21,6 +21,11 @@ void on_signal(int number) {
 
 } // namespace
 
+void report_failing_writes() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 void watch_signals() {
     struct sigaction action {};
     action.sa_handler = on_signal;
@@ -35,6 +40,8 @@ void watch_signals() {
 }
 
 void stop_gently() { gentle = true; }
+
+void stop_at_once() { gentle = false; }
 
 const CancelFlag& cancel_flag() { return cancelled; }
 

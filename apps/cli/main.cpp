@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "failures.h"
 #include "help.h"
+#include "interrupt.h"
 
 #include "glint/render.h"
 
@@ -70,13 +71,16 @@ int dispatch(const std::vector<std::string>& words) {
 }
 
 /// Throws nothing.
-int run(const std::vector<std::string>& words) noexcept {
+int run(int argc, char** argv) noexcept {
+    end_without_memory_if_uncaught();
+    reserve_standard_streams();
+    report_failing_writes();
     // Faults of the command line itself come before --color is known.
     Console console(Verbosity::normal, wants_color("auto"));
-    return guarded(console, [&] { return dispatch(words); });
+    return guarded(console, [&] { return dispatch({argv + 1, argv + argc}); });
 }
 
 } // namespace
 } // namespace glint::cli
 
-int main(int argc, char** argv) { return glint::cli::run({argv + 1, argv + argc}); }
+int main(int argc, char** argv) { return glint::cli::run(argc, argv); }

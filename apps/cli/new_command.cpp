@@ -3,14 +3,11 @@
 #include "outputs.h"
 
 #include "glint/scene_files.h"
-#include "glint/write_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <filesystem>
-#include <span>
 
 namespace glint::cli {
 namespace {
@@ -35,16 +32,16 @@ int new_command(const Arguments& arguments, Console& console) {
         return exit_code::done;
     }
     const std::string text = starter(arguments, names);
-    const std::string path = arguments.text("output").value_or("-");
-    if (path == "-") {
-        print_data(text);
-        return exit_code::done;
-    }
-    require_writable(path);
-    if (std::filesystem::exists(path) && !arguments.has("force"))
+    const Output output{"-o", arguments.text("output").value_or("-")};
+    const std::string& path = output.path;
+    require_outputs({}, {output});
+    if (path != "-" && std::filesystem::exists(path) && !arguments.has("force"))
         throw Error(ErrorKind::output, fmt::format("\"{}\" exists", path), "--force overwrites it");
-    write_file(path, std::as_bytes(std::span(text)));
-    console.line(fmt::format("{}: written; render it with: glint {}", path, path));
+    write_text(output, text);
+    if (path == "-") return exit_code::done;
+    // A file that is named like a command needs a folder.
+    console.line(
+        fmt::format("{}: written; render it with: glint {}{}", path, find_command(path) ? "./" : "", path));
     return exit_code::done;
 }
 

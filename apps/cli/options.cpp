@@ -3,16 +3,24 @@
 #include "glint/kernels.h"
 #include "glint/scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace glint::cli {
 namespace {
 
-const std::string integrators = fmt::to_string(fmt::join(enum_names<Integrator>, "|"));
-const std::string kernels = fmt::to_string(fmt::join(kernel_names, "|"));
+/// The names of a table with "|" between them, made without memory: it may be lacking before main() too.
+template <const auto& names>
+constexpr auto joined_names = [] {
+    std::array<char, 64> text{};
+    std::size_t length = 0;
+    for (const std::string_view name : names) {
+        if (length > 0) text[length++] = '|';
+        for (const char letter : name) text[length++] = letter;
+    }
+    return text;
+}();
 
 // Options of more than one command.
 constexpr Option size{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true};
@@ -36,7 +44,7 @@ const std::array render_options{
     size,
     spp,
     max_depth,
-    Option{0, "integrator", integrators.c_str(), "the light model"},
+    Option{0, "integrator", joined_names<enum_names<Integrator>>.data(), "the light model"},
     seed,
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
     Option{0, "frames", "A..B[:STEP]", "or all, of what moves: one file each, -o frame-%04d.png"},
@@ -53,7 +61,7 @@ const std::array render_options{
     threads,
     Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
     Option{0, "backend", "cpu|gpu|auto", "where to render; default: cpu"},
-    Option{0, "kernel", kernels.c_str(), "of the tracing: only the time changes"},
+    Option{0, "kernel", joined_names<kernel_names>.data(), "of the tracing: only the time changes"},
     Option{0, "simd", "auto|plain|sse4|avx2|avx512", "vectors of the tracing; auto: the machine's widest"},
     Option{0, "progress", "auto|plain|json|none", "on stderr; auto: a bar on a terminal, else plain"},
     color,

@@ -83,7 +83,7 @@ class Renderer {
     /// Reads the scene and reports its notes and warnings.
     LoadedScene read() {
         const double loading_start = now();
-        LoadedScene loaded = load_scene(request_.scene, request_.load);
+        LoadedScene loaded = read_scene(request_.scene, request_.load);
         load_seconds_ = now() - loading_start;
         apply_flags(arguments_, loaded.description);
         require_possible(request_, loaded.description.render);
@@ -104,7 +104,7 @@ class Renderer {
         warn(scene);
 
         Picture picture = render_with_progress(scene, record, task);
-        if (!picture.complete && !request_.keep_partial) {
+        if (cancel_flag() && !request_.keep_partial) {
             stopped_at_ = record.fraction;
             return false;
         }
@@ -113,7 +113,8 @@ class Renderer {
         if (output_format(record.output) == PictureFormat::png)
             picture.image = visible(picture.image, request_.render.show, scene);
         const double writing_start = now();
-        write_picture(record.output, picture.image, picture_options(request_, scene, picture, record));
+        const PictureOptions options = picture_options(request_, scene, picture, record);
+        write_output({"-o", record.output}, [&] { write_picture(record.output, picture.image, options); });
         record.write_seconds = now() - writing_start;
         if (request_.stats) stats_.push_back(stats_json(record, scene, picture));
         print_details(console_, scene, record, picture.stats);
@@ -124,7 +125,8 @@ class Renderer {
     /// Writes --stats: an object, or with --frames a list of objects.
     void write_stats() const {
         if (!request_.stats || (stats_.empty() && !request_.frames)) return;
-        write_text(*request_.stats, request_.frames ? stats_list_json(stats_) : stats_.front());
+        if (waits_for_reader(*request_.stats)) stop_at_once();
+        write_text({"--stats", *request_.stats}, request_.frames ? stats_list_json(stats_) : stats_.front());
     }
 
     /// Fraction of the last picture that was done when a signal came.
@@ -144,6 +146,7 @@ class Renderer {
         options.cancel = &cancel_flag();
         stop_gently();
         RenderedPicture rendered = backend_.render(scene, options);
+        if (waits_for_reader(record.output)) stop_at_once();
         meter.finish();
         record.device = rendered.device;
         record.fraction = rendered.picture.complete ? 1 : meter.fraction();
@@ -170,6 +173,7 @@ RenderRecord make_record(const RenderRequest& request) {
 
 int render_still(const RenderRequest& request, Renderer& renderer, Console& console) {
     const LoadedScene loaded = renderer.read();
+    require_outputs(loaded.files, outputs(request, {}));
     if (!loaded.animation.keys.empty())
         console.note("the scene moves, and this is how it stands; --frames all renders its frames");
     const bool done = renderer.picture(loaded.description, make_record(request), {});
@@ -186,6 +190,7 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
     const LoadedScene loaded = renderer.read();
     if (loaded.animation.keys.empty()) console.note("nothing in the scene moves: it has no [[animate]]");
     const std::vector<int> frames = request.frames->of(loaded.animation);
+    require_outputs(loaded.files, outputs(request, frames));
     // Errors of late frames are reported before the first one is rendered.
     for (const int frame : frames) scene_at(loaded, frame);
 

@@ -33,13 +33,8 @@ void require_format(const Arguments& arguments, const std::string& output) {
     if (format != PictureFormat::exr) refuse("layers", ".exr");
 }
 
-/// Two results in one file would destroy each other, and a picture on a terminal its settings.
-void require_apart(const RenderRequest& request) {
-    if (request.stats == request.output)
-        throw Error(ErrorKind::usage,
-                    fmt::format("picture and --stats both go to {}", shown_name(request.output)));
-    if (request.stats == request.scene && request.scene != "-")
-        throw Error(ErrorKind::usage, fmt::format("--stats would overwrite {}", request.scene));
+/// A picture on a terminal would destroy its settings.
+void require_no_terminal(const RenderRequest& request) {
     if (request.output == "-" && isatty(STDOUT_FILENO) == 1)
         throw Error(ErrorKind::usage, "a picture is not written to a terminal",
                     "name a file with -o, or redirect stdout");
@@ -138,8 +133,7 @@ RenderRequest read_render_request(const Arguments& arguments) {
     request.stats = arguments.text("stats");
     require_format(arguments, request.output);
     if (request.frames) require_frame_names(request);
-    require_apart(request);
-    require_mesh_for_up(arguments, request.scene);
+    require_no_terminal(request);
     request.load = load_options(arguments);
     request.render = render_options(arguments);
     require_light(arguments, request.render.show);
@@ -149,9 +143,19 @@ RenderRequest read_render_request(const Arguments& arguments) {
     // Wrong flags are told before a large scene is read.
     SceneDescription unused;
     apply_flags(arguments, unused);
-    require_writable(request.output);
-    if (request.stats) require_writable(*request.stats);
+    // Which frames are "all" is known once the scene is read.
+    const bool known = request.frames && !request.frames->all;
+    require_outputs({request.scene},
+                    outputs(request, known ? std::vector{request.frames->first} : std::vector<int>()));
     return request;
+}
+
+std::vector<Output> outputs(const RenderRequest& request, const std::vector<int>& frames) {
+    std::vector<Output> all;
+    if (!request.frames) all.push_back({"-o", request.output});
+    for (const int frame : frames) all.push_back({"-o", frame_name(request.output, frame)});
+    if (request.stats) all.push_back({"--stats", *request.stats});
+    return all;
 }
 
 /// Flags override what the scene says.

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "frames.h"
+#include "outputs.h"
 
 #include "glint/picture_files.h"
 #include "glint/render.h"
@@ -10,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace glint::cli {
 
@@ -29,6 +31,9 @@ struct RenderRequest {
 /// Throws Error(usage) for all that can be told to be wrong without the scene, and Error(output) where a
 /// result could not be written.
 RenderRequest read_render_request(const Arguments& arguments);
+
+/// All that is written for these frames; for none, if --frames is not given.
+std::vector<Output> outputs(const RenderRequest& request, const std::vector<int>& frames);
 
 /// --size, --spp and their like override what the scene says. Throws Error(usage).
 void apply_flags(const Arguments& arguments, SceneDescription& scene);

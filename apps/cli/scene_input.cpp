@@ -1,8 +1,6 @@
 // -D, --up, --allow-outside and --threads.
 #include "scene_input.h"
 
-#include <filesystem>
-
 namespace glint::cli {
 
 LoadOptions load_options(const Arguments& arguments) {
@@ -19,11 +17,13 @@ LoadOptions load_options(const Arguments& arguments) {
     return options;
 }
 
-void require_mesh_for_up(const Arguments& arguments, const std::string& scene) {
-    const bool is_scene = scene == "-" || std::filesystem::path(scene).extension() == ".toml";
-    if (is_scene && arguments.text("up").value_or("auto") != "auto")
-        throw Error(ErrorKind::usage, "--up is for bare meshes, and " + scene + " is a scene",
+LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
+    LoadedScene loaded = load_scene(path, options);
+    if (options.up && !loaded.bare_mesh)
+        throw Error(ErrorKind::usage,
+                    "--up is for bare meshes, and " + (path == "-" ? "stdin" : path) + " is a scene",
                     "in a scene file, turn the mesh with its transform");
+    return loaded;
 }
 
 void report(const LoadedScene& loaded, Console& console) {

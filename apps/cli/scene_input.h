@@ -14,8 +14,8 @@ namespace glint::cli {
 /// -D, --up and --allow-outside. Throws Error(usage).
 LoadOptions load_options(const Arguments& arguments);
 
-/// Throws Error(usage) if --up is given for a scene file.
-void require_mesh_for_up(const Arguments& arguments, const std::string& scene);
+/// load_scene(). Throws Error(usage) if --up is given for a scene file.
+LoadedScene read_scene(const std::string& path, const LoadOptions& options);
 
 /// Prints the notes and warnings of reading.
 void report(const LoadedScene& loaded, Console& console);

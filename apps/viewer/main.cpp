@@ -1,6 +1,7 @@
 // The program `glint-view`: runs the window and maps errors to exit codes.
 #include "app.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -62,4 +63,8 @@ int run(const std::vector<std::string>& words) noexcept {
 } // namespace
 } // namespace glint::viewer
 
-int main(int argc, char** argv) { return glint::viewer::run({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+    // A picture that exceeds the limit on the size of files is an error, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    return glint::viewer::run({argv + 1, argv + argc});
+}

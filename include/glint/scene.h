@@ -253,9 +253,23 @@ constexpr std::string_view name_of(const Light& light) { return light_names[ligh
 /// Whether a shape bounds a volume. A mesh is taken to: building its scene finds out.
 bool is_solid(const Shape& shape);
 
+struct SceneDescription;
+
+/// How a scene without a camera is shown: everything finite in it, as large as the picture allows.
+struct Framing {
+    std::optional<Vec3> direction; ///< of view; none: from the front, a little from the left and from above
+    Vec3 up{0, 0, 1};
+    double fov = 40; ///< full angle, degrees
+    FovAxis fov_axis = FovAxis::y;
+    double fill = 0.85; ///< share of the picture that may be filled
+    /// Moments of an animation: all of these are shown instead, so that its frames have one camera.
+    std::shared_ptr<const std::vector<SceneDescription>> moments;
+};
+
 /// The contents of a scene file. Objects and lights are in file order, which decides ties and sums.
 struct SceneDescription {
-    std::optional<CameraDescription> camera; ///< none: chosen by build_scene() to show the whole scene
+    std::optional<CameraDescription> camera; ///< none: chosen by build_scene(), see Framing
+    Framing framing;
     RenderSettings render;
     WhittedSettings whitted;
     std::vector<Material> materials;
@@ -296,6 +310,7 @@ class Scene {
     SceneStats stats() const;
     const SceneDescription& description() const; ///< as built, with its camera filled in
     const CameraDescription& camera() const;
+    bool has_own_camera() const; ///< or one chosen by fit_camera()
     const RenderSettings& render_settings() const;
 
   private:
@@ -346,7 +361,7 @@ Axis guess_up_axis(const Mesh& mesh);
 /// A preview scene of a mesh: framed, lit, on a floor, rotated so that `up` points along +z.
 SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up);
 
-/// A camera that shows everything finite in the scene.
+/// The camera that shows everything finite in the scene, for a picture of its size.
 CameraDescription fit_camera(const SceneDescription& description);
 
 } // namespace glint

@@ -44,6 +44,7 @@ struct LoadedScene {
     /// files it depends on, each once: the scene file, then meshes. Without stdin
     std::vector<std::string> files;
     Animation animation;
+    bool bare_mesh = false;         ///< is it the preview scene of a mesh?
     std::vector<std::string> notes; ///< choices made automatically, one line each ("up axis: y (guessed) …")
 };
 

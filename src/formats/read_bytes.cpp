@@ -30,8 +30,9 @@ namespace {
 
 } // namespace
 
-InputFile::InputFile(std::string path) : path_(std::move(path)) {
-    descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+InputFile::InputFile(std::string path) : InputFile(::open(path.c_str(), O_RDONLY | O_CLOEXEC), path) {}
+
+InputFile::InputFile(int descriptor, std::string name) : path_(std::move(name)), descriptor_(descriptor) {
     if (descriptor_ < 0) fail(path_, errno);
     struct stat info = {};
     const int code = ::fstat(descriptor_, &info) != 0 ? errno : S_ISDIR(info.st_mode) ? EISDIR : 0;

@@ -16,6 +16,8 @@ namespace glint::formats {
 class InputFile {
   public:
     explicit InputFile(std::string path);
+    /// Reads from an open descriptor, and closes it; `name` is for messages.
+    InputFile(int descriptor, std::string name);
     ~InputFile();
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
@@ -29,7 +31,7 @@ class InputFile {
 
   private:
     std::string path_;
-    int descriptor_ = -1;
+    int descriptor_;
     std::optional<std::size_t> size_;
 };
 

@@ -2,14 +2,14 @@
 
 #include "formats/read_text.h"
 
+#include "formats/read_bytes.h"
 #include "glint/error.h"
 #include "scene/text.h"
 
-#include <cerrno>
-#include <cstring>
+#include <unistd.h>
+
 #include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <span>
 
 namespace glint::formats {
 namespace {
@@ -19,12 +19,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_scene = std::size_t{256} << 20;
 
 // Reads to the end, or one byte beyond the limit.
-std::string read_stream(std::istream& stream) {
+std::string read_all(InputFile&& file) {
     std::string text;
     std::string block(1 << 16, '\0');
     while (text.size() <= longest_scene) {
-        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-        const auto count = static_cast<std::size_t>(stream.gcount());
+        const std::size_t count = file.read(std::as_writable_bytes(std::span(block)));
         if (count == 0) break;
         text.append(block, 0, count);
     }
@@ -40,19 +39,13 @@ std::string read_file(const std::string& path) {
     const fs::file_status status = fs::status(path, failed);
     if (status.type() == fs::file_type::not_found) refuse("the file does not exist", expected);
     if (fs::is_directory(status)) refuse("this is a folder", expected);
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    std::string text;
-    if (file) text = read_stream(file);
-    const std::string cause = errno ? ": " + std::string(std::strerror(errno)) : "";
-    if (!file.is_open() || file.bad()) refuse("the file cannot be read" + cause, "");
-    return text;
+    return read_all(InputFile(path));
 }
 
 } // namespace
 
 std::string read_text(const std::string& path) {
-    std::string text = path == "-" ? read_stream(std::cin) : read_file(path);
+    std::string text = path == "-" ? read_all(InputFile(::dup(STDIN_FILENO), stdin_name)) : read_file(path);
     require_scene_size(text, path == "-" ? stdin_name : path);
     return text;
 }

@@ -24,16 +24,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : "."; }
+
 std::string cure(const fs::path& path, int code) {
-    const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+    const std::string folder = folder_of(path).string();
+    std::error_code none;
     switch (code) {
     case ENOSPC:
     case EDQUOT:
-    case EFBIG:
         return "free some space, or write to another disk";
+    case EFBIG:
+        return "raise the limit on the size of files (ulimit -f), or write less";
     case ENOENT:
     case ENOTDIR:
-        return "create the folder '" + folder + "' first, or correct the name";
+        return fs::is_directory(folder, none)
+                   ? "no file can be created in the folder '" + folder + "': write to another one"
+                   : "create the folder '" + folder + "' first, or correct the name";
     case EISDIR:
         return "name a file inside the folder, such as '" + (path / "picture.png").string() + "'";
     case EACCES:
@@ -49,9 +55,11 @@ std::string cure(const fs::path& path, int code) {
     }
 }
 
-[[noreturn]] void fail_at(const fs::path& path, int code) {
-    throw Error(ErrorKind::output, "cannot write the file: " + std::generic_category().message(code),
-                cure(path, code), {.file = path.string()});
+/// `target_path`: what the path links to, or the path itself.
+[[noreturn]] void fail_at(const fs::path& path, const fs::path& target_path, int code) {
+    const std::string link = target_path == path ? "" : " (it links to '" + target_path.string() + "')";
+    throw Error(ErrorKind::output, "cannot write the file: " + std::generic_category().message(code) + link,
+                cure(target_path, code), {.file = path.string()});
 }
 
 class Descriptor {
@@ -70,20 +78,33 @@ class Descriptor {
     int fd_;
 };
 
-/// A temporary file, removed unless keep() is called.
+/// Opens a new file with a unique name in a folder.
+int open_temporary(const fs::path& folder, fs::path& name) {
+    static std::atomic<unsigned> counter{0};
+    for (;;) {
+        name = folder / (".glint-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST) return fd;
+    }
+}
+
+/// A temporary file, removed unless keep() is called. If it cannot be created, its descriptor is negative and
+/// errno has the reason.
 class Temporary {
   public:
-    explicit Temporary(fs::path path) : path_(std::move(path)) {}
+    explicit Temporary(const fs::path& folder) : file_(open_temporary(folder, path_)) {}
     ~Temporary() {
         if (!kept_) ::unlink(path_.c_str());
     }
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
+    Descriptor& file() { return file_; }
     const fs::path& path() const { return path_; }
     void keep() { kept_ = true; }
 
   private:
-    fs::path path_;
+    fs::path path_; ///< set by the initializer of file_
+    Descriptor file_;
     bool kept_ = false;
 };
 
@@ -112,13 +133,10 @@ int write_all(int fd, Pieces pieces) {
 fs::path follow_links(const fs::path& path) {
     constexpr int max_links = 40;
     fs::path target_path = path;
-    for (int i = 0; i < max_links; ++i) {
-        std::error_code none;
-        if (!fs::is_symlink(target_path, none)) return target_path;
-        const fs::path next = fs::read_symlink(target_path, none);
-        target_path = next.is_absolute() ? next : target_path.parent_path() / next;
-    }
-    fail_at(path, ELOOP);
+    std::error_code none;
+    for (int i = 0; i < max_links && fs::is_symlink(target_path, none); ++i)
+        target_path = target_path.parent_path() / fs::read_symlink(target_path, none);
+    return target_path;
 }
 
 struct Target {
@@ -128,43 +146,38 @@ struct Target {
     mode_t mode = 0;
 };
 
+/// In a folder with the sticky bit, such as /tmp, only its owner may replace a file.
+bool may_be_replaced(const fs::path& folder, const struct stat& file) {
+    struct stat info = {};
+    const uid_t user = ::geteuid();
+    return ::stat(folder.c_str(), &info) != 0 || (info.st_mode & S_ISVTX) == 0 || user == 0 ||
+           user == info.st_uid || user == file.st_uid;
+}
+
 Target find_target(const fs::path& path) {
     Target target;
-    target.target_path = follow_links(path);
     struct stat info = {};
-    if (::stat(target.target_path.c_str(), &info) == 0) {
-        if (S_ISDIR(info.st_mode)) fail_at(path, EISDIR);
-        if (::access(target.target_path.c_str(), W_OK) != 0) fail_at(path, errno);
-        target.exists = true;
-        target.regular = S_ISREG(info.st_mode);
-        target.mode = info.st_mode & 07777U;
-    } else if (errno != ENOENT) {
-        fail_at(path, errno);
-    } else if (!target.target_path.has_filename()) {
-        fail_at(path, path.empty() ? ENOENT : EISDIR);
-    }
+    target.exists = ::stat(path.c_str(), &info) == 0;
+    if (!target.exists && errno != ENOENT) fail_at(path, path, errno);
+    target.regular = !target.exists || S_ISREG(info.st_mode);
+    target.mode = info.st_mode & 07777U;
+    // Links in /proc to open pipes lead nowhere.
+    target.target_path = target.regular ? follow_links(path) : path;
+    const auto fail = [&](int code) { fail_at(path, target.target_path, code); };
+    if (!target.exists && !target.target_path.has_filename()) fail(path.empty() ? ENOENT : EISDIR);
+    if (!target.exists) return target;
+    if (S_ISDIR(info.st_mode)) fail(EISDIR);
+    if (S_ISSOCK(info.st_mode)) fail(ENXIO);
+    if (::access(path.c_str(), W_OK) != 0) fail(errno);
+    if (target.regular && !may_be_replaced(folder_of(target.target_path), info)) fail(EPERM);
     return target;
 }
 
-fs::path folder_of(const fs::path& target_path) {
-    return target_path.has_parent_path() ? target_path.parent_path() : ".";
-}
-
-/// Opens a new file with a unique name in the folder of the target.
-int open_temporary(const fs::path& folder, fs::path& name) {
-    static std::atomic<unsigned> counter{0};
-    for (;;) {
-        name = folder / (".glint-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
-        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0 || errno != EEXIST) return fd;
-    }
-}
-
-void write_in_place(const fs::path& path, const Target& target, Pieces pieces) {
-    Descriptor file(::open(target.target_path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.fd() < 0) fail_at(path, errno);
-    if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
-    if (file.close() != 0) fail_at(path, errno);
+void write_in_place(const fs::path& path, Pieces pieces) {
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (file.fd() < 0) fail_at(path, path, errno);
+    if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, path, code);
+    if (file.close() != 0) fail_at(path, path, errno);
 }
 
 /// Syncs the folder, so that the new name survives a crash; ignores folders that cannot be synced.
@@ -175,42 +188,41 @@ void sync_folder(const fs::path& folder) {
 
 } // namespace
 
-void check_writable(const std::string& path) {
-    const Target target = find_target(path);
-    if (!target.regular) return;
-    const fs::path folder = folder_of(target.target_path);
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_at(path, errno);
-    std::error_code none;
-    if (!fs::is_directory(folder, none)) fail_at(path, ENOTDIR);
-}
-
 void write_pieces(const std::string& path, Pieces pieces) {
     const Target target = find_target(path);
-    if (!target.regular) return write_in_place(path, target, pieces);
+    if (!target.regular) return write_in_place(path, pieces);
 
+    const auto fail = [&](int code) { fail_at(path, target.target_path, code); };
     const fs::path folder = folder_of(target.target_path);
-    fs::path name;
-    Descriptor file(open_temporary(folder, name));
-    if (file.fd() < 0) fail_at(path, errno);
-    Temporary temporary(name);
-
+    Temporary temporary(folder);
+    Descriptor& file = temporary.file();
+    if (file.fd() < 0) fail(errno);
     // Keep the permissions of the replaced file.
-    if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail_at(path, errno);
-    if (const int code = write_all(file.fd(), pieces); code != 0) fail_at(path, code);
-    if (::fsync(file.fd()) != 0 && errno != EINVAL) fail_at(path, errno);
-    if (file.close() != 0) fail_at(path, errno);
-    if (std::rename(temporary.path().c_str(), target.target_path.c_str()) != 0) fail_at(path, errno);
+    if (target.exists && ::fchmod(file.fd(), target.mode) != 0) fail(errno);
+    if (const int code = write_all(file.fd(), pieces); code != 0) fail(code);
+    if (::fsync(file.fd()) != 0 && errno != EINVAL) fail(errno);
+    if (file.close() != 0) fail(errno);
+    if (std::rename(temporary.path().c_str(), target.target_path.c_str()) != 0) fail(errno);
     temporary.keep();
     sync_folder(folder);
 }
 
 void write_stdout(std::span<const std::byte> bytes) {
-    if (const int code = write_all(STDOUT_FILENO, Pieces(&bytes, 1)); code != 0) fail_at("<stdout>", code);
+    if (const int code = write_all(STDOUT_FILENO, Pieces(&bytes, 1)); code != 0)
+        fail_at("<stdout>", "<stdout>", code);
 }
 
 } // namespace glint::formats
 
 namespace glint {
+
+void check_writable(const std::string& path) {
+    const formats::Target target = formats::find_target(path);
+    if (!target.regular) return;
+    // Permissions, read-only disks and odd file systems show themselves only by trying.
+    formats::Temporary probe(formats::folder_of(target.target_path));
+    if (probe.file().fd() < 0) formats::fail_at(path, target.target_path, errno);
+}
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {
     formats::write_pieces(path, formats::Pieces(&bytes, 1));

@@ -5,10 +5,6 @@
 
 namespace glint::formats {
 
-/// Throws the Error(output) that write_file() would throw for this path: missing folder, path is a folder, no
-/// permission. Writes nothing.
-void check_writable(const std::string& path);
-
 /// Consecutive pieces of a file.
 using Pieces = std::span<const std::span<const std::byte>>;
 

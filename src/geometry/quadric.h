@@ -67,10 +67,11 @@ inline bool intersect(const Line& line, const Plane& plane, double& t) {
     return line_meets_plane(line.origin, line.direction, plane.normal, plane.offset, t);
 }
 
-/// The point of one part of the surface (SolidSpan::enter_part) nearest to p, outward normal.
-inline ExactPoint surface(const QuadricShape& shape, int part, const dvec3& p) {
+/// The point of one part of the surface (SolidSpan::enter_part) nearest to p, at least `margin` from the
+/// part's rim; outward normal.
+inline ExactPoint surface(const QuadricShape& shape, int part, const dvec3& p, double margin = 0) {
     ExactPoint point;
-    point_of_quadric(shape, part, p, point.p, point.n);
+    point_of_quadric(shape, part, p, margin, point.p, point.n);
     return point;
 }
 

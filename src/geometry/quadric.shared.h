@@ -33,6 +33,12 @@ struct QuadricShape {
 /// Errors of double arithmetic relative to the largest number in it, with a wide margin: 2^-45.
 const double surface_error = 1.0 / 35184372088832.0;
 
+/// How far rays start from the edges of faces, in errors of their start points: see "Away from edges" in
+/// geometry/surface.shared.h.
+const double edge_margin = 32.0;
+/// That distance where no coordinate is larger than `size`: 2^-24 of it is half a float's spacing.
+GLINT_FN double margin_at_rim(double size) { return edge_margin * size * (1.0 / 16777216.0); }
+
 /// Bound on the numbers from which a point of the surface is computed.
 GLINT_FN double size_of_quadric(GLINT_IN(QuadricShape) shape) {
     dvec3 base = abs(shape.base);
@@ -209,41 +215,63 @@ GLINT_FN void point_of_sphere(dvec3 center, double radius, dvec3 p, GLINT_OUT(dv
     on = center + n * radius;
 }
 
+/// x, but at least `low` and at most `high`.
+GLINT_FN real64 limited(real64 x, real64 low, real64 high) {
+    return pick(x < low, low, pick(x > high, high, x));
+}
+
+/// The part of a cap's point across the axis, off the rim.
+GLINT_FN dvec3 off_rim(dvec3 radial, real64 distance, double radius, real64 margin) {
+    return radial * pick(distance > radius - margin, (radius - margin) / distance, 1.0);
+}
+
 /// Likewise for one part of a cylinder's surface.
 GLINT_FN void point_of_cylinder(dvec3 base, dvec3 axis, double height, double radius, integer part, dvec3 p,
-                                GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
+                                double margin, GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
     dvec3 v = p - base;
     dvec3 radial = perpendicular_to(axis, v);
-    dvec3 out_of_side = radial / sqrt(dot(radial, radial));
+    real64 distance = sqrt(dot(radial, radial));
+    dvec3 out_of_side = radial / distance;
     truth on_base = part == 1;
     truth on_top = part == 2;
-    dvec3 on_side = base + axis * dot(axis, v) + out_of_side * radius;
+    dvec3 on_side = base + axis * limited(dot(axis, v), margin, height - margin) + out_of_side * radius;
+    dvec3 on_cap = off_rim(radial, distance, radius, margin);
     n = pick(on_base, -axis, pick(on_top, axis, out_of_side));
-    on = pick(on_base, base + radial, pick(on_top, base + axis * height + radial, on_side));
+    on = pick(on_base, base + on_cap, pick(on_top, base + axis * height + on_cap, on_side));
 }
 
 /// Likewise for one part of a cone's surface. At the apex the normal is the axis.
 GLINT_FN void point_of_cone(dvec3 base, dvec3 axis, double height, double radius, integer part, dvec3 p,
-                            GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
+                            double margin, GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
     dvec3 v = p - base;
     dvec3 radial = perpendicular_to(axis, v);
     real64 distance = sqrt(dot(radial, radial));
     real64 slant = sqrt(height * height + radius * radius);
-    dvec3 out_of_side = radial / distance * (height / slant) + axis * (radius / slant);
+    dvec3 outward = radial / distance;
+    dvec3 out_of_side = outward * (height / slant) + axis * (radius / slant);
     truth on_base = part == 1;
     n = pick(on_base, -axis, pick(distance > 0.0, out_of_side, axis));
-    // Height of p above the side.
-    real64 above = ((distance - radius) * height + dot(axis, v) * radius) / slant;
-    on = base + pick(on_base, radial, v - n * above);
+    // Height of p above the side, and of its foot above the base.
+    real64 along = dot(axis, v);
+    real64 above = ((distance - radius) * height + along * radius) / slant;
+    real64 foot = along - above * (radius / slant);
+    // Along the side to where it is off the rim and the apex.
+    real64 shift = limited(foot, margin, height - margin) - foot;
+    dvec3 down_side = axis - outward * (radius / height);
+    dvec3 on_side = v - n * above + pick(distance > 0.0, down_side * shift, v * 0.0);
+    on = base + pick(on_base, off_rim(radial, distance, radius, margin), on_side);
 }
 
-/// The point of one part of a quadric's surface nearest to p, and the outward normal there.
-GLINT_FN void point_of_quadric(GLINT_IN(QuadricShape) shape, integer part, dvec3 p, GLINT_OUT(dvec3) on,
-                               GLINT_OUT(dvec3) n) {
+/// The point of one part of a quadric's surface nearest to p, and the outward normal there. Of the points
+/// less than `margin` from the part's rim or apex none is taken: see "Away from edges" in
+/// geometry/surface.shared.h.
+GLINT_FN void point_of_quadric(GLINT_IN(QuadricShape) shape, integer part, dvec3 p, double margin,
+                               GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
+    double kept = min(margin, min(shape.height, shape.radius) / 16.0);
     if (shape.kind == quadric_cylinder)
-        point_of_cylinder(shape.base, shape.axis, shape.height, shape.radius, part, p, on, n);
+        point_of_cylinder(shape.base, shape.axis, shape.height, shape.radius, part, p, kept, on, n);
     else if (shape.kind == quadric_cone)
-        point_of_cone(shape.base, shape.axis, shape.height, shape.radius, part, p, on, n);
+        point_of_cone(shape.base, shape.axis, shape.height, shape.radius, part, p, kept, on, n);
     else if (shape.kind == quadric_disk) {
         dvec3 axis = shape.axis;
         on = shape.base + perpendicular_to(axis, p - shape.base);

@@ -35,17 +35,75 @@ GLINT_FN SurfacePoint rounded_point(dvec3 p, dvec3 n, double slack) {
     return point;
 }
 
-/// A point of a triangle in world space, with weights u and v of vertices b and c. `seen_along` as in
-/// point_of_triangle(); `reversed`: the normal is turned against the winding.
+// ── Away from edges
+//
+// Where a point lies within its error of an edge, rounding may put it on the wrong side of the face across
+// the edge: a ray that starts there leaves a closed solid without crossing it. So start points keep
+// `edge_margin` times their error from the edges of their face. Where two faces meet at the inner angle θ, a
+// point at the distance d from the edge, then raised by e, is d sin θ − e cos θ within the other face, and
+// offset_ray_origin() raises it by at most 6 errors: enough down to 15°.
+
+/// Faces as small as their points' errors keep at least this share of the way from an edge to the opposite
+/// vertex.
+const double max_edge_weight = 1.0 / 16.0;
+
+/// Weights of vertices b and c of a triangle.
+struct TriangleWeights {
+    double u;
+    double v;
+};
+
+/// How far to go to the middle, as a share, for a weight to become at least `floor_of`. Weights were rounded
+/// to float: 2^-22 on top.
+GLINT_FN double way_off_edge(double weight, double floor_of) {
+    double least = min(floor_of + 1.0 / 4194304.0, max_edge_weight);
+    return weight < least ? (least - weight) / (double(1.0f) / double(3.0f) - weight) : double(0.0f);
+}
+
+/// The weights of the nearest point on the way to the triangle's middle whose distance from each edge is at
+/// least `margin`.
+GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, double v, double margin) {
+    dvec3 ab = dvec3(b) - dvec3(a);
+    dvec3 ac = dvec3(c) - dvec3(a);
+    dvec3 bc = dvec3(c) - dvec3(b);
+    dvec3 normal = cross(ab, ac);
+    double height = margin / sqrt(dot(normal, normal)); // over an edge of unit length
+    double way = max(max(way_off_edge(1.0 - u - v, height * sqrt(dot(bc, bc))),
+                         way_off_edge(u, height * sqrt(dot(ac, ac)))),
+                     way_off_edge(v, height * sqrt(dot(ab, ab))));
+    double third = double(1.0f) / double(3.0f);
+    TriangleWeights moved;
+    moved.u = u + (third - u) * way;
+    moved.v = v + (third - v) * way;
+    return moved;
+}
+
+/// A point of a triangle in world space, with weights u and v of vertices b and c, off the edges.
+/// `seen_along` as in point_of_triangle(); `reversed`: the normal is turned against the winding.
 GLINT_FN SurfacePoint triangle_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
                                        bool reversed) {
     dvec3 p;
     dvec3 n;
     point_of_triangle(a, b, c, u, v, seen_along, p, n);
+    vec3 error = error_of_triangle(a, b, c, vec3(p));
+    TriangleWeights moved = weights_off_edges(a, b, c, u, v, edge_margin * max_abs(dvec3(error)));
+    point_of_triangle(a, b, c, moved.u, moved.v, seen_along, p, n);
     SurfacePoint point;
     point.p = vec3(p);
     point.p_error = error_of_triangle(a, b, c, point.p);
     point.n = vec3(reversed ? -n : n);
+    return point;
+}
+
+/// Where the point p of an instance's triangle lies in the world; its normal is not set. See
+/// instance_surface().
+GLINT_FN SurfacePoint instance_point(vec3 a, vec3 b, vec3 c, dvec3 p, GLINT_IN(dmat3) linear,
+                                     GLINT_IN(dvec3) translation, double slack) {
+    dvec3 mesh_error = dvec3(error_of_triangle(a, b, c, vec3(p))) * 1.25;
+    dvec3 world_error =
+        abs(linear[0]) * mesh_error.x + abs(linear[1]) * mesh_error.y + abs(linear[2]) * mesh_error.z;
+    SurfacePoint point = rounded_point(linear * p + translation, dvec3(0.0), slack);
+    point.p_error = point.p_error + vec3(world_error);
     return point;
 }
 
@@ -64,21 +122,38 @@ GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double 
     point_of_triangle(a, b, c, u, v, seen_along, p, n);
     dvec3 normal = transpose(inverse) * n;
     dvec3 unit = normal / sqrt(dot(normal, normal));
-    dvec3 mesh_error = dvec3(error_of_triangle(a, b, c, vec3(p))) * 1.25;
-    dvec3 world_error =
-        abs(linear[0]) * mesh_error.x + abs(linear[1]) * mesh_error.y + abs(linear[2]) * mesh_error.z;
-    SurfacePoint point = rounded_point(linear * p + translation, reversed ? -unit : unit, slack);
-    point.p_error = point.p_error + vec3(world_error);
+    // The margin is kept in the mesh's space, where it covers what rounding in the world comes to there.
+    SurfacePoint point = instance_point(a, b, c, p, linear, translation, slack);
+    dvec3 rounding = dvec3(point.p_error);
+    dvec3 back = abs(inverse[0]) * rounding.x + abs(inverse[1]) * rounding.y + abs(inverse[2]) * rounding.z;
+    TriangleWeights moved = weights_off_edges(a, b, c, u, v, edge_margin * max_abs(back));
+    point_of_triangle(a, b, c, moved.u, moved.v, seen_along, p, n);
+    point = instance_point(a, b, c, p, linear, translation, slack);
+    point.n = vec3(reversed ? -unit : unit);
     return point;
 }
 
-/// Where the line o + t d enters or leaves a quadric that it meets, and the outward normal there.
-GLINT_FN void point_on_line(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o, dvec3 d, GLINT_OUT(dvec3) on,
-                            GLINT_OUT(dvec3) n) {
+/// Where the line o + t d enters or leaves a quadric that it meets, at least `margin` from rims, and the
+/// outward normal there.
+GLINT_FN void point_on_line(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o, dvec3 d, double margin,
+                            GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
     SolidSpan span;
     line_in_quadric(shape, o, d, span);
     double t = leaving ? span.leave : span.enter;
-    point_of_quadric(shape, leaving ? span.leave_part : span.enter_part, o + d * t, on, n);
+    point_of_quadric(shape, leaving ? span.leave_part : span.enter_part, o + d * t, margin, on, n);
+}
+
+/// Of the largest number in a local space, in the world.
+GLINT_FN double size_in_world(GLINT_IN(dmat3) linear, GLINT_IN(dvec3) translation, double size) {
+    double stretch = max_abs(linear[0]) + max_abs(linear[1]) + max_abs(linear[2]);
+    return max_abs(translation) + stretch * size;
+}
+
+/// margin_at_rim() in a local space, for rays that start in the world.
+GLINT_FN double local_margin_at_rim(GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
+                                    GLINT_IN(dvec3) translation, double size) {
+    double shrink = max_abs(inverse[0]) + max_abs(inverse[1]) + max_abs(inverse[2]);
+    return margin_at_rim(shrink * size_in_world(linear, translation, size));
 }
 
 /// From a quadric's local space to the world: p_world = linear · p + translation, normals by the inverse
@@ -86,9 +161,8 @@ GLINT_FN void point_on_line(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o,
 GLINT_FN SurfacePoint point_in_world(dvec3 p, dvec3 n, GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
                                      GLINT_IN(dvec3) translation, double size) {
     dvec3 normal = transpose(inverse) * n;
-    double stretch = max_abs(linear[0]) + max_abs(linear[1]) + max_abs(linear[2]);
     return rounded_point(linear * p + translation, normal / sqrt(dot(normal, normal)),
-                         surface_error * (max_abs(translation) + stretch * size));
+                         surface_error * size_in_world(linear, translation, size));
 }
 
 /// Where the line o + t d meets a plane.
@@ -101,21 +175,6 @@ GLINT_FN SurfacePoint plane_surface(dvec3 o, dvec3 d, dvec3 normal, double offse
     point_of_plane(normal, offset, p, on, n);
     return rounded_point(on, n, surface_error * (max_abs(o) + max_abs(p)));
 }
-
-/// Moves a point on an edge, which lies in two faces, a few times its error toward the middle of its own
-/// face, so that rays that start there are on the right side of both.
-GLINT_FN SurfacePoint moved_off_edge(GLINT_IN(SurfacePoint) point, vec3 middle) {
-    SurfacePoint moved = point;
-    vec3 inward = middle - point.p;
-    float length_of = sqrt(dot(inward, inward));
-    float step_of = 8.0f * max(max(point.p_error.x, point.p_error.y), point.p_error.z);
-    if (!(length_of > step_of)) return moved;
-    moved.p = point.p + inward * (step_of / length_of);
-    moved.p_error = point.p_error + abs(moved.p) * (1.0f / 16777216.0f);
-    return moved;
-}
-
-// Interpolation of vertex attributes.
 
 /// A vertex normal in the world: unit length, or 0 if n is 0. The matrix is the inverse transpose of the
 /// points'.

@@ -2,19 +2,48 @@
 
 #include "parallel/task_pool.h"
 
+#include <sched.h>
+
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <fstream>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace glint::parallel {
 
+namespace {
+
+/// Processors that the scheduler may give to this process; 0 if the system does not tell.
+int allowed_processors() {
+    // Room for as many processors as Linux can manage.
+    std::vector<cpu_set_t> sets(16);
+    const std::size_t bytes = sets.size() * sizeof(cpu_set_t);
+    if (::sched_getaffinity(0, bytes, sets.data()) != 0) return 0;
+    return CPU_COUNT_S(bytes, sets.data());
+}
+
+/// Processors that the limit of time for this container is worth, rounded up; 0 without a limit.
+int processors_of_quota() {
+    std::ifstream file("/sys/fs/cgroup/cpu.max");
+    double quota = 0, period = 0;
+    if (!(file >> quota >> period) || !(period > 0)) return 0;
+    return static_cast<int>(std::ceil(quota / period));
+}
+
+} // namespace
+
 int available_threads() {
-    const unsigned cores = std::thread::hardware_concurrency();
-    return cores > 0 ? static_cast<int>(cores) : 1;
+    int count = allowed_processors();
+    if (count == 0) count = static_cast<int>(std::thread::hardware_concurrency());
+    if (const int quota = processors_of_quota(); quota > 0) count = std::min(count, quota);
+    return std::max(count, 1);
 }
 
 struct TaskPool::State {
@@ -86,12 +115,14 @@ struct TaskPool::State {
 TaskPool::TaskPool(int threads, const std::atomic<bool>* cancel) : state_(std::make_unique<State>()) {
     state_->cancel = cancel;
     const int wanted = threads > 0 ? threads : available_threads();
-    // If a thread cannot be started, join the others before the exception leaves.
     try {
         state_->helpers.reserve(static_cast<std::size_t>(wanted - 1));
         for (int worker = 1; worker < wanted; ++worker)
             state_->helpers.emplace_back([state = state_.get(), worker] { state->serve(worker); });
+    } catch (const std::system_error&) {
+        // The system starts no more threads: those that run do the work.
     } catch (...) {
+        // Join the others before the exception leaves.
         state_->close();
         throw;
     }

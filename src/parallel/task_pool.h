@@ -9,7 +9,7 @@
 
 namespace glint::parallel {
 
-/// Number of cores available to this process, at least 1.
+/// Number of processors that this process may use, at least 1.
 int available_threads();
 
 /// Thrown by TaskPool::run() if the pool was cancelled.
@@ -18,7 +18,8 @@ class TasksCancelled : public std::exception {
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// A pool of exactly `threads` threads including the caller's; helpers sleep between jobs.
+/// A pool of `threads` threads including the caller's, or of fewer if the system does not start so many;
+/// helpers sleep between jobs.
 class TaskPool {
   public:
     /// threads = 0: available_threads(). Once `*cancel` is set, no further task starts.

@@ -14,7 +14,7 @@ namespace {
 class Baker {
   public:
     Baker(const SceneDescription& description, bool need_closedness, const std::function<void()>& between)
-        : scene_(description), between_(between), meshes_(description, need_closedness, between, baked_) {
+        : scene_(description), between_(between), meshes_(need_closedness, between, baked_) {
         baked_.objects.resize(description.objects.size());
     }
 

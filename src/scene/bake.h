@@ -16,7 +16,7 @@ struct Baked {
     std::vector<dmat3> normal_matrices; ///< of instances
 };
 
-/// Bakes all visible objects; a mesh used by several objects is stored once, in local space. Sets ranks and
+/// Bakes all visible objects; instances of a mesh share one in local space. Sets ranks and
 /// materials; determines `solid` for meshes only with `need_closedness`, as that takes a pass over all edges.
 /// `between` is called before each object and each pass over a mesh; exceptions from it abort. Throws
 /// Error(input) for coordinates beyond 10^12.

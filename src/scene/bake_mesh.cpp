@@ -55,18 +55,18 @@ std::vector<vec3> transformed_normals(const std::vector<vec3>& normals, const dm
 
 dmat3 normal_matrix_of(const dmat4& m) { return glm::transpose(glm::inverse(dmat3(m))); }
 
+// The winding of triangles in world space is then opposite to the one in the file.
+bool mirrors(const dmat4& m) { return glm::determinant(dmat3(m)) < 0; }
+
 Normals own(std::vector<vec3> normals) {
     if (normals.empty()) return nullptr;
     return std::make_shared<const std::vector<vec3>>(std::move(normals));
 }
 
-// Normals in local space. Smooth normals are computed in world space, since angles depend on scale.
-Normals shared_normals(const MeshShape& s, const dmat4& m) {
-    if (s.normals == NormalsMode::smooth) {
-        const std::vector<vec3> smooth =
-            geometry::smooth_normals(transformed_positions(s.data->positions, m), s.data->triangles);
-        return own(transformed_normals(smooth, glm::transpose(dmat3(m))));
-    }
+// Normals in the mesh's own space, or none; every object that shows the mesh transforms these.
+Normals normals_of(const MeshShape& s) {
+    if (s.normals == NormalsMode::smooth)
+        return own(geometry::smooth_normals(s.data->positions, s.data->triangles));
     if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return nullptr;
     return Normals(s.data, &s.data->normals);
 }
@@ -100,23 +100,15 @@ void add_triangles(Baked& baked, WorldInput::Triangles triangles, std::uint32_t 
     baked.input.meshes.push_back(std::move(triangles));
 }
 
-MeshBaker::MeshBaker(const SceneDescription& scene, bool need_closedness,
-                     const std::function<void()>& between, Baked& baked)
-    : need_closedness_(need_closedness), between_(between), baked_(baked) {
-    for (const Object& object : scene.objects) {
-        if (!object.visible) continue;
-        if (std::holds_alternative<MeshShape>(object.shape)) ++uses_[&object];
-        if (const auto* instance = std::get_if<InstanceShape>(&object.shape))
-            ++uses_[find_mesh(scene, instance->mesh)];
-    }
-}
+MeshBaker::MeshBaker(bool need_closedness, const std::function<void()>& between, Baked& baked)
+    : need_closedness_(need_closedness), between_(between), baked_(baked) {}
 
-void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t id) {
+void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t id, BakedAs how) {
     const auto& s = std::get<MeshShape>(source.shape);
     const dmat4 m = with_scale(transform, s.scale);
     if (s.data->triangles.empty()) return bake_points(s, m, id);
     baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
-    if (uses_[&source] > 1) return add_instance(shared(source), m, id);
+    if (how == BakedAs::instance) return add_instance(shared(source), m, id);
     bake_once(s, m, id);
 }
 
@@ -140,16 +132,14 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     triangles.positions = transformed_positions(s.data->positions, m);
     triangles.triangles = s.data->triangles;
     between_();
-    Normals normals;
-    if (s.normals == NormalsMode::smooth)
-        normals = own(geometry::smooth_normals(triangles.positions, triangles.triangles));
-    else if (s.normals == NormalsMode::automatic)
-        normals = own(transformed_normals(s.data->normals, normal_matrix_of(m)));
+    Normals normals = normals_of(s);
+    if (normals) normals = own(transformed_normals(*normals, normal_matrix_of(m)));
     baked_.objects[id].attributes = add_attributes(s, std::move(normals));
     between_();
     const bool closed = need_closedness_ && geometry::is_closed(triangles.positions, triangles.triangles);
     between_();
     add_triangles(baked_, std::move(triangles), id, closed);
+    if (mirrors(m)) baked_.objects[id].turned = !baked_.objects[id].turned;
 }
 
 std::int32_t MeshBaker::add_attributes(const MeshShape& s, Normals normals) {
@@ -172,7 +162,7 @@ const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
     shared.closed = need_closedness_ && geometry::is_closed(mesh.positions, mesh.triangles);
     between_();
     if (shared.closed) shared.volume = geometry::signed_volume(mesh.positions, mesh.triangles);
-    shared.attributes = add_attributes(s, shared_normals(s, with_scale(source.transform, s.scale)));
+    shared.attributes = add_attributes(s, normals_of(s));
     return shared_.emplace(&source, shared).first->second;
 }
 
@@ -186,10 +176,10 @@ void MeshBaker::add_instance(const Shared& mesh, const dmat4& m, std::uint32_t i
         object.normal_matrix = static_cast<std::int32_t>(baked_.normal_matrices.size());
         baked_.normal_matrices.push_back(normal_matrix_of(m));
     }
-    const bool mirrored = glm::determinant(dmat3(m)) < 0;
-    const bool inside_out = mirrored ? mesh.volume > 0 : mesh.volume < 0;
-    object.turned = mesh.closed && inside_out;
-    baked_.input.instances.push_back({id, mesh.mesh, m, object.turned});
+    const bool mirrored = mirrors(m);
+    const bool flip = mesh.closed && (mirrored ? mesh.volume > 0 : mesh.volume < 0);
+    object.turned = flip != mirrored;
+    baked_.input.instances.push_back({id, mesh.mesh, m, flip});
 }
 
 } // namespace glint::scene

@@ -16,15 +16,17 @@ Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi);
 /// their volume.
 void add_triangles(Baked& baked, trace::WorldInput::Triangles triangles, std::uint32_t id, bool closed);
 
-/// Bakes meshes: one used once in world space, one used several times in local space with instances.
+/// Bakes meshes in world space, and their instances as references to one in local space. How an object is
+/// baked does not depend on the others, so neither does its picture.
 class MeshBaker {
   public:
     /// All arguments must outlive this object.
-    MeshBaker(const SceneDescription& scene, bool need_closedness, const std::function<void()>& between,
-              Baked& baked);
+    MeshBaker(bool need_closedness, const std::function<void()>& between, Baked& baked);
+
+    enum class BakedAs { triangles, instance };
 
     /// Adds the mesh of object `source` as object `id`, transformed by its own scale, then by `transform`.
-    void bake(const Object& source, const dmat4& transform, std::uint32_t id);
+    void bake(const Object& source, const dmat4& transform, std::uint32_t id, BakedAs how);
 
   private:
     /// Data shared by all instances of a mesh.
@@ -45,7 +47,6 @@ class MeshBaker {
     bool need_closedness_;
     const std::function<void()>& between_;
     Baked& baked_;
-    std::map<const Object*, int> uses_; ///< number of visible objects that use the mesh of a mesh object
     std::map<const Object*, Shared> shared_;
 };
 

@@ -101,6 +101,11 @@ bool shows_glass(const SceneDescription& description) {
     });
 }
 
+void choose_camera(SceneData& scene) {
+    scene.has_own_camera = scene.description.camera.has_value();
+    if (!scene.has_own_camera) scene.description.camera = fit_camera(scene.description);
+}
+
 void build_values(SceneData& scene) {
     const SceneDescription& description = scene.description;
     scene.all_but_view = std::make_shared<int>();
@@ -180,7 +185,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
     require_valid(description);
     auto scene = std::make_shared<SceneData>();
     scene->description = description;
-    if (!description.camera) scene->description.camera = fit_camera(description);
+    choose_camera(*scene);
     build_values(*scene);
 
     report(options, "placing the objects", 0);
@@ -237,6 +242,8 @@ SceneStats Scene::stats() const {
 const SceneDescription& Scene::description() const { return data_->description; }
 
 const CameraDescription& Scene::camera() const { return *data_->description.camera; }
+
+bool Scene::has_own_camera() const { return data_->has_own_camera; }
 
 const RenderSettings& Scene::render_settings() const { return data_->description.render; }
 

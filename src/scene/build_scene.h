@@ -8,6 +8,9 @@ namespace glint::scene {
 /// Whether a visible object is transparent.
 bool shows_glass(const SceneDescription& description);
 
+/// Keeps the camera of the description, or chooses one.
+void choose_camera(SceneData& scene);
+
 /// Sets materials, lights and everything else that does not depend on objects.
 void build_values(SceneData& scene);
 

@@ -1,10 +1,8 @@
 #pragma once
-// Cameras that show a set of points as large as possible.
+// How scenes without a camera are seen.
 
 #include "glint/scene.h"
 #include "math/vec.h"
-
-#include <functional>
 
 namespace glint::scene {
 
@@ -15,24 +13,14 @@ struct ViewAxes {
     dvec3 forward{0, 1, 0};
 };
 
-/// View from the front (−y), rotated by `azimuth` degrees to the left and raised by `elevation`, looking
-/// down; z is up.
-ViewAxes three_quarter_view(double azimuth, double elevation);
+/// View from the front (−y), a little from the left, looking down by 20 degrees; z is up.
+ViewAxes three_quarter_view();
 
-inline constexpr double default_azimuth = 28;   // degrees
-inline constexpr double default_elevation = 20; // degrees
+/// `up`, or another axis if the view is along that.
+dvec3 up_beside(const dvec3& direction, const dvec3& up);
 
-struct Lens {
-    double fov = 40;    ///< full angle in y, degrees
-    double aov = 1;     ///< width / height
-    double fill = 0.85; ///< fraction of the picture that may be filled
-};
-
-/// Support function: d ↦ max d · p over the points p to show.
-using SupportFunction = std::function<double(const dvec3&)>;
-
-/// The nearest camera with these axes that shows everything within the central fraction `fill` of the
-/// picture.
-CameraDescription fit_camera(const ViewAxes& view, const Lens& lens, const SupportFunction& reach);
+/// Changes a camera that was fitted to a scene to look at the middle of what is finite there from its present
+/// eye.
+void look_at_middle(CameraDescription& camera, const SceneDescription& description);
 
 } // namespace glint::scene

@@ -122,21 +122,14 @@ SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::stri
     add_materials(scene, *mesh);
     scene.objects.push_back(preview_mesh(mesh, file, up));
     const Extent extent = extent_of(scene);
-    const bool one_point = extent.lo == extent.hi;
-    if (one_point) std::get<MeshShape>(scene.objects[0].shape).point_radius = extent.radius / 2;
+    if (extent.lo == extent.hi) std::get<MeshShape>(scene.objects[0].shape).point_radius = extent.radius / 2;
 
-    // Keep the horizon above the picture: look down by more than half the field of view.
-    const scene::ViewAxes view = scene::three_quarter_view(scene::default_azimuth, scene::default_elevation);
-    scene::Lens lens;
-    lens.fov = 30;
-    lens.aov = static_cast<double>(scene.render.width) / scene.render.height;
-    lens.fill = 0.78;
-    const double padding = one_point ? extent.radius : 0;
-    scene.camera = fit_camera(
-        view, lens, [&](const dvec3& d) { return support(scene, d).value() + padding * glm::length(d); });
+    // Looking down by more than half the field of view keeps the horizon above the picture.
+    scene.framing.fov = 30;
+    scene.framing.fill = 0.78;
 
     add_floor(scene, extent);
-    add_lights(scene, extent, view);
+    add_lights(scene, extent, scene::three_quarter_view());
     scene.render.background = Vec3(0.35, 0.37, 0.4);
     return scene;
 }

@@ -33,8 +33,9 @@ struct ObjectData {
     std::uint32_t rank = 0;     ///< of overlapping solids the one with the highest rank owns the space
     bool solid = false;         ///< closed, so it has an inside
     bool lit_as_stored = false; ///< shading uses normals by the winding (Facing::stored)
-    bool turned = false;        ///< normals are opposite to the winding
-    Bounds bounds;              ///< world space; empty for planes and invisible objects
+    bool turned =
+        false;     ///< normals are opposite to those by the winding as stored, carried along by the transform
+    Bounds bounds; ///< world space; empty for planes and invisible objects
     std::int32_t attributes = no_attributes;
     std::int32_t normal_matrix = no_normal_matrix; ///< index into SceneData::normal_matrices
 };
@@ -47,6 +48,7 @@ struct HalfSpace {
 
 struct SceneData {
     SceneDescription description; ///< as given, with its camera filled in
+    bool has_own_camera = false;  ///< before that
     /// Identifies everything but the view: equal for scenes made from each other by with_view().
     std::shared_ptr<const int> all_but_view;
     trace::World world;

@@ -42,7 +42,7 @@ Scene update_scene(const Scene& scene, const SceneDescription& description,
 
     auto scene_data = std::make_shared<SceneData>(scene.data());
     scene_data->description = description;
-    if (!description.camera) scene_data->description.camera = fit_camera(description);
+    scene::choose_camera(*scene_data);
     scene::build_values(*scene_data);
     build_materials_of_objects(*scene_data);
     scene::find_camera_interiors(*scene_data);
@@ -57,6 +57,7 @@ Scene with_view(const Scene& scene, const CameraDescription& camera, int width, 
     scene::require_valid(view);
     auto scene_data = std::make_shared<SceneData>(scene.data());
     scene_data->description.camera = camera;
+    scene_data->has_own_camera = true;
     scene_data->description.render.width = width;
     scene_data->description.render.height = height;
     scene::find_camera_interiors(*scene_data);

@@ -2,43 +2,44 @@
 
 #include "geometry/mesh.h"
 #include "glint/keys.h"
+#include "math/trig.h"
+#include "scene/overlaps.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
-
-#include "math/index.h"
-#include "math/random.shared.h"
 #include "shading/light_gain.h"
 
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace glint {
-
-using trace::Hit;
 namespace {
-
-constexpr std::uint32_t probes_per_object = 64;
 
 std::string title(const Object& object) {
     const std::string type(name_of(object.shape));
     return object.name.empty() ? type : type + " \"" + object.name + "\"";
 }
 
+std::string rounded(double x) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.2g", x);
+    return number;
+}
+
 class WarningFinder {
   public:
-    explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {
-        for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
-            if (glass(id) && scene.objects[id].solid) glass_solids_.push_back(id);
-    }
+    explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {}
 
     std::vector<Diagnostic> run() {
         check_lights();
         check_camera();
+        check_precision();
         for (const Material& m : description_.materials) check_gain(m);
         check_open_glass();
         if (scene_.any_transparent) check_overlaps();
+        check_branching();
         return std::move(found_);
     }
 
@@ -93,6 +94,26 @@ class WarningFinder {
                  "move it out if that is not meant");
     }
 
+    // Coordinates have single precision: far from the origin their steps exceed what a pixel shows.
+    void check_precision() {
+        const CameraDescription& camera = *description_.camera;
+        const RenderSettings& r = description_.render;
+        const double a_pixel = 2 * tan_degrees(camera.fov / 2) / fov_side(camera.fov_axis, r.width, r.height);
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const Bounds& box = scene_.objects[id].bounds;
+            if (box.empty()) continue;
+            const dvec3 middle = (dvec3(box.lo) + dvec3(box.hi)) / 2.0;
+            const dvec3 far = glm::abs(middle);
+            const double step = std::max({far.x, far.y, far.z}) * 0x1p-23;
+            const double pixels = step / (glm::length(middle - camera.eye) * a_pixel);
+            if (!(pixels > 1)) continue;
+            warn(object(id).where,
+                 title(object(id)) + " is so far from the origin that single precision has steps of " +
+                     rounded(step) + " there, about " + rounded(pixels) + " pixels",
+                 "move everything, the camera too, nearer to the origin");
+        }
+    }
+
     // More light leaves than arrives.
     void check_gain(const Material& m) {
         const double brightest = std::max({m.color.x, m.color.y, m.color.z});
@@ -116,88 +137,66 @@ class WarningFinder {
         }
     }
 
-    // Samples the faces of each solid by chords of its box: is a face inside another solid that owns the
-    // space, or does it coincide with a face of glass?
     void check_overlaps() {
-        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-            if (!object(id).visible || !scene_.objects[id].solid || scene_.objects[id].bounds.empty())
-                continue;
-            Probe probe;
-            for (std::uint32_t i = 0; i < probes_per_object; ++i) shoot(id, i, probe);
-            if (probe.coincident != invalid_index)
-                warn(object(id).where,
-                     title(object(id)) + " and " + title(object(probe.coincident)) +
-                         " have coincident glass faces",
-                     "let one overlap the other a little, or leave a gap");
-            if (probe.faces > 0 && probe.hidden == probe.faces)
-                warn(object(id).where,
-                     title(object(id)) + " is hidden inside " + title(object(probe.owner)) +
-                         ", which owns the space",
+        for (const scene::Overlap& overlap : scene::find_overlaps(scene_)) {
+            const std::string one = title(object(overlap.object)), other = title(object(overlap.other));
+            const Location& where = object(overlap.object).where;
+            switch (overlap.kind) {
+            case scene::OverlapKind::coincident:
+                warn(where, one + " and " + other + " have coincident faces, of glass or against glass",
+                     "leave a small gap; of two transparent solids one may overlap the other a little");
+                break;
+            case scene::OverlapKind::hidden:
+            case scene::OverlapKind::partly_hidden:
+                warn(where,
+                     one + (overlap.kind == scene::OverlapKind::hidden ? " is" : " is partly") +
+                         " hidden inside " + other + ", which owns the space",
                      "move it behind that object in the file, or give it a higher priority");
+            }
         }
     }
 
-    struct Probe {
-        int faces = 0;
-        int hidden = 0;
-        std::uint32_t coincident = invalid_index;
-        std::uint32_t owner = invalid_index;
-    };
-
-    // A chord of the object's box between two points drawn by number.
-    Ray chord(std::uint32_t id, std::uint32_t i) const {
-        const Bounds& box = scene_.objects[id].bounds;
-        vec3 ends[2];
-        for (std::uint32_t e = 0; e < 2; ++e) {
-            const vec2 a = sample_pair(id, i, 2 * e);
-            const vec2 b = sample_pair(id, i, 2 * e + 1);
-            ends[e] = box.lo + box.extent() * vec3(a.x, a.y, b.x);
+    // Where a ray meets glass it may branch in two; where mirrors send all branches back it does again.
+    void check_branching() {
+        constexpr int harmless_depth = 16;
+        const int depth = description_.whitted.max_depth;
+        if (depth <= harmless_depth || !scene_.any_transparent) return;
+        Bounds branching;
+        const Object* glass_object = nullptr;
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            if (!glass(id) || !branches(id)) continue;
+            if (glass_object == nullptr) glass_object = &object(id);
+            branching.grow(scene_.objects[id].bounds);
         }
-        Ray ray;
-        ray.direction = ends[1] - ends[0];
-        ray.origin = ends[0] - ray.direction * 8.0f;
-        return ray;
+        if (glass_object == nullptr || !is_among_mirrors(branching)) return;
+        const std::string number = std::to_string(depth);
+        warn(glass_object->where,
+             "max_depth = " + number + " lets rays that branch at " + title(*glass_object) +
+                 " among mirrors become up to 2^" + number + " a sample",
+             "lower max_depth in [whitted]; 8 to " + std::to_string(harmless_depth) + " are enough for most");
     }
 
-    void shoot(std::uint32_t id, std::uint32_t i, Probe& probe) {
-        hits_.clear();
-        const Ray ray = chord(id, i);
-        scene_.world.all_hits(ray, hits_);
-        for (std::size_t k = 0; k < hits_.size(); ++k) {
-            if (hits_[k].object != id) continue;
-            ++probe.faces;
-            find_owner(id, ray.origin + ray.direction * hits_[k].t, probe);
-            if (glass(id) && k + 1 < hits_.size()) find_coincident(hits_[k], hits_[k + 1], probe);
-        }
+    bool branches(std::uint32_t id) const {
+        const MaterialRecord& m = scene_.materials[scene_.objects[id].material];
+        return m.reflectivity > 0 || (m.flags & material_fresnel) != 0;
     }
 
-    void find_owner(std::uint32_t id, const vec3& p, Probe& probe) const {
-        const bool near_glass =
-            std::any_of(glass_solids_.begin(), glass_solids_.end(), [&](std::uint32_t other) {
-                const Bounds& box = scene_.objects[other].bounds;
-                return other != id && (box.empty() || (glm::all(glm::greaterThanEqual(p, box.lo)) &&
-                                                       glm::all(glm::lessThanEqual(p, box.hi))));
-            });
-        if (!near_glass) return;
-        for (const std::uint32_t around : scene::objects_around(scene_, p)) {
-            if (around == id || !glass(around) || scene_.objects[around].rank < scene_.objects[id].rank)
-                continue;
-            ++probe.hidden;
-            probe.owner = around;
-            return;
+    // Between two mirrors, or inside of one.
+    bool is_among_mirrors(const Bounds& box) const {
+        int mirrors = 0;
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const bool mirror = scene_.materials[scene_.objects[id].material].reflectivity > 0;
+            if (!object(id).visible || glass(id) || !mirror) continue;
+            const Bounds& around = scene_.objects[id].bounds;
+            const bool surrounds = glm::all(glm::lessThanEqual(around.lo, box.lo)) &&
+                                   glm::all(glm::lessThanEqual(box.hi, around.hi));
+            mirrors += surrounds ? 2 : 1;
         }
-    }
-
-    void find_coincident(const Hit& a, const Hit& b, Probe& probe) const {
-        const bool solid_glass = glass(b.object) && scene_.objects[b.object].solid;
-        if (a.object == b.object || !solid_glass) return;
-        if (b.t - a.t <= a.t * 0x1p-20f) probe.coincident = b.object;
+        return mirrors >= 2;
     }
 
     const scene::SceneData& scene_;
     const SceneDescription& description_;
-    std::vector<std::uint32_t> glass_solids_;
-    std::vector<Hit> hits_;
     std::vector<Diagnostic> found_;
 };
 

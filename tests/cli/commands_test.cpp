@@ -163,5 +163,10 @@ TEST_F(New, OverwritesOnlyByForce) {
     EXPECT_EQ(content("good.toml"), glint("new").out);
 }
 
+TEST_F(New, NamesACommandThatRendersTheFile) {
+    EXPECT_NE(glint("new -o a.toml").err.find("render it with: glint a.toml\n"), std::string::npos);
+    EXPECT_NE(glint("new -o check").err.find("render it with: glint ./check\n"), std::string::npos);
+}
+
 } // namespace
 } // namespace glint::test

@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,24 @@ TEST(Failures, MemoryThatIsLackingIsNoDefect) {
     const auto [text, code] = report(std::bad_alloc());
     EXPECT_NE(text.find("error: out of memory\n"), std::string::npos) << text;
     EXPECT_EQ(code, exit_code::resource);
+}
+
+TEST(Failures, ThreadsThatCannotBeStartedAreNoDefect) {
+    const auto [text, code] =
+        report(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again)));
+    EXPECT_NE(text.find("error: the system starts no more threads\n"), std::string::npos) << text;
+    EXPECT_EQ(code, exit_code::resource);
+}
+
+void allocate_too_much() { throw std::bad_alloc(); }
+
+TEST(FailuresDeathTest, MemoryThatIsLackingWhereNothingMayBeThrownEndsLikeElsewhere) {
+    EXPECT_EXIT(
+        {
+            end_without_memory_if_uncaught();
+            []() noexcept { allocate_too_much(); }();
+        },
+        testing::ExitedWithCode(exit_code::resource), "error: out of memory");
 }
 
 TEST(Failures, EveryDiagnosticOfAnErrorIsPrinted) {

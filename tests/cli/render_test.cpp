@@ -96,6 +96,19 @@ TEST_F(Render, ReadsASceneFromStdin) {
     EXPECT_EQ(content("stdin.png").substr(0, 8), png_signature);
 }
 
+TEST_F(Render, ReadsAMeshFromStdinWithTheUpAxisThatItsNoteNames) {
+    Setting setting;
+    setting.input = content("mesh.ply");
+    const Outcome guessed = glint("- --size 8x8", setting);
+    EXPECT_EQ(guessed.exit, 0) << guessed.err;
+    const std::size_t flag = guessed.err.find("--up ");
+    ASSERT_NE(flag, std::string::npos) << guessed.err;
+    const Outcome chosen = glint("- --size 8x8 " + guessed.err.substr(flag, 6), setting);
+    EXPECT_EQ(chosen.exit, 0) << chosen.err;
+    setting.input = content("good.toml");
+    EXPECT_EQ(glint("- --up y", setting).exit, 2);
+}
+
 TEST_F(Render, WritesNothingButThePictureToStdout) {
     EXPECT_EQ(glint("good.toml -o a.png").exit, 0);
     const Outcome outcome = glint("good.toml -v -o -");

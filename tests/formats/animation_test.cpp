@@ -37,6 +37,28 @@ void expect_as(const std::string& text, double frame, const std::vector<Override
     EXPECT_EQ(scene_text(moved(text, frame)), meaning(still, overrides)) << text;
 }
 
+TEST(Animation, WithoutACameraOneCameraShowsAllFrames) {
+    const auto scene = parse_scene(R"(material.m.color = "red"
+[[sphere]]
+name = "s"
+center = [0, 0, 0]
+radius = 1
+material = "m"
+[[animate]]
+key = "sphere.s.center"
+frames = [0, 10]
+values = [[0, 0, 0], [5, 0, 0]]
+)",
+                                   "moving.toml");
+    SceneDescription both = scene.description;
+    both.framing.moments = nullptr;
+    both.objects.push_back(both.objects[0]);
+    std::get<SphereShape>(both.objects[1].shape).center = Vec3(5, 0, 0);
+    const CameraDescription camera = fit_camera(both);
+    EXPECT_EQ(fit_camera(scene.description).eye, camera.eye);
+    for (const double frame : {0.0, 5.0, 10.0}) EXPECT_EQ(fit_camera(scene_at(scene, frame)).eye, camera.eye);
+}
+
 TEST(Animate, MovesEveryKindOfKey) {
     expect_as(animated("camera.eye", "[0, 10]", "[[0, -10, 2], [10, -10, 4]]"), 5,
               {"camera.eye=[5, -10, 3]"});

@@ -256,6 +256,7 @@ TEST(SceneDocument, AStagedMeshBecomesASceneFile) {
     EXPECT_FALSE(staged.changed());
     const LoadedScene saved = load_scene(folder.at("t.toml"));
     SceneDescription expected = load_scene(mesh, options).description;
+    expected.camera = fit_camera(expected);
     for (Object& object : expected.objects)
         if (auto* shape = std::get_if<MeshShape>(&object.shape)) shape->file = "t.ply";
     EXPECT_EQ(scene_text(saved.description), scene_text(expected));

@@ -48,7 +48,7 @@ TEST_F(WriteFile, AFailureLeavesTheOldFileAndNoPartOfTheNew) {
     write_file(file("a"), bytes_of("old"));
     {
         const SmallDisk disk(1000);
-        expect_error(ErrorKind::output, {file("a"), "File too large", "free some space"},
+        expect_error(ErrorKind::output, {file("a"), "File too large", "raise the limit"},
                      [&] { write_file(file("a"), Bytes(5000)); });
         expect_error(ErrorKind::output, {"File too large"}, [&] { write_file(file("b"), Bytes(5000)); });
     }
@@ -89,6 +89,10 @@ TEST_F(WriteFile, FollowsLinksInsteadOfReplacingThem) {
     write_file(file("link"), bytes_of("two"));
     EXPECT_EQ(load(file("folder/real")), bytes_of("two"));
 
+    fs::create_symlink("none/real", file("dangling"));
+    expect_error(ErrorKind::output, {"No such file", "it links to", "create the folder", "/none'"},
+                 [&] { write_file(file("dangling"), bytes_of("x")); });
+
     fs::create_symlink("loop", file("loop"));
     expect_error(ErrorKind::output, {"symbolic links"}, [&] { write_file(file("loop"), bytes_of("x")); });
 }
@@ -106,6 +110,7 @@ TEST_F(WriteFile, RefusesAFileThatMayNotBeWritten) {
     write_file(file("a"), bytes_of("old"));
     fs::permissions(file("a"), fs::perms::owner_read);
     expect_error(ErrorKind::output, {"Permission denied"}, [&] { write_file(file("a"), bytes_of("new")); });
+    expect_error(ErrorKind::output, {"Permission denied"}, [&] { check_writable(file("a")); });
     EXPECT_EQ(load(file("a")), bytes_of("old"));
 }
 
@@ -215,6 +220,10 @@ TEST_F(WritePicture, TargetsCanBeCheckedBeforeALongRender) {
     expect_error(ErrorKind::output, {"No such file"}, [&] { check_picture_target(file("none/a.png")); });
     fs::create_directory(file("folder.png"));
     expect_error(ErrorKind::output, {"Is a directory"}, [&] { check_picture_target(file("folder.png")); });
+    fs::create_symlink("none/a.png", file("link.png"));
+    expect_error(ErrorKind::output, {"No such file"}, [&] { check_picture_target(file("link.png")); });
+    expect_error(ErrorKind::output, {"No such file", "no file can be created"},
+                 [] { check_writable("/proc/a.png"); });
 }
 
 TEST(PictureFormat, FollowsFromTheExtensionInAnyCase) {

@@ -383,6 +383,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 // ── Cancelling ─────────────────────────────────────────────────────────────────────────────────────────────
 
+TEST(PlyRead, SaysWhatRoundingLosesFarFromTheOrigin) {
+    const auto warnings = [](const std::string& offset) {
+        const std::string row = offset + ".25 0 0\n" + offset + ".75 0 0\n" + offset + ".25 1 0\n3 0 1 2\n";
+        return parse(replaced(ascii("3", "1", row), "property float x", "property double x")).warnings;
+    };
+    const auto found = warnings("5412349");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].message.find("single precision moves its vertices by up to 0.25, about 250 pixels"),
+              std::string::npos)
+        << found[0].message;
+    EXPECT_TRUE(warnings("12").empty());
+    EXPECT_TRUE(warnings("1024").empty());
+}
+
 TEST(PlyRead, MayBeCancelledBetweenThePassesAfterItsBody) {
     const std::string file = ascii("4", "2", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
     LoadOptions options;

@@ -149,10 +149,22 @@ TEST(SceneOverrides, PathsThatLeadNowhereAreErrors) {
     }
 }
 
-TEST(SceneOverrides, AMissingKeyOfATableMadeByAnOverrideNamesTheOverride) {
-    const auto error = only_error({"camera.eye=[1,2,3]"}, "");
-    EXPECT_EQ(error.location.file, "-D camera.eye=[1,2,3]");
-    EXPECT_EQ(error.message, "missing required key \"look_at\" (or \"direction\") in [camera]");
+TEST(SceneOverrides, WithoutACameraAnEyeLooksAtTheMiddle) {
+    const auto scene = [](std::vector<std::string> overrides) {
+        return parse("material.m.color = \"red\"\n[[sphere]]\ncenter = [1, 2, 3]\nradius = 1\nmaterial = "
+                     "\"m\"\n",
+                     std::move(overrides))
+            .description;
+    };
+    const auto camera = scene({"camera.eye=[1,-4,3]"}).camera;
+    ASSERT_TRUE(camera);
+    EXPECT_LT(glm::length(camera->direction - Vec3(0, 6, 0)), 1e-12);
+    EXPECT_EQ(scene({"camera.eye=[1,2,9]"}).camera->up, Vec3(0, 1, 0)) << "not along the view";
+
+    const auto framed = scene({"camera.direction=[0,0,-1]", "camera.fov=20"});
+    ASSERT_FALSE(framed.camera);
+    EXPECT_EQ(fit_camera(framed).direction, Vec3(0, 0, -1));
+    EXPECT_EQ(fit_camera(framed).fov, 20);
 }
 
 TEST(SceneOverrides, WithoutAnEqualsSignTheUsageIsWrong) {

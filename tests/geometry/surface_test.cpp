@@ -47,16 +47,24 @@ TEST(Surface, InstancesMovePointsAndTurnNormalsByTheInverseTranspose) {
     for (int axis = 0; axis < 3; ++axis) EXPECT_GT(point.p_error[axis], local.p_error[axis]) << axis;
 }
 
-TEST(Surface, PointsOnEdgesMoveTowardTheMiddleByMoreThanTheirError) {
-    SurfacePoint point = triangle_surface(a, b, c, 0.5, 0.5, dvec3(0, 0, 1), false);
-    const vec3 middle(1.0f / 3, 1.0f / 3, 1.0f);
-    const SurfacePoint moved = moved_off_edge(point, middle);
-    const float way = glm::length(moved.p - point.p);
-    EXPECT_GT(way, glm::length(point.p_error));
-    EXPECT_LT(way, 1e-5f);
-    EXPECT_LT(glm::length(moved.p - middle), glm::length(point.p - middle));
-    point.p_error = vec3(1.0f);
-    EXPECT_EQ(moved_off_edge(point, middle).p, point.p) << "the triangle is smaller than the error";
+TEST(Surface, PointsKeepOffTheEdgesOfTheirTriangle) {
+    for (const dvec2 weights : {dvec2(0.5, 0.5), dvec2(0, 0.25), dvec2(1, 0), dvec2(1e-9, 0.5)}) {
+        const SurfacePoint point = triangle_surface(a, b, c, weights.x, weights.y, dvec3(0, 0, 1), false);
+        const dvec3 p(point.p);
+        const double error = point.p_error.x;
+        for (const double distance : {p.x, p.y, (1 - p.x - p.y) / std::sqrt(2.0)}) {
+            EXPECT_GT(distance, 30 * error);
+        }
+        EXPECT_LT(glm::length(p - dvec3(weights, 1)), 1e-4);
+        EXPECT_EQ(point.p.z, 1.0f);
+    }
+}
+
+TEST(Surface, TrianglesSmallerThanTheirErrorsKeepTheirPointsApart) {
+    const vec3 far(1e6f, 0, 0);
+    const SurfacePoint at_b = triangle_surface(far + a, far + b, far + c, 1, 0, dvec3(0, 0, 1), false);
+    const SurfacePoint at_c = triangle_surface(far + a, far + b, far + c, 0, 1, dvec3(0, 0, 1), false);
+    EXPECT_GT(glm::length(at_b.p - at_c.p), 1.0f);
 }
 
 TEST(Surface, ShadingNormalsAreUnitAndOnTheGeometricSide) {

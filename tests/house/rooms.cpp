@@ -70,6 +70,7 @@ const std::vector<Foreign>& foreign_headers() {
         {"fcntl.h", {"formats", "apps"}, false},
         {"sys/", {"parallel", "render", "formats", "apps"}, false},
         {"pthread.h", {"parallel"}, false},
+        {"sched.h", {"parallel"}, false},
     };
     return table;
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
+
 #include <atomic>
 #include <set>
 #include <stdexcept>
@@ -92,6 +94,17 @@ INSTANTIATE_TEST_SUITE_P(Threads, TaskPoolOf, testing::Values(1, 2, 7, 64),
 TEST(TaskPool, HasOneThreadForEachCoreUnlessToldOtherwise) {
     EXPECT_GE(available_threads(), 1);
     EXPECT_EQ(TaskPool().threads(), available_threads());
+}
+
+TEST(TaskPool, UsesOnlyTheProcessorsThatItMay) {
+    int threads = 0;
+    std::thread([&] {
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(static_cast<unsigned>(::sched_getcpu()), &one);
+        if (::sched_setaffinity(0, sizeof one, &one) == 0) threads = available_threads();
+    }).join();
+    EXPECT_EQ(threads, 1);
 }
 
 } // namespace

@@ -117,6 +117,51 @@ TEST(Instances, LitAsStoredShowWhatBakedOnesShow) {
     expect_the_picture_of_baked_ones(scene);
 }
 
+/// A mesh with smooth normals, squeezed and sheared, shown itself or by an instance.
+SceneDescription sheared_box(bool by_instance) {
+    SceneDescription scene = studio();
+    MeshShape shape = mesh_of(box_mesh(Vec3(0), Vec3(0.9, 1.7, 1.1)));
+    shape.normals = NormalsMode::smooth;
+    shape.scale = Vec3(1.5, 0.6, 1);
+    Object& mesh = add(scene, shape, paint());
+    mesh.name = "mesh";
+    mesh.visible = !by_instance;
+    mesh.transform = rotation(3);
+    mesh.transform[1][0] += 0.4;
+    if (by_instance) add(scene, InstanceShape{"mesh"}, std::string());
+    return scene;
+}
+
+TEST(Instances, ThatNobodySeesChangeNoBit) {
+    for (const bool by_instance : {false, true}) {
+        SceneDescription scene = sheared_box(by_instance);
+        const Picture alone = rendered(scene);
+        add(scene, InstanceShape{"mesh"}, std::string()).transform[3] = {0, -50, 30, 1};
+        EXPECT_EQ(rendered(scene).image.pixels, alone.image.pixels) << by_instance;
+    }
+}
+
+TEST(Instances, AndMeshesHaveTheSameSmoothNormals) {
+    const Picture mesh = rendered(sheared_box(false));
+    const Picture instance = rendered(sheared_box(true));
+    EXPECT_LE(compare(instance.image, mesh.image, 1.0 / 255.0, 1.0).share, 0.001);
+}
+
+TEST(Instances, LitAsStoredAndMirroredAreLitAsTheirMirrorImages) {
+    for (const bool by_instance : {false, true}) {
+        SceneDescription scene = studio();
+        MeshShape shape = mesh_of(box_mesh(Vec3(0), Vec3(1.1)));
+        shape.facing = Facing::stored;
+        Object& mesh = add(scene, shape, paint());
+        mesh.name = "mesh";
+        mesh.visible = !by_instance;
+        if (by_instance) add(scene, InstanceShape{"mesh"}, std::string());
+        const Picture plain = rendered(scene);
+        scene.objects.back().transform[0] *= -1.0; // a box is its own mirror image
+        EXPECT_LE(compare(rendered(scene).image, plain.image, 1.0 / 255.0, 1.0).share, 0.001) << by_instance;
+    }
+}
+
 TEST(Instances, OfGlassShowWhatBakedOnesShow) {
     SceneDescription scene = studio();
     Material tinted = glass(1.3, 0.9);

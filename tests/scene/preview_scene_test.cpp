@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -61,10 +62,11 @@ dvec2 on_picture(const SceneDescription& scene, const CameraDescription& camera,
 
 // How near to the edge of the picture the farthest vertex of the first object comes: 1 is the edge.
 double filled(const SceneDescription& scene) {
+    const CameraDescription camera = fit_camera(scene);
     const Object& object = scene.objects.at(0);
     double most = 0;
     for (const glm::vec3& v : std::get<MeshShape>(object.shape).data->positions) {
-        const dvec2 at = on_picture(scene, *scene.camera, dvec3(object.transform * dvec4(v, 1)));
+        const dvec2 at = on_picture(scene, camera, dvec3(object.transform * dvec4(v, 1)));
         most = std::max({most, std::abs(at.x), std::abs(at.y)});
     }
     return most;
@@ -135,6 +137,26 @@ TEST(PreviewScene, IsValidAndFilledForAnySizeAndPlace) {
     }
 }
 
+TEST(PreviewScene, FillsPicturesOfAnyShapeFromAnyDirection) {
+    const std::vector<Mesh> meshes{to_mesh(geometry::make_box(dvec3(0), dvec3(1))), landscape(2),
+                                   pyramid_along(dvec3(0, 0, 1)),
+                                   to_mesh(geometry::make_box(dvec3(0), dvec3(0.1, 9, 0.2)))};
+    const std::vector<dvec3> directions{{0, 1, 0},  {1, 0, 0}, {-1, -2, -1},
+                                        {0, 0, -1}, {0, 0, 1}, {3, -1, 2}};
+    const std::array<std::array<int, 2>, 5> sizes{{{640, 480}, {120, 360}, {360, 120}, {64, 64}, {1000, 50}}};
+    for (const Mesh& mesh : meshes) {
+        SceneDescription scene = staged(mesh);
+        for (const auto& [width, height] : sizes) {
+            scene.render.width = width;
+            scene.render.height = height;
+            for (const dvec3& direction : directions) {
+                scene.framing.direction = direction;
+                EXPECT_NEAR(filled(scene), 0.78, 1e-3) << width << " " << height;
+            }
+        }
+    }
+}
+
 TEST(PreviewScene, FloorLiesJustUnderTheLowestPoint) {
     const Mesh mesh = to_mesh(geometry::make_box(dvec3(5, 6, 7), dvec3(2, 4, 6)));
     const double radius = std::sqrt(14.0);
@@ -187,7 +209,7 @@ TEST(PreviewScene, TakesPointCloudsDownToOnePoint) {
     ASSERT_TRUE(point.point_radius.has_value());
     EXPECT_GT(*point.point_radius, 0);
     EXPECT_NEAR(filled(scene), 0, 1e-9);
-    EXPECT_GT(glm::length(scene.camera->eye - dvec3(1e6, 0, 0)), *point.point_radius);
+    EXPECT_GT(glm::length(fit_camera(scene).eye - dvec3(1e6, 0, 0)), *point.point_radius);
 }
 
 TEST(PreviewScene, RefusesWhatHasNothingToShow) {
@@ -233,6 +255,15 @@ TEST(Frame, SeesABoxAtTheMarginOfThePicture) {
     expect_framed(scene, dvec3(3, 4, 5), 1);
     scene.render.width = 200;
     expect_framed(scene, dvec3(3, 4, 5), 1);
+}
+
+TEST(Frame, ShowsAllMomentsOfAnAnimation) {
+    SceneDescription scene;
+    scene.objects.push_back(object_of(PolyhedronShape{PolyhedronKind::box, Vec3(0), Vec3(2)}));
+    const auto moments = std::make_shared<std::vector<SceneDescription>>(2, scene);
+    moments->at(1).objects[0].transform = Mat4(dmat3(3.0));
+    scene.framing.moments = moments;
+    expect_framed(scene, dvec3(0), 3);
 }
 
 TEST(Frame, FollowsTransformsAndInstances) {

@@ -67,6 +67,19 @@ TEST(Warnings, TellOfACameraInsideSomething) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
+TEST(Warnings, TellWhereSinglePrecisionIsCoarserThanPixels) {
+    SceneDescription scene = plain();
+    const Vec3 far(5e6, 0, 0);
+    scene.camera->eye = far - Vec3(0, 10, 0);
+    scene.camera->direction = Vec3(0, 1, 0);
+    add(scene, SphereShape{far, 1}, "clay");
+    const Messages found = warned(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].find("single precision has steps of 0.6 there"), std::string::npos) << found[0];
+    scene.camera->eye = Vec3(0, -10, 0);
+    EXPECT_EQ(warned(scene), Messages{}) << "from far away";
+}
+
 TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {
     SceneDescription scene = plain();
     Mesh box = box_mesh(Vec3(9, 0, 0), Vec3(4));
@@ -125,14 +138,74 @@ TEST(Warnings, TellOfCoincidentGlassFaces) {
     add(scene, box_at(6), glass(1.3)).name = "right";
     const Messages found = warned(scene);
     ASSERT_FALSE(found.empty());
-    EXPECT_EQ(found[0], "polyhedron \"left\" and polyhedron \"right\" have coincident glass faces");
+    EXPECT_EQ(
+        found[0],
+        "polyhedron \"left\" and polyhedron \"right\" have coincident faces, of glass or against glass");
     for (const double x : {6.001, 5.999}) {
         std::get<PolyhedronShape>(scene.objects[2].shape).center.x = x;
         EXPECT_EQ(warned(scene), Messages{}) << x;
     }
     std::get<PolyhedronShape>(scene.objects[2].shape).center.x = 6;
     scene.objects[2].material = "clay";
+    EXPECT_EQ(warned(scene).size(), 1u) << "against an opaque box";
+    scene.objects[1].material = "clay";
+    EXPECT_EQ(warned(scene), Messages{}) << "both opaque";
+}
+
+TEST(Warnings, TellOfGlassThatStandsOnSomethingFlat) {
+    const Shape stands[] = {PolyhedronShape{PolyhedronKind::box, Vec3(5, 0, 1), Vec3(2)},
+                            CylinderShape{Vec3(5, 0, 0), Vec3(0, 0, 1), 2, 1}};
+    PlaneShape floor;
+    floor.offset = -1;
+    const Shape grounds[] = {floor, PolyhedronShape{PolyhedronKind::box, Vec3(6, 1, -1.5), Vec3(9, 9, 1)},
+                             DiskShape{Vec3(5.5, 0, -1), Vec3(0, 0, 1), 3}};
+    for (const Shape& ground : grounds)
+        for (const Shape& stand : stands)
+            for (const double height : {-1.0, -0.999}) {
+                SceneDescription scene = plain();
+                add(scene, ground, "clay").name = "ground";
+                Object& glass_object = add(scene, stand, glass(1.5));
+                glass_object.transform[3] = dvec4(0, 0, height, 1);
+                EXPECT_EQ(warned(scene).size(), height == -1 ? 1u : 0u);
+            }
+    SceneDescription scene = plain();
+    add(scene, floor, "clay");
+    add(scene, SphereShape{Vec3(5, 0, 1), 2}, glass(1.5));
+    EXPECT_EQ(warned(scene), Messages{}) << "a sphere touches in a point";
+}
+
+TEST(Warnings, AreNoneForFacesThatOnlyShareAnEdge) {
+    SceneDescription scene = plain();
+    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(5, 0, 0), Vec3(1)}, glass(1.5));
+    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(6, 1, 0), Vec3(1)}, "clay");
     EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfDepthsAtWhichRaysBranchAmongMirrors) {
+    SceneDescription scene = empty_scene(Vec3(0, -3, 0));
+    Material mirror = matte(0.1);
+    mirror.name = "mirror";
+    mirror.reflectivity = 0.9;
+    PlaneShape wall;
+    wall.offset = -5;
+    add(scene, wall, mirror);
+    wall.normal = Vec3(0, 0, -1);
+    add(scene, wall, "mirror");
+    Material m = glass(1.5);
+    m.fresnel = true;
+    add(scene, SphereShape{}, m).name = "ball";
+    add_light(scene, Vec3(3, -3, 3));
+    scene.whitted.max_depth = 16;
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.whitted.max_depth = 50;
+    EXPECT_EQ(warned(scene), Messages{"max_depth = 50 lets rays that branch at sphere \"ball\" among mirrors "
+                                      "become up to 2^50 a sample"});
+    scene.objects[1].visible = false;
+    EXPECT_EQ(warned(scene), Messages{}) << "one mirror alone";
+    scene.objects[1].visible = true;
+    scene.materials.back().fresnel = false;
+    scene.materials.back().reflectivity = 0;
+    EXPECT_EQ(warned(scene), Messages{}) << "rays do not branch";
 }
 
 TEST(Warnings, TellOfThingsHiddenInsideGlassThatOwnsTheirSpace) {
@@ -145,7 +218,32 @@ TEST(Warnings, TellOfThingsHiddenInsideGlassThatOwnsTheirSpace) {
     EXPECT_EQ(warned(scene), Messages{});
     scene.objects[0].priority = 0;
     std::get<SphereShape>(scene.objects[0].shape).center.x = 1.5;
-    EXPECT_EQ(warned(scene), Messages{}) << "half of it shows";
+    EXPECT_EQ(warned(scene),
+              Messages{"sphere \"pearl\" is partly hidden inside sphere \"shell\", which owns the space"});
+    std::get<SphereShape>(scene.objects[0].shape).center.x = 3;
+    EXPECT_EQ(warned(scene), Messages{}) << "it touches";
+}
+
+TEST(Warnings, TellOfWhatWaterHides) {
+    SceneDescription scene = plain();
+    scene.objects.clear();
+    add(scene, CylinderShape{Vec3(0, 0, -3), Vec3(0, 0, 1), 4, 0.5}, "clay").name = "pole";
+    add(scene, DiskShape{Vec3(3, 0, -1), Vec3(0, 0, 1), 1}, "clay").name = "leaf";
+    add(scene, SphereShape{Vec3(6, 0, 2), 1}, "clay").name = "buoy";
+    PlaneShape bed;
+    bed.offset = -3.5;
+    add(scene, bed, "clay").name = "bed";
+    PlaneShape water;
+    water.solid = true;
+    add(scene, water, glass(1.33)).name = "water";
+    scene.camera->eye = Vec3(0, -9, 3);
+    EXPECT_EQ(warned(scene),
+              (Messages{"cylinder \"pole\" is partly hidden inside plane \"water\", which owns the space",
+                        "disk \"leaf\" is hidden inside plane \"water\", which owns the space",
+                        "plane \"bed\" is hidden inside plane \"water\", which owns the space"}));
+    for (Object& object : scene.objects) object.priority = 1;
+    scene.objects.back().priority = 0;
+    EXPECT_EQ(warned(scene), Messages{});
 }
 
 } // namespace

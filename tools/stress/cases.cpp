@@ -79,6 +79,10 @@ std::span<const Family> families() {
         Family{"through-torus", Property::crosses, run_case<run_through, Closed::torus>},
         Family{"through-polyhedron", Property::crosses, run_case<run_through, Closed::polyhedron>},
         Family{"through-knot", Property::crosses, run_case<run_through, Closed::knot>},
+        Family{"within-polyhedron", Property::encloses, run_case<run_enclosed, Enclosed::polyhedron>},
+        Family{"within-icosphere", Property::encloses, run_case<run_enclosed, Enclosed::icosphere>},
+        Family{"within-instance", Property::encloses, run_case<run_enclosed, Enclosed::instance>},
+        Family{"within-quadric", Property::encloses, run_case<run_enclosed, Enclosed::quadric>},
     };
     return all;
 }

@@ -38,11 +38,12 @@ struct Tally {
 
 /// The property that a family tests.
 enum class Property {
-    agrees,  ///< closest() and occluded() equal brute force bit by bit, with single rays and batches, and
-             ///< next() enumerates the hits of all_hits()
-    closed,  ///< rays from inside a closed mesh hit it
-    crosses, ///< rays from outside cross a closed mesh an even number of times unless they meet an edge
-             ///< exactly
+    agrees,   ///< closest() and occluded() equal brute force bit by bit, with single rays and batches, and
+              ///< next() enumerates the hits of all_hits()
+    closed,   ///< rays from inside a closed mesh hit it
+    crosses,  ///< rays from outside cross a closed mesh an even number of times unless they meet an edge
+              ///< exactly
+    encloses, ///< rays that start on the surface of a closed solid are on the side that they were sent to
 };
 
 struct Family {

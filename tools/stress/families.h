@@ -28,4 +28,9 @@ Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays);
 /// Property::crosses.
 Tally run_through(Closed kind, std::uint64_t seed, std::uint32_t rays);
 
+enum class Enclosed { polyhedron, icosphere, instance, quadric };
+
+/// Property::encloses, with convex solids.
+Tally run_enclosed(Enclosed kind, std::uint64_t seed, std::uint32_t rays);
+
 } // namespace glint::stress

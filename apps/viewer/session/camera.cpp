@@ -76,6 +76,8 @@ void CameraControl::turn(double seconds, double turns_per_minute) {
     orbit(seconds * turns_per_minute * 2 * pi / 60, 0);
 }
 
+bool CameraControl::is_home() const { return same_view(camera_, home_); }
+
 void CameraControl::reset() {
     camera_ = home_;
     distance_ = home_distance_;

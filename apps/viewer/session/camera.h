@@ -31,6 +31,7 @@ class CameraControl {
     void turn(double seconds, double turns_per_minute);
     /// Back to the home camera, exactly.
     void reset();
+    bool is_home() const;
     /// Was the target set by set_target() or reset(), with only orbiting and zooming since? Panning, flying
     /// and another camera lose it.
     bool has_picked_target() const { return has_picked_target_; }

@@ -29,10 +29,20 @@ void Session::set_scene(ViewSlot slot, std::optional<Scene> scene) {
     renderer_.set_scene(slot, std::move(scene));
 }
 
+// The camera of a file, or one that frames its scene for the shape of the window.
+CameraControl Session::home(const Scene& scene) const {
+    if (scene.has_own_camera()) return {scene.camera(), target_distance(scene)};
+    SceneDescription description = scene.description();
+    description.render.width = width_;
+    description.render.height = height_;
+    const CameraDescription camera = fit_camera(description);
+    return {camera, target_distance(with_view(scene, camera, width_, height_))};
+}
+
 void Session::show_file(LoadedFile file) {
     const std::lock_guard lock(mutex_);
     const bool keeps_camera = file.is_reload && scene_;
-    CameraControl fresh(file.scene.camera(), target_distance(file.scene));
+    CameraControl fresh = home(file.scene);
     if (keeps_camera) fresh.set_camera(camera_.camera(), camera_.target_distance());
     camera_ = fresh;
     comparing_ = comparing_ && keeps_camera;
@@ -103,6 +113,7 @@ void Session::resize(int width, int height) {
     if (width == width_ && height == height_) return;
     width_ = width;
     height_ = height;
+    if (scene_ && !scene_->scene.has_own_camera() && camera_.is_home()) camera_ = home(scene_->scene);
     renderer_.set_camera(camera_.camera(), width, height);
 }
 

@@ -101,6 +101,7 @@ class Session {
     void show_file(LoadedFile file);
     void show_edit(ViewSlot slot, Scene edited);
     /// With `mutex_` held.
+    CameraControl home(const Scene& scene) const;
     void set_scene(ViewSlot slot, std::optional<Scene> scene);
 
     const SessionOptions options_;

@@ -109,7 +109,7 @@ void check_picture_target(const std::string& path, bool with_alpha, bool with_la
         formats::refuse_arguments("'" + path + "' cannot hold layers", "layers are written to .exr");
     if (with_alpha && format == PictureFormat::pfm)
         formats::refuse_arguments("'" + path + "' cannot hold alpha", "alpha is written to .png and .exr");
-    if (path != "-") formats::check_writable(path);
+    if (path != "-") check_writable(path);
 }
 
 void write_picture(const std::string& path, const Image& image, const PictureOptions& options) {

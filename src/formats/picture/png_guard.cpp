@@ -6,6 +6,8 @@
 
 #include <csetjmp>
 #include <cstddef>
+#include <new>
+#include <string_view>
 
 namespace glint::formats {
 
@@ -16,6 +18,12 @@ void png_fail(png_struct_def* png, const char* message) {
         failure->message[length] = message[length];
     failure->message[length] = '\0';
     png_longjmp(png, 1);
+}
+
+void throw_if_out_of_memory(const PngFailure& failure) {
+    const std::string_view message = failure.message.data();
+    for (const char* words : {"ut of memory", "not enough memory", "nsufficient memory"})
+        if (message.find(words) != std::string_view::npos) throw std::bad_alloc();
 }
 
 void png_ignore(png_struct_def*, const char*) {}

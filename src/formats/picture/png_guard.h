@@ -17,6 +17,9 @@ struct PngFailure {
 /// libpng's error callback: stores the message in the PngFailure and longjmps.
 [[noreturn]] void png_fail(png_struct_def* png, const char* message);
 
+/// Throws std::bad_alloc if the message of libpng or zlib tells of a lack of memory.
+void throw_if_out_of_memory(const PngFailure& failure);
+
 /// libpng's warning callback. Warnings concern ancillary chunks, without which the picture is complete.
 void png_ignore(png_struct_def* png, const char* message);
 

@@ -42,9 +42,10 @@ class PngReader {
 
     template <class Calls>
     void run(const Calls& calls) {
-        if (!png_try(png_, calls))
-            refuse_picture(name_, std::string("damaged PNG: ") + failure_.message.data(), cut_hint,
-                           size_ - input_.left.size());
+        if (png_try(png_, calls)) return;
+        throw_if_out_of_memory(failure_);
+        refuse_picture(name_, std::string("damaged PNG: ") + failure_.message.data(), cut_hint,
+                       size_ - input_.left.size());
     }
 
     png_structp png() { return png_; }

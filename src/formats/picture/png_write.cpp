@@ -31,9 +31,9 @@ class PngWriter {
 
     template <class Calls>
     void run(const Calls& calls) {
-        if (!png_try(png_, calls))
-            throw Error(ErrorKind::internal,
-                        std::string("cannot encode the PNG: ") + failure_.message.data());
+        if (png_try(png_, calls)) return;
+        throw_if_out_of_memory(failure_);
+        throw Error(ErrorKind::internal, std::string("cannot encode the PNG: ") + failure_.message.data());
     }
 
     png_structp png() { return png_; }

@@ -4,9 +4,11 @@
 
 #include "geometry/mesh.h"
 #include "geometry/polygon.h"
+#include "math/bounds.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace glint::formats::ply {
 namespace {
@@ -41,6 +43,7 @@ class Assembler {
         poll_cancel();
         drop_bad_vertices();
         warn_of_missing_faces();
+        warn_of_rounding();
         warn_of_the_rest();
         return {std::make_shared<const Mesh>(std::move(mesh())), std::move(warnings_)};
     }
@@ -141,6 +144,24 @@ class Assembler {
             if (element.count > 0 && nearest_name(element.name, {"face", "faces", "triangle", "triangles"}))
                 hint = "did you mean 'face' by " + quoted(element.name) + "?";
         warn("the file has no faces: it is drawn as a point cloud", hint);
+    }
+
+    /// Where the vertices are as far from each other as from the origin, rounding loses 1/2^25 of their
+    /// extent.
+    void warn_of_rounding() {
+        if (rows_.max_rounding == 0) return;
+        Bounds bounds;
+        for (const vec3& p : mesh().positions) bounds.grow(p);
+        const vec3 extent = bounds.extent();
+        const double size = std::max({extent.x, extent.y, extent.z});
+        constexpr double side = 1000; // of a picture, in pixels
+        const double pixels = rows_.max_rounding / size * side;
+        if (!(pixels > 0.25)) return;
+        warn("the mesh is " + number_text(size) + " in size and lies at coordinates up to " +
+                 number_text(bounds.max_coordinate()) + ": single precision moves its vertices by up to " +
+                 number_text(rows_.max_rounding) + ", about " + number_text(std::ceil(pixels)) +
+                 " pixels where it fills a picture of 1000",
+             "subtract a common offset from its coordinates before it is written");
     }
 
     void warn_of_the_rest() {

@@ -145,11 +145,16 @@ class RowReader {
             mesh.uvs[i] = {finite_or_zero(value(Role::u)), finite_or_zero(value(Role::v))};
     }
 
-    /// Records invalid vertices. They are errors only if a face uses them, which is known at the end.
+    /// Records invalid vertices, and what rounding loses of others. Invalid ones are errors only if a face
+    /// uses them, which is known at the end.
     void check_vertex(std::size_t i, const Values& values,
                       const std::array<std::size_t, role_count>& offsets) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::fabs(values[k]) <= coordinate_limit) continue;
+            if (std::fabs(values[k]) <= coordinate_limit) {
+                const double rounding = std::fabs(values[k] - double(rows_.mesh.positions[i][int(k)]));
+                rows_.max_rounding = std::max(rows_.max_rounding, rounding);
+                continue;
+            }
             rows_.bad_vertices.push_back(
                 {static_cast<std::uint32_t>(i), offsets[k], std::isfinite(values[k])});
             return;

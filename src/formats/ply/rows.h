@@ -34,6 +34,7 @@ struct Rows {
     std::vector<BadVertex> bad_vertices; ///< sorted by vertex
     std::uint64_t small_faces = 0;       ///< faces with fewer than three corners, which are skipped
     double max_float_color = 0;          ///< maximum of vertex colours stored as float
+    double max_rounding = 0;             ///< of a coordinate that became float, among those within bounds
     std::size_t trailing = 0;            ///< bytes after the last row
 };
 

@@ -232,6 +232,7 @@ void SceneDocument::save_as(const std::string& path) {
 }
 
 SceneDocument preview_document(SceneDescription scene, const std::string& mesh) {
+    if (!scene.camera) scene.camera = fit_camera(scene);
     const fs::path path(mesh);
     for (Object& object : scene.objects)
         if (auto* shape = std::get_if<MeshShape>(&object.shape)) shape->file = path.filename().string();

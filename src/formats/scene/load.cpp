@@ -7,6 +7,7 @@
 #include "scene/text.h"
 
 #include <cmath>
+#include <optional>
 
 namespace glint {
 namespace {
@@ -25,7 +26,8 @@ void refuse_overrides_of_lists(const formats::SceneSource& source, formats::Prob
     problems.throw_if_any();
 }
 
-// Overrides of a bare mesh reach what its preview scene has: settings, its camera, its materials by name.
+// Overrides of a bare mesh reach what its preview scene has: settings, how it is framed, its materials by
+// name.
 void override_preview(SceneDescription& preview, const std::string& name, const LoadOptions& options) {
     const formats::SceneSource source({}, name, options.overrides);
     formats::Problems problems(source);
@@ -35,12 +37,15 @@ void override_preview(SceneDescription& preview, const std::string& name, const 
     root.entries.push_back({"material", {}, std::move(materials)});
     refuse_overrides_of_lists(source, problems);
     formats::apply_overrides(root, source, problems);
+    const std::optional<formats::TreeValue> camera = formats::taken_camera(root);
     formats::patch_scene(root, preview, problems);
+    if (camera) formats::patch_framing(*camera, preview, problems);
     problems.throw_if_any();
 }
 
 LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOptions& options) {
     LoadedScene scene;
+    scene.bare_mesh = true;
     if (path != formats::stdin_name) scene.files.push_back(path);
     scene.warnings = std::move(mesh.warnings);
     const Axis up = options.up ? *options.up : guess_up_axis(*mesh.mesh);

@@ -26,12 +26,55 @@ ReadScene OpenScene::read(const TreeValue& root, Problems& problems, std::vector
     return scene;
 }
 
+void OpenScene::set_framing(SceneDescription& description, const std::optional<TreeValue>& set,
+                            Problems& problems) const {
+    description.framing.moments = moments_;
+    if (set) patch_framing(*set, description, problems);
+    problems.throw_if_any();
+}
+
+namespace {
+
+bool stays(const Object& a, const Object& b) {
+    return a.transform == b.transform && a.visible == b.visible && a.shape == b.shape;
+}
+
+// Meshes that do not move need not be measured again at each moment.
+void hide_what_stays(SceneDescription& moment, const SceneDescription& still) {
+    for (std::size_t i = 0; i < moment.objects.size(); ++i)
+        if (std::holds_alternative<MeshShape>(moment.objects[i].shape) &&
+            stays(moment.objects[i], still.objects[i]))
+            moment.objects[i].visible = false;
+}
+
+} // namespace
+
+// One camera for all frames, so that what moves is seen to move: all of them are framed, or that many.
+void OpenScene::find_moments(const SceneDescription& still) {
+    constexpr int most = 64;
+    auto moments = std::make_shared<std::vector<SceneDescription>>(1, still);
+    for (int i = 0; i <= most; ++i) {
+        const double frame = tracks_.first + double(tracks_.last - tracks_.first) * i / most;
+        try {
+            moments->push_back(at(frame));
+            hide_what_stays(moments->back(), still);
+        } catch (const Error&) {
+            continue; // said where this frame is asked for
+        }
+    }
+    moments_ = std::move(moments);
+}
+
 LoadedScene OpenScene::load() {
     Problems problems(source_);
+    has_camera_ = tree_.find("camera") != nullptr;
     // Without animation the tree is read only once.
     TreeValue root = tree_.find("animate") ? tree_ : std::move(tree_);
     apply_overrides(root, source_, problems);
     tracks_ = read_tracks(root, problems);
+    for (const Track& track : tracks_.tracks)
+        has_camera_ = has_camera_ || track.path.rfind("camera.", 0) == 0;
+    const std::optional<TreeValue> set = has_camera_ ? std::nullopt : taken_camera(root);
 
     LoadedScene loaded;
     if (name_ != stdin_name) loaded.files.push_back(name_);
@@ -42,6 +85,9 @@ LoadedScene OpenScene::load() {
     // Later queries must not use the cancel flag of this call.
     options_.cancel = nullptr;
     options_.progress = nullptr;
+
+    if (!has_camera_ && !tracks_.tracks.empty() && options_.load_meshes) find_moments(loaded.description);
+    set_framing(loaded.description, set, problems);
 
     loaded.animation.first = tracks_.first;
     loaded.animation.last = tracks_.last;
@@ -69,10 +115,13 @@ SceneDescription OpenScene::at(double frame) const {
         put_value(target, std::move(value), where);
     }
     apply_overrides(root, source_, problems);
+    const std::optional<TreeValue> set = has_camera_ ? std::nullopt : taken_camera(root);
     std::vector<Diagnostic> warnings;
     std::vector<std::string> files;
     try {
-        return read(root, problems, warnings, files).description;
+        SceneDescription description = read(root, problems, warnings, files).description;
+        set_framing(description, set, problems);
+        return description;
     } catch (const Error& error) {
         std::vector<Diagnostic> diagnostics = error.diagnostics();
         for (Diagnostic& diagnostic : diagnostics)

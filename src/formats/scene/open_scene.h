@@ -6,8 +6,11 @@
 #include "formats/scene/tree.h"
 #include "glint/scene_files.h"
 
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace glint::formats {
 
@@ -23,6 +26,10 @@ class OpenScene {
     SceneDescription at(double frame) const;
 
   private:
+    /// `set`: the values of overrides for a camera that the scene does not have.
+    void set_framing(SceneDescription& description, const std::optional<TreeValue>& set,
+                     Problems& problems) const;
+    void find_moments(const SceneDescription& still);
     ReadScene read(const TreeValue& root, Problems& problems, std::vector<Diagnostic>& warnings,
                    std::vector<std::string>& files) const;
 
@@ -32,7 +39,9 @@ class OpenScene {
     SceneSource source_;
     TreeValue tree_; ///< before overrides
     Tracks tracks_;
-    mutable std::mutex mutex_; ///< of meshes_
+    bool has_camera_ = false;                                      ///< the file has, or animates one
+    std::shared_ptr<const std::vector<SceneDescription>> moments_; ///< to frame, see Framing
+    mutable std::mutex mutex_;                                     ///< of meshes_
     mutable MeshCache meshes_;
 };
 

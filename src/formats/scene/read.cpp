@@ -3,6 +3,7 @@
 #include "formats/scene/read.h"
 
 #include "glint/scene.h"
+#include "scene/framing.h"
 #include "scene/keys/check.h"
 #include "scene/text.h"
 
@@ -27,6 +28,13 @@ void read_camera(TableReader table, CameraDescription& camera) {
     if (auto fault = scene::view_fault(camera))
         table.error(table.position_of(table.has("up") ? "up" : view), std::move(fault->message),
                     std::move(fault->hint));
+}
+
+// What can be up in a view along a direction, which need not be one.
+Vec3 up_beside(const TreeValue& direction) {
+    const Vec3 up = CameraDescription().up;
+    if (direction.items.size() != 3) return up;
+    return scene::up_beside(vec3_of(direction), up);
 }
 
 void read_material(TableReader table, Material& material, Problems& problems) {
@@ -242,6 +250,34 @@ ReadScene read_scene(const TreeValue& root, Problems& problems) {
 
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems) {
     description = SceneReader(root, problems, true).run(std::move(description)).description;
+}
+
+std::optional<TreeValue> taken_camera(TreeValue& root) {
+    TreeEntry* entry = root.find("camera");
+    if (!entry) return std::nullopt;
+    TreeValue camera = std::move(entry->value);
+    std::erase_if(root.entries, [](const TreeEntry& e) { return e.key == "camera"; });
+    return camera;
+}
+
+void patch_framing(const TreeValue& camera, SceneDescription& description, Problems& problems) {
+    const auto given = [&](std::string_view key) { return camera.find(key) != nullptr; };
+    description.camera = fit_camera(description);
+    if (const TreeEntry* direction = camera.find("direction"); direction && !given("up"))
+        description.camera->up = up_beside(direction->value);
+    TreeValue root;
+    root.entries.push_back({"camera", camera.where, camera});
+    patch_scene(root, description, problems);
+
+    const CameraDescription& patched = *description.camera;
+    if (given("look_at") || (given("eye") && given("direction"))) return;
+    if (given("eye")) return scene::look_at_middle(*description.camera, description);
+    Framing& framing = description.framing;
+    if (given("direction")) framing.direction = patched.direction;
+    framing.up = patched.up;
+    framing.fov = patched.fov;
+    framing.fov_axis = patched.fov_axis;
+    description.camera.reset();
 }
 
 } // namespace glint::formats

@@ -5,6 +5,7 @@
 #include "formats/scene/tree.h"
 #include "glint/scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,12 @@ void check_mesh_extents(const ReadScene& scene, Problems& problems);
 
 /// Applies settings, camera and materials of the tree to an existing description.
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
+
+/// Takes the camera table out of a tree; none if there is none.
+std::optional<TreeValue> taken_camera(TreeValue& root);
+
+/// Applies the values of a camera table to a scene that has no camera. An eye alone looks at the middle of
+/// the scene; a direction, up or field of view without an eye change how the scene is framed.
+void patch_framing(const TreeValue& camera, SceneDescription& description, Problems& problems);
 
 } // namespace glint::formats

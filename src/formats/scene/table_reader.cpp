@@ -16,10 +16,6 @@ namespace {
 using Kind = TreeValue::Kind;
 using Read = std::optional<KeyValue>;
 
-Vec3 vec3_of(const TreeValue& list) {
-    return {list.items[0].number, list.items[1].number, list.items[2].number};
-}
-
 std::string label_of(const KeySpec& key) { return in_quotes(key.key); }
 
 /// Reads a value of one key; reports a wrong form and numbers out of range.
@@ -216,6 +212,10 @@ class ValueReader {
 };
 
 } // namespace
+
+Vec3 vec3_of(const TreeValue& list) {
+    return {list.items[0].number, list.items[1].number, list.items[2].number};
+}
 
 TableReader::TableReader(const TreeValue& table, const TableSpec& spec, std::string label, std::string type,
                          const ReadContext& context)

@@ -12,6 +12,9 @@
 
 namespace glint::formats {
 
+/// The numbers of a list of three.
+Vec3 vec3_of(const TreeValue& list);
+
 /// Context of reading.
 struct ReadContext {
     Problems& problems;

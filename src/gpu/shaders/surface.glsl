@@ -1,6 +1,8 @@
 // From a hit back to the surface: what the functions of geometry/surface.shared.h need is read from the buffers.
 
-SurfacePoint triangle_point(Hit hit, vec3 direction, double u, double v) {
+SurfacePoint triangle_point(Hit hit, vec3 direction) {
+    double u = double(hit.u);
+    double v = double(hit.v);
     vec3 a, b, c;
     leaf_triangle(hit.at, leaf_triangle_number(hit.at), a, b, c);
     bool reversed = object_is(hit.object, object_reversed);
@@ -17,20 +19,22 @@ SurfacePoint quadric_point(Hit hit, dvec3 origin, dvec3 direction) {
     QuadricShape quadric = quadric_of(shape);
     to_shape(shape, origin, direction);
     dvec3 p, n;
-    point_on_line(quadric, hit.u != 0.0f, origin, direction, p, n);
-    if (shape.is_local == 0u) return rounded_point(p, n, surface_error * size_of_quadric(quadric));
+    double size = size_of_quadric(quadric);
+    if (shape.is_local == 0u) {
+        point_on_line(quadric, hit.u != 0.0f, origin, direction, margin_at_rim(size), p, n);
+        return rounded_point(p, n, surface_error * size);
+    }
     ObjectRecord object = objects[hit.object];
-    return point_in_world(p, n, unpacked(object.linear), unpacked(object.inverse), unpacked(object.translation),
-                          size_of_quadric(quadric));
+    dmat3 linear = unpacked(object.linear);
+    dmat3 inverse = unpacked(object.inverse);
+    dvec3 translation = unpacked(object.translation);
+    double margin = local_margin_at_rim(linear, inverse, translation, size);
+    point_on_line(quadric, hit.u != 0.0f, origin, direction, margin, p, n);
+    return point_in_world(p, n, linear, inverse, translation, size);
 }
 
 SurfacePoint surface_at(Hit hit, vec3 origin, vec3 direction) {
-    if (hit.kind == kind_triangle) {
-        SurfacePoint point = triangle_point(hit, direction, double(hit.u), double(hit.v));
-        if (!hit.on_edge) return point;
-        double third = double(1.0f / 3.0f);
-        return moved_off_edge(point, triangle_point(hit, direction, third, third).p);
-    }
+    if (hit.kind == kind_triangle) return triangle_point(hit, direction);
     if (hit.kind == kind_plane)
         return plane_surface(dvec3(origin), dvec3(direction), unpacked(shapes[hit.at].axis), shapes[hit.at].height);
     return quadric_point(hit, dvec3(origin), dvec3(direction));

@@ -2,10 +2,13 @@
 
 #include "render/estimators/whitted.h"
 
+#include "glint/error.h"
+#include "parallel/stack.h"
 #include "render/ray_recorder.h"
 #include "shading/interaction.shared.h"
 
 #include <optional>
+#include <string>
 
 namespace glint::rendering {
 
@@ -22,11 +25,13 @@ Ray ray_of(const SpawnedRay& spawned) {
     return ray;
 }
 
-void step_off_edge(const SceneData& scene, const Ray& ray, const Hit& hit, SurfacePoint& point) {
-    Hit middle = hit;
-    middle.u = 1.0f / 3.0f;
-    middle.v = 1.0f / 3.0f;
-    point = moved_off_edge(point, scene.world.surface(ray, middle).p);
+/// Throws before the recursion runs out of stack.
+void require_stack(int max_depth) {
+    constexpr std::size_t one_level = std::size_t{64} << 10U; // more than a level and what it calls need
+    if (parallel::stack_left() >= one_level) return;
+    throw Error(ErrorKind::resource,
+                "the stack of a thread is too small for max_depth = " + std::to_string(max_depth),
+                "lower max_depth, or raise the limit of the stack: ulimit -s unlimited");
 }
 
 /// The vectors at the corners of a triangle, as columns.
@@ -56,8 +61,7 @@ void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord&
 
 SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
     const scene::ObjectData& object = scene.objects[hit.object];
-    SurfacePoint point = scene.world.surface(ray, hit);
-    if (hit.on_edge) step_off_edge(scene, ray, hit, point);
+    const SurfacePoint point = scene.world.surface(ray, hit);
     SurfaceInteraction at;
     at.object = hit.object;
     at.material = &scene.materials[object.material];
@@ -99,6 +103,7 @@ Channels Whitted::radiance(Path&& path) {
     Channels out;
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
+    require_stack(max_depth_);
     if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.

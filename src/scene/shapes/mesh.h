@@ -20,7 +20,9 @@ inline double farthest(const Mesh& mesh, const dvec3& d) {
 }
 
 inline double support(const MeshShape& s, const dvec3& d) {
-    return s.data ? farthest(*s.data, s.scale * d) : no_support;
+    if (!s.data) return no_support;
+    const double radius = s.data->triangles.empty() ? s.point_radius.value_or(0) : 0;
+    return farthest(*s.data, s.scale * d) + radius * glm::length(s.scale * d);
 }
 /// support() of a scene (scene/support.h) looks up the mesh.
 inline double support(const InstanceShape&, const dvec3&) { return no_support; }

@@ -54,11 +54,11 @@ void ShapeBaker::triangles(const std::vector<dvec3>& positions, std::vector<uvec
     add_triangles(baked_, std::move(mesh), id_, closed);
 }
 
-void ShapeBaker::mesh() { meshes_.bake(object_, object_.transform, id_); }
+void ShapeBaker::mesh() { meshes_.bake(object_, object_.transform, id_, MeshBaker::BakedAs::triangles); }
 
 void ShapeBaker::instance(const std::string& name) {
     const Object& mesh = *find_mesh(scene_, name);
-    meshes_.bake(mesh, object_.transform * mesh.transform, id_);
+    meshes_.bake(mesh, object_.transform * mesh.transform, id_, MeshBaker::BakedAs::instance);
 }
 
 } // namespace glint::scene

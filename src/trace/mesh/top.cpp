@@ -12,7 +12,7 @@ namespace {
 
 /// Larger ranges are split level by level, with references binned in chunks of this size for any number of
 /// threads. Smaller ranges are one task each.
-constexpr std::size_t piece = 32768;
+constexpr std::size_t chunk = 32768;
 /// Maximum number of references of a part.
 constexpr std::uint32_t max_part_size = 8192;
 /// Lower estimate of the average number of references in the top's leaves.
@@ -89,7 +89,7 @@ class TopBuilder {
 
   private:
     void add(const PrimRange& range, std::uint32_t node) {
-        (range.size() > piece ? large_ : small_).push_back({range, node});
+        (range.size() > chunk ? large_ : small_).push_back({range, node});
     }
 
     void split_level() {
@@ -108,16 +108,16 @@ class TopBuilder {
     void fill_bins() {
         std::vector<std::pair<std::size_t, std::size_t>> tasks;
         for (std::size_t i = 0; i < large_.size(); ++i) {
-            large_[i].bins.resize((large_[i].range.size() + piece - 1) / piece);
+            large_[i].bins.resize((large_[i].range.size() + chunk - 1) / chunk);
             for (std::size_t k = 0; k < large_[i].bins.size(); ++k) tasks.push_back({i, k});
         }
         pool_.run(tasks.size(), [&](std::size_t task, int) {
             Pending& pending = large_[tasks[task].first];
             Bins& bins = pending.bins[tasks[task].second];
             const Binning binning = binning_of(build_, pending.range);
-            const std::size_t begin = pending.range.begin + tasks[task].second * piece;
+            const std::size_t begin = pending.range.begin + tasks[task].second * chunk;
             bins.clear(binning.bins);
-            bins.fill(binning, build_.refs + begin, build_.refs + std::min(begin + piece, pending.range.end));
+            bins.fill(binning, build_.refs + begin, build_.refs + std::min(begin + chunk, pending.range.end));
         });
     }
 

@@ -20,7 +20,7 @@ namespace glint::trace {
 namespace {
 
 /// Triangles per task.
-constexpr std::size_t piece = 32768;
+constexpr std::size_t triangles_per_task = 32768;
 
 /// Maximum number of references: a clipped triangle counts once for each part.
 std::size_t room_for(std::size_t triangles, BuildQuality quality) {
@@ -42,14 +42,15 @@ struct References {
 /// Fills in references to all triangles with finite vertices, in order.
 References fill_refs(std::span<const vec3> positions, std::span<const uvec3> triangles, PrimRef* refs,
                      parallel::TaskPool& pool) {
-    std::vector<PrimRange> parts((triangles.size() + piece - 1) / piece);
+    std::vector<PrimRange> parts((triangles.size() + triangles_per_task - 1) / triangles_per_task);
     std::vector<double> surfaces(parts.size());
     pool.run(parts.size(), [&](std::size_t task, int) {
         PrimRange part;
-        part.begin = part.end = task * piece;
+        part.begin = part.end = task * triangles_per_task;
         double areas = 0;
         int samples = 0;
-        for (std::size_t i = part.begin; i < std::min(part.begin + piece, triangles.size()); ++i) {
+        for (std::size_t i = part.begin; i < std::min(part.begin + triangles_per_task, triangles.size());
+             ++i) {
             const vec3& a = positions[triangles[i].x];
             const vec3& b = positions[triangles[i].y];
             const vec3& c = positions[triangles[i].z];

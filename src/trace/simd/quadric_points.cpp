@@ -40,9 +40,11 @@ HWY_INLINE Points on_quadric(const QuadricShape& shape, const Lines& line, truth
     SolidSpan span{0.0, 0.0, 0, 0};
     line_in_quadric(shape, line.origin, line.direction, span);
     Points points;
+    const double size = size_of_quadric(shape);
     point_of_quadric(shape, pick(leaving, span.leave_part, span.enter_part),
-                     at(line, pick(leaving, span.leave, span.enter)), points.p, points.n);
-    points.slack = surface_error * size_of_quadric(shape);
+                     at(line, pick(leaving, span.leave, span.enter)), margin_at_rim(size), points.p,
+                     points.n);
+    points.slack = surface_error * size;
     return points;
 }
 

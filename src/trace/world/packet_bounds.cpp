@@ -9,7 +9,7 @@ namespace glint::trace {
 namespace {
 
 /// Error bound of double arithmetic with a large margin, relative to the largest product of a sum.
-constexpr double double_error = 0x1p-45;
+constexpr double plane_error = 0x1p-45;
 
 /// Ignores NaN in p.
 void grow(SimdBounds& box, float4 p) {
@@ -70,16 +70,16 @@ bool PacketBounds::misses(const PlanePrim& plane_prim) const {
     const dvec3& normal = plane_prim.plane.normal;
     const double offset = plane_prim.plane.offset;
     const double length = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-    const double margin = double_error * (length * start_size_ + std::abs(offset));
+    const double margin = plane_error * (length * start_size_ + std::abs(offset));
     const Dots starts(normal, starts_);
     const bool above = starts.lo - offset > margin;
     if (!above && !(offset - starts.hi > margin)) return false;
     const Dots slopes(normal, directions_);
-    const double flat = double_error * length * direction_size_;
+    const double flat = plane_error * length * direction_size_;
     if (above ? slopes.lo > flat : -slopes.hi > flat) return true;
     if (!bounded_) return false;
     const Dots ends(normal, ends_);
-    const double pad = length * end_pad_ + double_error * std::abs(offset);
+    const double pad = length * end_pad_ + plane_error * std::abs(offset);
     return above ? ends.lo - offset > pad : offset - ends.hi > pad;
 }
 

@@ -220,12 +220,13 @@ SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hi
     dvec3 p;
     dvec3 n;
     if (quadric.affine < 0) {
-        point_on_line(quadric.shape, leaving, line.origin, line.direction, p, n);
+        point_on_line(quadric.shape, leaving, line.origin, line.direction, margin_at_rim(size), p, n);
         return rounded_point(p, n, surface_error * size);
     }
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
     const geometry::Line local = affine.to_local(line);
-    point_on_line(quadric.shape, leaving, local.origin, local.direction, p, n);
+    const double margin = local_margin_at_rim(affine.linear, affine.inverse, affine.translation, size);
+    point_on_line(quadric.shape, leaving, local.origin, local.direction, margin, p, n);
     return point_in_world(p, n, affine.linear, affine.inverse, affine.translation, size);
 }
 

@@ -1,0 +1,128 @@
+// Files that must not be overwritten, and outputs that fail. long.toml would take hours: what it is refused
+// for is found before rendering.
+
+#include "cli_test.h"
+
+#include <csignal>
+
+namespace glint::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Outputs : public CliTest {
+  public:
+    /// Runs a line of shell in the folder; $G is glint.
+    Outcome shell(const std::string& line, Setting setting = {}) const {
+        setting.folder = path("");
+        setting.environment.push_back(std::string("G=") + GLINT_PROGRAM);
+        return run_program({"/bin/sh", "-c", line}, setting);
+    }
+
+    void expect_refused(const std::string& line, int exit, const std::string& says) const {
+        const std::string before = listing();
+        const Outcome outcome = shell(line);
+        EXPECT_EQ(outcome.exit, exit) << line << "\n" << outcome.err;
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << line << "\n" << outcome.err;
+        EXPECT_EQ(listing(), before) << line;
+    }
+};
+
+TEST_F(Outputs, OverwriteNoInputUnderAnyName) {
+    fs::create_symlink("long.toml", path("link.json"));
+    fs::create_hard_link(path("long.toml"), path("hard.json"));
+    fs::create_symlink(".", path("here"));
+    for (const std::string& name : {std::string("./long.toml"), path("long.toml"), std::string("link.json"),
+                                    std::string("hard.json"), std::string("here/long.toml")})
+        expect_refused("$G long.toml --stats " + name, 2, "--stats would overwrite long.toml");
+    expect_refused("$G - --stats long.toml <long.toml", 2,
+                   "--stats would overwrite the file that stdin reads");
+
+    write("mesh.toml", "[material.m]\n[[mesh]]\nfile = \"mesh.ply\"\nmaterial = \"m\"\n");
+    expect_refused("$G mesh.toml --stats here/mesh.ply", 2, "--stats would overwrite mesh.ply");
+    expect_refused("$G explain mesh.toml --pixel 1,1 -o here/mesh.ply", 2, "-o would overwrite mesh.ply");
+
+    // A scene whose default picture is its own file, and one that is the picture of a frame.
+    write("scene.png", content("long.toml"));
+    expect_refused("$G scene.png", 2, "-o would overwrite scene.png");
+    write("f-2.png", content("long.toml"));
+    expect_refused("$G f-2.png --frames 1..3 -o here/f-%d.png", 2, "-o would overwrite f-2.png");
+}
+
+TEST_F(Outputs, OverwriteNoOtherOutputUnderAnyName) {
+    fs::create_symlink("x.png", path("link.json"));
+    for (const std::string name : {"./x.png", "link.json"})
+        expect_refused("$G long.toml -o x.png --stats " + name, 2, "-o and --stats both go to ");
+    expect_refused("$G long.toml -o - --stats /dev/stdout | cat", 0, "-o and --stats both go to ");
+    expect_refused("$G long.toml --frames 1..3 -o x%d.png --stats x2.png", 2, "-o and --stats both go to ");
+    fs::create_symlink("x2.png", path("x1.png"));
+    expect_refused("$G long.toml --frames 1..3 -o x%d.png", 2, "two frames both go to x2.png");
+    EXPECT_EQ(shell("ln -s /dev/null null.png; $G good.toml -o null.png --stats /dev/null").exit, 0);
+}
+
+TEST_F(Outputs, AreCheckedBeforeRendering) {
+    fs::create_symlink("none/x.png", path("link.png"));
+    expect_refused("$G long.toml -o link.png", 4, "create the folder 'none' first");
+    fs::create_symlink("loop.png", path("loop.png"));
+    expect_refused("$G long.toml -o loop.png", 4, "symbolic links");
+    fs::create_directory(path("x-2.png"));
+    expect_refused("$G long.toml --frames 1..3 -o x-%d.png", 4, "x-2.png: error: ");
+    expect_refused("cd /proc && $G \"$OLDPWD/good.toml\"", 4, "-o names another file");
+}
+
+TEST_F(Outputs, FollowALinkToAFileThatIsNotThereYet) {
+    fs::create_symlink("empty/x.png", path("link.png"));
+    EXPECT_EQ(glint("good.toml -o link.png").exit, 0);
+    EXPECT_TRUE(fs::is_symlink(path("link.png")));
+    EXPECT_TRUE(exists("empty/x.png"));
+}
+
+TEST_F(Outputs, GoIntoPipesThatHaveAName) {
+    const Outcome outcome = glint("good.toml -q -o a.png --stats /dev/stdout");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.substr(0, 1), "{");
+}
+
+TEST_F(Outputs, LeaveNothingBehindBeyondTheLimitOnTheSizeOfFiles) {
+    for (const std::string line :
+         {"good.toml -o a.pfm", "explain good.toml --pixel 8,6 -o a.txt", "new -o a.toml"})
+        expect_refused("ulimit -f 1; $G " + line, 4, "raise the limit on the size of files");
+    expect_refused("ulimit -f 1; $G good.toml", 4, "-o names another file");
+}
+
+TEST_F(Outputs, EndWithAnErrorIfNobodyReadsThem) {
+    const Outcome outcome = shell("mkfifo f; exec 4<>f 5>f 4<&-; $G good.toml -q -o - >&5");
+    EXPECT_EQ(outcome.exit, 4);
+    EXPECT_NE(outcome.err.find("the program that reads the output has ended"), std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(Outputs, DoNotDependOnMessages) {
+    for (const std::string sink : {">/dev/full", ">&-"}) {
+        EXPECT_EQ(shell("$G dark.toml -v --progress json -o a.png 2" + sink).exit, 0) << sink;
+        EXPECT_EQ(content("a.png").substr(1, 3), "PNG") << sink;
+        EXPECT_EQ(shell("$G bad.toml 2" + sink).exit, 3) << sink;
+    }
+    shell("mkfifo f; exec 4<>f 5>f 4<&-; $G dark.toml -o a.png 2>&5; echo $? >code");
+    EXPECT_EQ(content("code"), "0\n");
+    EXPECT_EQ(shell("$G good.toml -o - >&-").exit, 4);
+}
+
+TEST_F(Outputs, OneSignalEndsWaitingForAReader) {
+    Setting setting;
+    setting.signal_when = "\"event\":\"progress\"";
+    for (const int signal : {SIGTERM, SIGINT}) {
+        setting.signal = signal;
+        EXPECT_EQ(shell("mkfifo f.png; exec $G good.toml --progress json -o f.png", setting).exit,
+                  128 + signal);
+    }
+}
+
+TEST_F(Outputs, ComeFromNoFolderOnStdin) {
+    for (const std::string line : {"- -o a.pfm", "info -", "check -", "explain - --pixel 1,1"})
+        expect_refused("$G " + line + " </", 3, "Is a directory");
+    expect_refused("$G - <&-", 3, "<stdin>: error: ");
+}
+
+} // namespace
+} // namespace glint::test
