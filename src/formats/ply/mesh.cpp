@@ -143,7 +143,7 @@ class Assembler {
         std::string hint = "each vertex becomes a small sphere; 'point_radius' sets its size";
         for (const Element& element : header_.elements)
             if (element.count > 0 && may_mean_faces(element))
-                hint = "did you mean 'face' by " + quoted(element.name) + "?";
+                hint = "did you mean 'face' by " + quoted_word(element.name) + "?";
         warn("the file has no faces: it is drawn as a point cloud", hint);
     }
 
