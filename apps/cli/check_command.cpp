@@ -17,7 +17,7 @@ std::string verdict(const std::string& file, const SceneDescription& description
     counts +=
         ", " + counted(stats.lights, "light") + ", " + counted(description.materials.size(), "material");
     if (warning_count > 0) counts += "; " + counted(warning_count, "warning");
-    return fmt::format("{}: ok ({})\n", file, counts);
+    return fmt::format("{}: ok ({})\n", printable(file), counts);
 }
 
 /// Prints all errors of a file; true if there are none.

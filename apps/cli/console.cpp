@@ -57,7 +57,7 @@ bool wants_color_on_stdout(const std::string& when) { return wants_color_on(STDO
 void Console::error(const Diagnostic& diagnostic) {
     // Messages that are not about a file name the program.
     const std::string text = (diagnostic.location.file.empty() ? "glint: " : "") + to_string(diagnostic);
-    write(colored(text, "error:", red));
+    write(text, "error:", red);
 }
 
 void Console::error(const std::string& message, const std::string& hint) {
@@ -67,7 +67,7 @@ void Console::error(const std::string& message, const std::string& hint) {
 void Console::always(const std::string& line) { write(line); }
 
 void Console::warning(const Diagnostic& diagnostic) {
-    if (!quiet()) write(colored(to_string(diagnostic), "warning:", magenta));
+    if (!quiet()) write(to_string(diagnostic), "warning:", magenta);
 }
 
 void Console::warnings(const std::vector<Diagnostic>& diagnostics) {
@@ -75,7 +75,7 @@ void Console::warnings(const std::vector<Diagnostic>& diagnostics) {
 }
 
 void Console::note(const std::string& text) {
-    if (!quiet()) write(colored("note: " + text, "note:", cyan));
+    if (!quiet()) write("note: " + text, "note:", cyan);
 }
 
 void Console::line(const std::string& text) {
@@ -89,20 +89,17 @@ void Console::detail(const std::string& text) {
 void Console::status(const std::string& text) {
     if (quiet() || !stderr_is_terminal()) return;
     const std::lock_guard lock(mutex_);
-    if (!text.empty() || status_shown_) print(erase_line + text);
+    if (!text.empty() || status_shown_) print(erase_line + printable(text));
     status_shown_ = !text.empty();
 }
 
-void Console::write(const std::string& text) {
+void Console::write(const std::string& text, const std::string& word, const char* color) {
+    std::string shown = printable(text, "\n\t");
+    const std::size_t at = shown.find(word);
+    if (color && color_ && at != std::string::npos) shown.replace(at, word.size(), color + word + plain);
     const std::lock_guard lock(mutex_);
-    print((status_shown_ ? erase_line : "") + text + "\n");
+    print((status_shown_ ? erase_line : "") + shown + "\n");
     status_shown_ = false;
-}
-
-std::string Console::colored(const std::string& text, const std::string& word, const char* color) const {
-    const std::size_t at = text.find(word);
-    if (!color_ || at == std::string::npos) return text;
-    return text.substr(0, at) + color + word + plain + text.substr(at + word.size());
 }
 
 void print_data(const std::string& text) {

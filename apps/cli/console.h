@@ -46,8 +46,8 @@ class Console {
     void status(const std::string& text);
 
   private:
-    void write(const std::string& text);
-    std::string colored(const std::string& text, const std::string& word, const char* color) const;
+    /// Colours the word where it first stands in the text.
+    void write(const std::string& text, const std::string& word = {}, const char* color = nullptr);
 
     Verbosity verbosity_;
     bool color_;

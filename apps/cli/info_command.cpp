@@ -72,7 +72,7 @@ std::string geometry_rows(const SceneStats& stats) {
 }
 
 std::string info_text(const std::string& file, const SceneDescription& description, const Scene& scene) {
-    std::string text = file + "\n";
+    std::string text = printable(file) + "\n";
     text += row("objects", counts_text(description.objects, shape_index, shape_names, shape_plurals));
     text += row("lights", counts_text(description.lights, light_index, light_names, light_names));
     text += geometry_rows(scene.stats());
@@ -82,7 +82,7 @@ std::string info_text(const std::string& file, const SceneDescription& descripti
                             camera.fov, description.camera ? "" : " (framed)"));
     text += "materials\n";
     for (const Material& material : description.materials)
-        text += fmt::format("  {:<11}{}\n", material.name, " " + properties(material));
+        text += fmt::format("  {:<11}{}\n", printable(material.name), " " + properties(material));
     text += "picture settings\n";
     for (const auto& setting : picture_settings(scene))
         text += fmt::format("  {:<18}{}\n", setting_name(setting.first), setting.second);

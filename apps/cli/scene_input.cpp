@@ -11,6 +11,8 @@ LoadOptions load_options(const Arguments& arguments) {
             throw Error(ErrorKind::usage, "-D \"" + override_ + "\" sets nothing",
                         "expected path=value, such as -D whitted.max_depth=3");
     options.allow_outside = arguments.has("allow-outside");
+    // Alpha is for what stands alone.
+    options.floor = !arguments.has("alpha");
     const std::string up = arguments.text("up").value_or("auto");
     if (up == "y") options.up = Axis::y;
     if (up == "z") options.up = Axis::z;

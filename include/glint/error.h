@@ -7,6 +7,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -42,6 +43,9 @@ enum class ErrorKind {
     cancelled, ///< the caller asked to stop
     internal,  ///< a bug in glint
 };
+
+/// The text with control characters, except those `kept`, as escapes such as \u001b: for terminals.
+std::string printable(std::string_view text, std::string_view kept = {});
 
 /// "file:line:column", or "file: byte 17"; what is unknown is left out.
 std::string to_string(const Location& location);

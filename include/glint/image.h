@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,10 @@ struct Comparison {
 };
 
 /// Compares two pictures. `tolerance` is in units of the pictures and inclusive; `peak` is white (1 for
-/// linear light, 255 for 8-bit values). NaN equals NaN and differs from numbers by infinity.
-Comparison compare(const Image& a, const Image& b, double tolerance, double peak);
+/// linear light, 255 for 8-bit values). NaN equals NaN and differs from numbers by infinity. Alpha, by pixel,
+/// is a fourth channel if either has it; the other is then opaque.
+Comparison compare(const Image& a, const Image& b, double tolerance, double peak,
+                   std::span<const float> alpha_of_a = {}, std::span<const float> alpha_of_b = {});
 
 /// A heat map of |a − b|: black for equal, through blue and yellow to white at `full_scale` and beyond.
 Image difference_heat(const Image& a, const Image& b, double full_scale);

@@ -24,8 +24,10 @@ struct Layer {
 
 struct PictureOptions {
     View view = View::srgb;
-    int bits = 8;              ///< PNG: 8 or 16
-    std::vector<float> alpha;  ///< PNG, EXR: width · height values, unassociated; empty: no alpha
+    int bits = 8; ///< PNG: 8 or 16
+    /// PNG, EXR: width · height values, by which the image is premultiplied; PNG stores straight colours.
+    /// Empty: no alpha.
+    std::vector<float> alpha;
     std::vector<Layer> layers; ///< EXR
     /// settings that determine the picture, as PNG text or EXR attributes
     std::vector<std::pair<std::string, std::string>> metadata;
@@ -52,12 +54,14 @@ void check_picture_target(const std::string& path, bool with_alpha = false, bool
 /// A picture as read: 8- and 16-bit pictures keep integer values, float pictures are linear light.
 struct LoadedPicture {
     Image image;
-    int bits = 32; ///< 8, 16, or 32 for float
+    int bits = 32;                 ///< 8, 16, or 32 for float
+    std::vector<float> alpha = {}; ///< by pixel, in the same units; empty: opaque
 };
 LoadedPicture read_picture(const std::string& path);
 
 /// The comparison of `glint diff`: |a − b| in units of 1/255 if both pictures have 8 or 16 bits, in linear
-/// light if both are float. Throws Error(usage) for one of each, Error(input) for different sizes.
+/// light if both are float. Alpha counts if either has it. Throws Error(usage) for one of each, Error(input)
+/// for different sizes.
 struct PictureDifference {
     Comparison comparison;
     bool eight_bit = false; ///< units of 1/255

@@ -64,10 +64,12 @@ struct RenderOptions {
     int threads = 0;       ///< 0: one for each core
     int tile_size = 16;    ///< in pixels; affects the order of work, never the picture
     std::optional<Rect> crop;
-    KernelChoice kernel;   ///< traversal kernel; affects time, never the picture. Throws if the machine lacks
-                           ///< the SIMD target
-    bool terms = false;    ///< return a picture of each term
-    bool coverage = false; ///< return the fraction of samples that hit something
+    KernelChoice kernel; ///< traversal kernel; affects time, never the picture. Throws if the machine lacks
+                         ///< the SIMD target
+    bool terms = false;  ///< return a picture of each term
+    /// Return the fraction of samples that hit something, and leave out the background: the image is then
+    /// premultiplied by this fraction.
+    bool coverage = false;
     std::function<void(const Progress&)> progress; ///< called by rendering threads, one at a time
     const CancelFlag* cancel = nullptr;
 };
@@ -89,7 +91,8 @@ struct Picture {
     Image image;
     /// by Term; their sum in order equals `image` bit for bit; empty unless requested
     std::array<Image, term_count> terms;
-    std::vector<float> coverage; ///< width · height: fraction of samples that hit something; or empty
+    std::vector<float>
+        coverage; ///< width · height: fraction of samples that hit something, filtered; or empty
     RenderStats stats;
     bool complete = true; ///< false if cancelled; pixels of unfinished tiles are 0
 };

@@ -358,8 +358,9 @@ std::vector<Diagnostic> warnings(const Scene& scene);
 /// Guesses the up axis of a mesh by its shape: y or z.
 Axis guess_up_axis(const Mesh& mesh);
 
-/// A preview scene of a mesh: framed, lit, on a floor, rotated so that `up` points along +z.
-SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up);
+/// A preview scene of a mesh: framed, lit, on a floor if wanted, rotated so that `up` points along +z.
+SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up,
+                               bool floor = true);
 
 /// The camera that shows everything finite in the scene, for a picture of its size.
 CameraDescription fit_camera(const SceneDescription& description);

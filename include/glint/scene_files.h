@@ -20,6 +20,7 @@ struct LoadOptions {
     bool allow_outside = false; ///< whether a scene may refer to files outside its folder
     bool load_meshes = true;
     std::optional<Axis> up = {};        ///< up axis of bare meshes; none: guessed and reported in `notes`
+    bool floor = true;                  ///< whether bare meshes stand on a floor
     const CancelFlag* cancel = nullptr; ///< once it is set, Error(cancelled) is thrown
     LoadCallback progress = {};         ///< called while meshes are read
 };

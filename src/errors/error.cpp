@@ -11,8 +11,9 @@ namespace {
 // The caret stands under the column; tabs before it are kept, so that it does on any terminal.
 std::string caret_line(const std::string& excerpt, int column) {
     std::string pad;
-    for (int i = 0; i + 1 < column && i < static_cast<int>(excerpt.size()); ++i) {
-        const auto byte = static_cast<unsigned char>(excerpt[static_cast<std::size_t>(i)]);
+    const auto length = static_cast<std::size_t>(std::max(column - 1, 0));
+    for (const char character : printable(std::string_view(excerpt).substr(0, length), "\t")) {
+        const auto byte = static_cast<unsigned char>(character);
         const bool continues_utf8 = (byte & 0xc0u) == 0x80u;
         if (!continues_utf8) pad += byte == '\t' ? '\t' : ' ';
     }
@@ -53,8 +54,28 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 } // namespace
 
+std::string printable(std::string_view text, std::string_view kept) {
+    constexpr const char* digits = "0123456789abcdef";
+    std::string shown;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        // U+0080 to U+009F are two bytes in UTF-8.
+        const bool second = byte == 0xc2u && i + 1 < text.size() &&
+                            static_cast<unsigned char>(text[i + 1]) >= 0x80u &&
+                            static_cast<unsigned char>(text[i + 1]) < 0xa0u;
+        const bool control = second || byte < 0x20u || byte == 0x7fu;
+        if (!control || kept.find(text[i]) != std::string_view::npos) {
+            shown += text[i];
+            continue;
+        }
+        const auto code = second ? static_cast<unsigned char>(text[++i]) : byte;
+        shown += std::string("\\u00") + digits[code >> 4u] + digits[code & 15u];
+    }
+    return shown;
+}
+
 std::string to_string(const Location& location) {
-    std::string text = location.file;
+    std::string text = printable(location.file);
     if (location.line > 0) text += ":" + std::to_string(location.line);
     if (location.line > 0 && location.column > 0) text += ":" + std::to_string(location.column);
     if (location.byte) text += ": byte " + std::to_string(*location.byte);
@@ -65,13 +86,13 @@ std::string to_string(const Diagnostic& diagnostic) {
     std::string text = to_string(diagnostic.location);
     if (!text.empty()) text += ": ";
     text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
-    text += diagnostic.message;
+    text += printable(diagnostic.message, "\n");
     if (!diagnostic.excerpt.empty()) {
-        text += "\n    " + diagnostic.excerpt;
+        text += "\n    " + printable(diagnostic.excerpt, "\t");
         if (diagnostic.location.column > 0)
             text += "\n    " + caret_line(diagnostic.excerpt, diagnostic.location.column);
     }
-    if (!diagnostic.hint.empty()) text += "\n    " + diagnostic.hint;
+    if (!diagnostic.hint.empty()) text += "\n    " + printable(diagnostic.hint, "\n");
     return text;
 }
 

@@ -68,6 +68,45 @@ void FileBytes::grow(std::size_t size, std::size_t kept) {
     *this = std::move(larger);
 }
 
+void refuse_compressed(std::string_view bytes, const std::string& name) {
+    struct Kind {
+        std::string_view magic;
+        const char* name;
+        const char* cure;
+    };
+    using namespace std::string_view_literals;
+    static constexpr Kind kinds[] = {{"\x1f\x8b"sv, "gzip", "decompress it first: gunzip -k"},
+                                     {"\xfd"
+                                      "7zXZ\0"sv,
+                                      "xz", "decompress it first: unxz -k"},
+                                     {"\x28\xb5\x2f\xfd"sv, "zstd", "decompress it first: unzstd -k"},
+                                     {"BZh"sv, "bzip2", "decompress it first: bunzip2 -k"},
+                                     {"PK\3\4"sv, "zip", "unpack it first: unzip"}};
+    for (const Kind& kind : kinds) {
+        if (!bytes.starts_with(kind.magic)) continue;
+        // Text may begin with BZh too; a block of bzip2 begins with the digits of pi.
+        if (kind.name == "bzip2"sv &&
+            !bytes.substr(std::min<std::size_t>(4, bytes.size())).starts_with("1AY&SY"))
+            continue;
+        throw Error(ErrorKind::input, std::string("the file is compressed with ") + kind.name, kind.cure,
+                    {.file = name});
+    }
+}
+
+const char* special_file(const std::filesystem::file_status& status) {
+    switch (status.type()) {
+    case std::filesystem::file_type::fifo:
+        return "a FIFO";
+    case std::filesystem::file_type::socket:
+        return "a socket";
+    case std::filesystem::file_type::block:
+    case std::filesystem::file_type::character:
+        return "a device";
+    default:
+        return nullptr;
+    }
+}
+
 FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
     // Pipes have no size, and files may grow: the size is only an initial guess. Reading one byte more
     // detects the end.

@@ -4,10 +4,12 @@
 #include "formats/load_watch.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace glint::formats {
 
@@ -53,6 +55,12 @@ class FileBytes {
     std::unique_ptr<std::byte[]> bytes_;
     std::size_t size_;
 };
+
+/// Throws Error(input) for the bytes of a compressed file, and says of which kind.
+void refuse_compressed(std::string_view bytes, const std::string& name);
+
+/// "a FIFO", "a socket" or "a device": what a file is that is neither regular nor a folder; null for others.
+const char* special_file(const std::filesystem::file_status& status);
 
 /// Reads the rest of a file.
 FileBytes read_bytes(InputFile& file, const LoadWatch& watch = {});

@@ -46,7 +46,9 @@ std::string read_file(const std::string& path) {
 
 std::string read_text(const std::string& path) {
     std::string text = path == "-" ? read_all(InputFile(::dup(STDIN_FILENO), stdin_name)) : read_file(path);
-    require_scene_size(text, path == "-" ? stdin_name : path);
+    const std::string name = path == "-" ? stdin_name : path;
+    require_scene_size(text, name);
+    refuse_compressed(text, name);
     return text;
 }
 

@@ -165,6 +165,26 @@ GLINT_FN SurfacePoint point_in_world(dvec3 p, dvec3 n, GLINT_IN(dmat3) linear, G
                          surface_error * size_in_world(linear, translation, size));
 }
 
+/// Where the line o + t d enters or leaves a quadric of the world.
+GLINT_FN SurfacePoint quadric_surface(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o, dvec3 d) {
+    double size = size_of_quadric(shape);
+    dvec3 p;
+    dvec3 n;
+    point_on_line(shape, leaving, o, d, margin_at_rim(size), p, n);
+    return rounded_point(p, n, surface_error * size);
+}
+
+/// The same in a local space, in which the quadric and the line are given.
+GLINT_FN SurfacePoint local_quadric_surface(GLINT_IN(QuadricShape) shape, bool leaving, dvec3 o, dvec3 d,
+                                            GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
+                                            GLINT_IN(dvec3) translation) {
+    double size = size_of_quadric(shape);
+    dvec3 p;
+    dvec3 n;
+    point_on_line(shape, leaving, o, d, local_margin_at_rim(linear, inverse, translation, size), p, n);
+    return point_in_world(p, n, linear, inverse, translation, size);
+}
+
 /// Where the line o + t d meets a plane.
 GLINT_FN SurfacePoint plane_surface(dvec3 o, dvec3 d, dvec3 normal, double offset) {
     double t;

@@ -98,6 +98,7 @@ GpuSettings DeviceExecutor::settings_of(const GpuTile& tile, const rendering::Pa
     s.tile_x = static_cast<std::uint32_t>(area.x + tile.origin.x + tile.rect.x * tile.step);
     s.tile_y = static_cast<std::uint32_t>(area.y + tile.origin.y + tile.rect.y * tile.step);
     s.tile_width = static_cast<std::uint32_t>(tile.rect.width);
+    s.hides_background = layout_.coverage ? 1 : 0;
     s.samples = static_cast<std::uint32_t>(pass.is_preview() ? 1 : layout_.samples);
     s.end_x = static_cast<std::uint32_t>(area.x + area.width);
     s.end_y = static_cast<std::uint32_t>(area.y + area.height);

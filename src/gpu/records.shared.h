@@ -140,10 +140,11 @@ struct GpuSettings {
     uint end_sample;   ///< past the last sample
     uint first_slot;
     uint end_slot;
-    uint slot_count; ///< of the tile: the stride of their fields
-    uint max_nodes;  ///< of ray trees, for each slot
-    int aov;         ///< what is measured at first hits (render/aov.shared.h)
-    uint any_hit;    ///< rays.glsl: 1: any hit will do
+    uint slot_count;       ///< of the tile: the stride of their fields
+    uint max_nodes;        ///< of ray trees, for each slot
+    int aov;               ///< what is measured at first hits (render/aov.shared.h)
+    uint any_hit;          ///< rays.glsl: 1: any hit will do
+    uint hides_background; ///< 1: camera rays that hit nothing bring nothing
 
     // From a film to a picture: show.glsl.
     uint show_mode;
@@ -152,7 +153,7 @@ struct GpuSettings {
     uint film_terms;    ///< terms that the film sums separately
     uint shown_term;    ///< one of them
     uint smooth_steps;  ///< 1: linear between known pixels, 0: blocks
-    uvec2 reserved;     ///< 0; std140 rounds the size up to a multiple of 16 bytes
+    uint reserved;      ///< 0; std140 rounds the size up to a multiple of 16 bytes
 };
 
 // GpuSettings::show_mode
@@ -187,9 +188,9 @@ const uint fields_of_term = 3u;
 const uint fields_of_ray = 14u;
 
 // The film: the terms' sums over samples of weight +1, those of weight −1, the number of samples of weight
-// +1, and of samples that hit something, each of all slots side by side.
+// +1, and of samples of weight +1 and −1 that hit something, each of all slots side by side.
 const uint film_fields_of_term = 6u;
-const uint film_counts = 2u;
+const uint film_counts = 3u;
 
 #ifndef GLINT_GLSL
 static_assert(offsetof(GpuSettings, interiors_at_eye) == 64 && offsetof(GpuSettings, ambient_light) == 96 &&

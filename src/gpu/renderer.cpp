@@ -16,14 +16,17 @@ void read_pixel(const rendering::Pixel& pixel, std::span<const float> fields, st
                 std::size_t slots, std::size_t terms, rendering::Film& film) {
     const auto field = [&](std::size_t f) { return fields[f * slots + slot]; };
     const auto sum = [&](std::size_t f) { return vec3(field(f), field(f + 1), field(f + 2)); };
+    const auto count = [&](std::size_t i) {
+        return static_cast<std::uint32_t>(field(film_fields_of_term * terms + i));
+    };
     imaging::SignedSums<rendering::Terms> sums;
     for (std::size_t t = 0; t < terms; ++t) {
         sums.positive.value[t] = sum(3 * t);
         sums.negative.value[t] = sum(3 * (terms + t));
     }
     sums.count = static_cast<std::uint32_t>(film.layout().samples);
-    sums.positives = static_cast<std::uint32_t>(field(film_fields_of_term * terms));
-    film.set_pixel(pixel, sums, static_cast<std::uint32_t>(field(film_fields_of_term * terms + 1)));
+    sums.positives = count(0);
+    film.set_pixel(pixel, sums, {count(1), count(2)});
 }
 
 void read_tile(const Rect& tile, const gpu::GpuBuffer& buffer, std::size_t terms, rendering::Film& film) {

@@ -47,8 +47,15 @@ Color heat_color(double t) {
 
 } // namespace
 
-Comparison compare(const Image& a, const Image& b, double tolerance, double peak) {
+Comparison compare(const Image& a, const Image& b, double tolerance, double peak,
+                   std::span<const float> alpha_of_a, std::span<const float> alpha_of_b) {
     require_same_size(a, b);
+    const int channels = alpha_of_a.empty() && alpha_of_b.empty() ? 3 : 4;
+    const auto value = [&](const Image& image, std::span<const float> alpha, int x, int y, int channel) {
+        if (channel < 3) return image.at(x, y)[channel];
+        const auto pixel = static_cast<std::size_t>(image.at(x, y) - image.pixels.data()) / 3;
+        return alpha.empty() ? static_cast<float>(peak) : alpha[pixel];
+    };
 
     // Sum by rows: this keeps rounding errors small in a fixed order.
     Comparison result;
@@ -60,8 +67,9 @@ Comparison compare(const Image& a, const Image& b, double tolerance, double peak
         double row_squares = 0;
         for (int x = 0; x < a.width; ++x) {
             double worst = 0;
-            for (int channel = 0; channel < 3; ++channel) {
-                const double d = difference(a.at(x, y)[channel], b.at(x, y)[channel]);
+            for (int channel = 0; channel < channels; ++channel) {
+                const double d =
+                    difference(value(a, alpha_of_a, x, y, channel), value(b, alpha_of_b, x, y, channel));
                 row_sum += d;
                 row_squares += d * d;
                 worst = std::max(worst, d);
@@ -75,8 +83,8 @@ Comparison compare(const Image& a, const Image& b, double tolerance, double peak
 
     const double pixels = static_cast<double>(a.width) * static_cast<double>(a.height);
     if (pixels > 0) {
-        result.mae = sum / (3 * pixels);
-        result.rmse = std::sqrt(sum_of_squares / (3 * pixels));
+        result.mae = sum / (channels * pixels);
+        result.rmse = std::sqrt(sum_of_squares / (channels * pixels));
         result.share = beyond / pixels;
     }
     result.psnr =

@@ -3,6 +3,7 @@
 
 #include "math/vec.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -77,6 +78,26 @@ T pixel_value(const SignedSums<T>& sums) {
     return (sums.positive - sums.negative) / static_cast<float>(weights);
 }
 
+/// Samples that hit something, by the sign of their weight.
+struct CoveredCounts {
+    std::uint32_t positive = 0;
+    std::uint32_t negative = 0;
+
+    void add(bool covered, float weight) {
+        if (covered) ++(weight > 0 ? positive : negative);
+    }
+    friend CoveredCounts operator+(const CoveredCounts& a, const CoveredCounts& b) {
+        return {a.positive + b.positive, a.negative + b.negative};
+    }
+};
+
+/// The coverage of a pixel, filtered as its value is: what is covered alike has one colour up to its edge.
+inline float pixel_coverage(const CoveredCounts& covered, std::uint32_t count, std::uint32_t positives) {
+    const SignedSums<float> sums{static_cast<float>(covered.positive), static_cast<float>(covered.negative),
+                                 count, positives};
+    return std::clamp(pixel_value(sums), 0.0f, 1.0f);
+}
+
 /// One pixel's samples: Σ w L / Σ w for weights of ±1 (imaging/filter.h). Few samples do not resolve a
 /// negative lobe: one bright sample there among four would turn a pixel black. So with fewer than
 /// samples_for_lobes, or where the weights nearly cancel (Σ w < n / 2), the pixel is the plain mean of the
@@ -123,6 +144,10 @@ class PixelSum {
     T value() const {
         return pixel_value(
             SignedSums<T>{positive_.total(), negative_.total(), positive_.count(), positives_});
+    }
+
+    float coverage(const CoveredCounts& covered) const {
+        return pixel_coverage(covered, positive_.count(), positives_);
     }
 
     /// True if samples of this weight count in value().

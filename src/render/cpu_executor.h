@@ -59,7 +59,7 @@ class CpuExecutor {
     template <class T>
     const T& measured(const Channels& channels) const;
     template <class T>
-    void put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const;
+    void put(const T& value, float coverage, std::size_t pixel, FilmTile& values) const;
     template <class T>
     struct PixelSamples;
     template <class T>

@@ -170,14 +170,13 @@ std::size_t Film::pixels_of(std::size_t tile) const {
 void Film::commit(std::size_t tile, const Pass& visit, FilmTile& values) {
     const int end = visit.first + visit.count;
     const bool continued = continues(tile, visit);
-    const auto samples = static_cast<float>(continued ? end : visit.count);
     for (std::size_t i = 0; i < values.pixels.size(); ++i) {
         const Pixel& pixel = values.pixels[i];
         write(image_.at(pixel.x, pixel.y), values.shown[i]);
         if (layout_.terms)
             for (std::size_t t = 0; t < terms_.size(); ++t)
                 write(terms_[t].at(pixel.x, pixel.y), values.terms[i].value[t]);
-        if (layout_.coverage) coverage_[index(pixel)] = static_cast<float>(values.covered[i]) / samples;
+        if (layout_.coverage) coverage_[index(pixel)] = values.coverage[i];
     }
     TileSamples& samples_of_tile = samples_[tile];
     const bool keeps = keeps_states(tile, visit);
@@ -233,7 +232,7 @@ void Film::add_states(SampleBlock& before, const SampleBlock& after) {
         std::memcpy(&a, &before.states[at], sizeof a);
         std::memcpy(&b, &after.states[at], sizeof b);
         a.sum = a.sum + b.sum;
-        a.covered += b.covered;
+        a.covered = a.covered + b.covered;
         std::memcpy(&before.states[at], &a, sizeof a);
     }
 }
@@ -254,13 +253,13 @@ void Film::show_blocks(std::size_t tile) {
             PixelState<T> before;
             std::memcpy(&before, &blocks[block].states[at], sizeof before);
             all.sum = before.sum + all.sum;
-            all.covered += before.covered;
+            all.covered = before.covered + all.covered;
         }
         const imaging::SignedSums<T> sums{all.sum.positive, all.sum.negative,
                                           static_cast<std::uint32_t>(count), all.sum.positives};
         const auto width = static_cast<std::size_t>(r.width);
         show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)},
-             imaging::pixel_value(sums), static_cast<float>(all.covered) / static_cast<float>(count));
+             imaging::pixel_value(sums), imaging::pixel_coverage(all.covered, sums.count, sums.positives));
     }
     if (count == layout_.samples) {
         blocks.resize(1);
@@ -282,8 +281,9 @@ void Film::show(const Pixel& pixel, const T& value, float coverage) {
     if (layout_.coverage) coverage_[index(pixel)] = coverage;
 }
 
-void Film::set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums, std::uint32_t covered) {
-    show(pixel, imaging::pixel_value(sums), static_cast<float>(covered) / static_cast<float>(sums.count));
+void Film::set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
+                     const imaging::CoveredCounts& covered) {
+    show(pixel, imaging::pixel_value(sums), imaging::pixel_coverage(covered, sums.count, sums.positives));
 }
 
 void Film::commit_preview(const Pass& pass, const FilmTile& values) {

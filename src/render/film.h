@@ -40,22 +40,22 @@ FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& opti
 template <class T>
 struct PixelState {
     typename imaging::PixelSum<T>::Part sum;
-    std::uint32_t covered = 0; ///< samples that hit something
+    imaging::CoveredCounts covered;
 };
 
 /// The values of one visit of a tile. They enter the film when all are there, so that a cancelled visit
 /// leaves no trace.
 struct FilmTile {
-    std::vector<Pixel> pixels;          ///< of the area: those measured
-    std::vector<vec3> shown;            ///< by pixel
-    std::vector<Terms> terms;           ///< by pixel, if the film stores them
-    std::vector<std::uint32_t> covered; ///< by pixel, if the film stores the coverage
-    std::vector<std::byte> states;      ///< PixelState by pixel of the tile, if more samples will follow
+    std::vector<Pixel> pixels;     ///< of the area: those measured
+    std::vector<vec3> shown;       ///< by pixel
+    std::vector<Terms> terms;      ///< by pixel, if the film stores them
+    std::vector<float> coverage;   ///< by pixel, if the film stores it
+    std::vector<std::byte> states; ///< PixelState by pixel of the tile, if more samples will follow
 
     void resize_to_pixels(const FilmLayout& layout) {
         shown.resize(pixels.size());
         if (layout.terms) terms.resize(pixels.size());
-        if (layout.coverage) covered.resize(pixels.size());
+        if (layout.coverage) coverage.resize(pixels.size());
     }
 };
 
@@ -95,7 +95,8 @@ class Film {
     /// Ends a preview pass: the image shows its pixels and, `smooth`, interpolates between them.
     void show_preview(int step, bool smooth, parallel::TaskPool& pool);
     /// Sets a finished pixel of the area from sums made elsewhere.
-    void set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums, std::uint32_t covered);
+    void set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
+                   const imaging::CoveredCounts& covered);
 
     const Image& image() const { return image_; }
     /// Moves the images and the coverage into a picture.

@@ -14,7 +14,7 @@ namespace glint::rendering {
 namespace {
 
 constexpr std::uint64_t magic = 0x6d6c6966'746e6c67; ///< "glntfilm"
-constexpr std::uint32_t version_of_format = 1;
+constexpr std::uint32_t version_of_format = 2;
 
 /// FNV-1a over words of 8 bytes (Fowler, Noll and Vo).
 std::uint64_t check_sum(std::span<const std::byte> bytes) {

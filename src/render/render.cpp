@@ -24,7 +24,7 @@ std::size_t index_in(const Rect& tile, const Pixel& pixel) {
 template <class T>
 struct CpuExecutor::PixelSamples {
     imaging::PixelSum<T> sum;
-    std::uint32_t covered = 0;
+    imaging::CoveredCounts covered;
 
     PixelSamples(const Film& film, const Visit& visit, const Pixel& pixel) {
         if (!visit.continues) return;
@@ -34,7 +34,7 @@ struct CpuExecutor::PixelSamples {
     }
     void add(const T& value, const CameraSample& sample, const Channels& channels) {
         sum.add(value, sample.weight);
-        covered += channels.covered ? 1 : 0;
+        covered.add(channels.covered, sample.weight);
     }
 };
 
@@ -172,6 +172,9 @@ void CpuExecutor::estimate_samples(std::size_t from, int first, int count, Worke
     }
     estimate(worker.estimator, {worker.samples.data(), s}, {worker.channels.data(), s},
              film_.layout().needs_terms());
+    // With coverage, pixels show what is hit alone.
+    for (std::size_t i = 0; film_.layout().coverage && i < s; ++i)
+        if (!worker.channels[i].covered) worker.channels[i] = {};
 }
 
 template <class T>
@@ -182,7 +185,8 @@ void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, Worker& 
     const std::size_t pixels = worker.values.pixels.size() - from;
     if (film_.layout().samples == 1) {
         for (std::size_t i = 0; i < pixels; ++i)
-            put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1 : 0, from + i, worker.values);
+            put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1.0f : 0.0f, from + i,
+                worker.values);
         return;
     }
     for (std::size_t i = 0, s = 0; i < pixels; ++i) {
@@ -221,7 +225,7 @@ const T& CpuExecutor::measured(const Channels& channels) const {
 template <class T>
 void CpuExecutor::put_sums(const PixelSamples<T>& samples, const Visit& visit, std::size_t pixel,
                            FilmTile& values) const {
-    put(samples.sum.value(), samples.covered, pixel, values);
+    put(samples.sum.value(), samples.sum.coverage(samples.covered), pixel, values);
     if (!visit.keeps_states) return;
     const PixelState<T> state{samples.sum.part(), samples.covered};
     const std::size_t index = index_in(visit.rect, values.pixels[pixel]);
@@ -229,7 +233,7 @@ void CpuExecutor::put_sums(const PixelSamples<T>& samples, const Visit& visit, s
 }
 
 template <class T>
-void CpuExecutor::put(const T& value, std::uint32_t covered, std::size_t pixel, FilmTile& values) const {
+void CpuExecutor::put(const T& value, float coverage, std::size_t pixel, FilmTile& values) const {
     const FilmLayout& layout = film_.layout();
     if constexpr (std::is_same_v<T, Terms>) {
         values.shown[pixel] = layout.term ? value[*layout.term] : value.sum();
@@ -237,7 +241,7 @@ void CpuExecutor::put(const T& value, std::uint32_t covered, std::size_t pixel, 
     } else {
         values.shown[pixel] = value;
     }
-    if (layout.coverage) values.covered[pixel] = covered;
+    if (layout.coverage) values.coverage[pixel] = coverage;
 }
 
 } // namespace glint::rendering

@@ -113,7 +113,8 @@ Object preview_mesh(std::shared_ptr<const Mesh> mesh, const std::string& file, A
 
 } // namespace
 
-SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up) {
+SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up,
+                               bool floor) {
     if (!mesh || !support(*mesh, dvec3(0, 0, 1))) {
         throw Error(ErrorKind::input, "the mesh has nothing to show: no vertex that is finite and used",
                     "give a mesh with faces or points", {file, 0, 0, {}});
@@ -128,7 +129,7 @@ SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::stri
     scene.framing.fov = 30;
     scene.framing.fill = 0.78;
 
-    add_floor(scene, extent);
+    if (floor) add_floor(scene, extent);
     add_lights(scene, extent, scene::three_quarter_view());
     scene.render.background = Vec3(0.35, 0.37, 0.4);
     return scene;

@@ -39,6 +39,33 @@ TEST_F(Check, KeepsQuiet) {
     EXPECT_NE(unsound.err.find("error: "), std::string::npos) << unsound.err;
 }
 
+TEST_F(Check, EscapesControlCharactersOfNames) {
+    write("odd\x1b[31m.toml", R"([render]
+size = [8, 8]
+[material."a\u001b[31m"]
+transparency = 0.5
+reflectivity = 0.9
+[[sphere]]
+name = "b\u001b[31m\u009b\u0007"
+center = [0, 0, 0]
+radius = 1
+material = "a\u001b[31m"
+[[sphere]]
+name = "c\u001b[31m"
+center = [0, 0, 0]
+radius = 1
+material = "a\u001b[31m"
+)");
+    for (const char* command : {"check", "info", "explain --pixel 4,4", "render --progress plain -o a.png"}) {
+        const Outcome outcome = glint(std::string(command) + " odd\x1b[31m.toml");
+        EXPECT_EQ(outcome.exit, 0) << outcome.err;
+        const std::string all = outcome.out + outcome.err;
+        EXPECT_EQ(all.find_first_of("\x1b\a"), std::string::npos) << command << "\n" << all;
+        EXPECT_EQ(all.find("\xc2\x9b"), std::string::npos) << command;
+        EXPECT_NE(all.find("\\u001b[31m"), std::string::npos) << command << "\n" << all;
+    }
+}
+
 class Info : public CliTest {};
 
 TEST_F(Info, PrintsToStdout) {

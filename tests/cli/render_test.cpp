@@ -215,6 +215,13 @@ TEST_F(Render, PutsTheCoverageIntoAlpha) {
     EXPECT_EQ(glint("good.toml -o a.png --alpha --bits 16").exit, 0);
     // IHDR: 16 bits, colour type 6 is RGB with alpha.
     EXPECT_EQ(content("a.png").substr(24, 2), "\x10\x06");
+    // A bare mesh then stands on no floor.
+    const auto objects = [&](const std::string& options) {
+        return nlohmann::json::parse(
+            glint("mesh.ply --size 16x12 --stats - " + options).out)["scene"]["objects"];
+    };
+    EXPECT_EQ(objects(""), 2);
+    EXPECT_EQ(objects("--alpha"), 1);
 }
 
 TEST_F(Render, ReportsProgressAsJson) {

@@ -25,6 +25,25 @@ TEST(DiffPictures, CountsEightBitPicturesInStepsOf255) {
     EXPECT_EQ(diff_pictures(gray(10, 1, 8, 100), b, 3).comparison.share, 0);
 }
 
+TEST(DiffPictures, CountsAlphaAsAFourthChannel) {
+    const LoadedPicture opaque = gray(2, 1, 8, 100);
+    LoadedPicture clear = opaque;
+    clear.alpha = {255, 205};
+    EXPECT_EQ(diff_pictures(opaque, clear, 0).comparison.max, 50);
+    EXPECT_DOUBLE_EQ(diff_pictures(clear, opaque, 0).comparison.mae, 50.0 / 8);
+    EXPECT_EQ(diff_pictures(opaque, clear, 0).comparison.share, 0.5);
+    EXPECT_EQ(diff_pictures(clear, clear, 0).comparison.max, 0);
+    clear.alpha[1] = 255;
+    EXPECT_EQ(diff_pictures(opaque, clear, 0).comparison.max, 0) << "255 is opaque";
+
+    LoadedPicture deep = gray(2, 1, 16, 100 * 257);
+    deep.alpha = {65535, 65535 - 257};
+    EXPECT_EQ(diff_pictures(deep, opaque, 0).comparison.max, 1);
+    LoadedPicture linear = gray(2, 1, 32, 0.5f);
+    linear.alpha = {1, 0.25f};
+    EXPECT_EQ(diff_pictures(gray(2, 1, 32, 0.5f), linear, 0).comparison.max, 0.75);
+}
+
 TEST(DiffPictures, CountsSixteenBitPicturesInTheSameUnits) {
     // One step of 1/255 is 257 steps of 1/65535, exactly, at the tolerance's edge too.
     for (int code = 0; code < 255; ++code) {

@@ -48,14 +48,17 @@ TEST_F(Exr, CarriesAlphaAndMetadata) {
     PictureOptions options;
     options.alpha = {0, 0.25f, 0.5f, 1, 2, 3};
     options.metadata = {{"compression", "not OpenEXR's own"},
-                        {"a name that is longer than OpenEXR's short ones", "x"}};
+                        {"a name that is longer than OpenEXR's short ones", "x"},
+                        {"glint.hash", "0123"}};
     write_picture(file("a.exr"), varied_image(3, 2), options);
     EXPECT_EQ(channel_of(file("a.exr"), "A", 3, 2), options.alpha);
+    EXPECT_EQ(read_picture(file("a.exr")).alpha, options.alpha);
 
     const Imf::InputFile read(file("a.exr").c_str(), 0);
     const auto* first = read.header().findTypedAttribute<Imf::StringAttribute>("glint.compression");
     ASSERT_NE(first, nullptr);
     EXPECT_EQ(first->value(), "not OpenEXR's own");
+    EXPECT_NE(read.header().findTypedAttribute<Imf::StringAttribute>("glint.hash"), nullptr);
     EXPECT_EQ(read.header().compression(), Imf::ZIP_COMPRESSION);
     EXPECT_NE(read.header().findTypedAttribute<Imf::StringAttribute>("glint." + options.metadata[1].first),
               nullptr);

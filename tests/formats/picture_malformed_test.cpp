@@ -19,6 +19,8 @@ using namespace std::string_view_literals;
 TEST_F(Malformed, FilesThatAreNoPictures) {
     EXPECT_REFUSED({}, "the file is empty");
     EXPECT_REFUSED(bytes_of("\xff\xd8\xff\xe0JFIF"), "no picture in PNG, EXR or PFM");
+    EXPECT_REFUSED(bytes_of("\x1f\x8b\x08"), "compressed with gzip", "gunzip");
+    EXPECT_REFUSED(bytes_of("BZh91AY&SY"), "compressed with bzip2");
     EXPECT_REFUSED(bytes_of("P6\n1 1\n255\nabc"), "no picture in PNG, EXR or PFM");
 }
 
@@ -57,6 +59,11 @@ TEST_F(Malformed, PngWithBadChunks) {
     Bytes wrong_sum = png::file(png::head(1, 1, 8, 2), {}, {0, 1, 2, 3});
     wrong_sum[8 + 8 + 13] ^= std::byte{1};
     EXPECT_REFUSED(wrong_sum, "damaged PNG", "CRC");
+
+    Bytes too_long = png::head(1, 1, 8, 2);
+    append(too_long, big_endian(0x7fffffff));
+    append(too_long, bytes_of("tEXtt"));
+    EXPECT_REFUSED(too_long, "damaged PNG", "a chunk is longer than the file");
 
     Bytes no_data = png::head(1, 1, 8, 2);
     append(no_data, png::chunk("IEND", {}));
@@ -119,6 +126,10 @@ TEST_F(MalformedExr, HeadersThatLie) {
     EXPECT_REFUSED(with(window + 8, 0x7fffffff), "2147483648 x 40");
     EXPECT_REFUSED(with(window + 8, 0xffffffff), "0 x 40");
     EXPECT_REFUSED(with(window + 12, 60000), "damaged EXR");
+    Bytes large = with(window + 8, 60000);
+    std::copy_n(with(window + 12, 16000).begin() + static_cast<std::ptrdiff_t>(window) + 12, 4,
+                large.begin() + static_cast<std::ptrdiff_t>(window) + 12);
+    EXPECT_REFUSED(large, "the EXR is too short for 60001 x 16001 pixels");
     EXPECT_REFUSED(with(window, 0x80000000U), "65,536 pixels a side");
     EXPECT_REFUSED(with(length_field("channels", "chlist"), 0x7fffffff),
                    "an attribute is longer than the file");

@@ -22,7 +22,7 @@ TEST(PlyRefuse, WhatIsNoPly) {
     expect_refused("", {"not a PLY file", "the file is empty", 1, 1, {}});
     expect_refused("hello\n", {"not a PLY file", "begins with a line that says 'ply'", 1, 1, {}});
     expect_refused("plywood\nformat ascii 1.0\n", {"not a PLY file", "begins with a line", 1, 1, {}});
-    expect_refused("\x1f\x8b\x08 ply", {"not a PLY file", "gzip-compressed", 1, 1, {}});
+    expect_refused("\x1f\x8b\x08 ply", {"compressed with gzip", "gunzip", 0, 0, {}});
     expect_refused("solid cube\n", {"not a PLY file", "STL", 1, 1, {}});
     expect_refused(std::string("\xff\xfep\0l\0y\0", 8), {"not a PLY file", "UTF-16", 1, 1, {}});
     expect_refused("glTF\2", {"not a PLY file", "glTF", 1, 1, {}});

@@ -3,6 +3,7 @@
 #include "scene_support.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace glint::test {
@@ -85,6 +86,24 @@ TEST(SceneFiles, AFolderIsNoMesh) {
     const auto errors = load_errors(folder.write("a.toml", mesh_scene("cat.ply")));
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_NE(errors[0].message.find("is a folder"), std::string::npos);
+}
+
+TEST(SceneFiles, AFifoIsNoMeshAndIsNotWaitedFor) {
+    const TemporaryFolder folder;
+    const std::string fifo = folder.at("cat.ply");
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    const auto errors = load_errors(folder.write("a.toml", mesh_scene("cat.ply")));
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_EQ(errors[0].location.line, 4);
+    EXPECT_NE(errors[0].message.find("is a FIFO"), std::string::npos);
+    const auto bare = load_errors(fifo);
+    ASSERT_EQ(bare.size(), 1u);
+    EXPECT_NE(bare[0].message.find("is a FIFO"), std::string::npos);
+    LoadOptions open;
+    open.allow_outside = true;
+    EXPECT_NE(
+        load_errors(folder.write("b.toml", mesh_scene("/dev/null")), open).at(0).message.find("is a device"),
+        std::string::npos);
 }
 
 TEST(SceneFiles, ABrokenMeshNamesItsOwnPlaceAndTheScenes) {
@@ -182,6 +201,15 @@ TEST(SceneFiles, ABareMeshIsStaged) {
     EXPECT_TRUE(load_scene(folder.at("a.ply"), options).notes.empty());
 }
 
+TEST(SceneFiles, ABareMeshStandsOnNoFloorOnRequest) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("cat.ply", triangle_ply);
+    LoadOptions alone;
+    alone.floor = false;
+    EXPECT_EQ(load_scene(path).description.objects.size(), 2u);
+    EXPECT_EQ(load_scene(path, alone).description.objects.size(), 1u);
+}
+
 TEST(SceneFiles, ABareMeshTakesOverridesOfSettings) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.ply", triangle_ply);
@@ -226,6 +254,14 @@ TEST(SceneFiles, WhatIsNoSceneIsRefusedInWords) {
     EXPECT_EQ(message(folder.write("a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0", 11))),
               "a zero byte: this is not a text file / expected a scene file (TOML) or a PLY mesh");
     EXPECT_NE(message(folder.write("b.ply", "[camera]\n")), "");
+    EXPECT_EQ(message(folder.write("a.ply.gz", "\x1f\x8b\x08")),
+              "the file is compressed with gzip / decompress it first: gunzip -k");
+    EXPECT_EQ(message(folder.write("c.ply", std::string("\xfd"
+                                                        "7zXZ\0",
+                                                        6))),
+              "the file is compressed with xz / decompress it first: unxz -k");
+    EXPECT_EQ(message(folder.write("a.zst", "\x28\xb5\x2f\xfd")),
+              "the file is compressed with zstd / decompress it first: unzstd -k");
 }
 
 TEST(SceneFiles, AnUnreadableFileIsRefused) {

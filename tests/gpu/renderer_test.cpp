@@ -28,6 +28,7 @@ TEST(GpuRenderer, TermsAddUpToThePictureAndMatchTheCpu) {
     for (const char* name : {"phong_clamped", "colored_glass", "sunlight"}) {
         SceneDescription description = exhibit(name);
         description.render.spp = 3;
+        description.render.background = Vec3(0.25);
         const Scene scene = build_scene(description);
         RenderOptions options;
         options.terms = true;

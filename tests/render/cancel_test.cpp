@@ -43,7 +43,6 @@ TEST(Cancel, KeepsFinishedTilesWholeAndTheOthersBlack) {
         options.threads = threads;
         options.tile_size = 8;
         options.cancel = &cancel;
-        options.coverage = true;
         options.terms = true;
         std::uint64_t done = 0;
         options.progress = [&](const Progress& progress) {

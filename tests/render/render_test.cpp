@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace glint::rendering {
@@ -181,10 +182,38 @@ TEST(Render, TheBackgroundCountsAsEmission) {
     scene.render.background = Vec3(0.5);
     RenderOptions options;
     options.terms = true;
-    options.coverage = true;
     const Picture picture = rendered(scene, options);
+    EXPECT_EQ(picture.image.pixels[0], 0.5f);
     EXPECT_EQ(picture.terms[static_cast<std::size_t>(Term::emission)].pixels, picture.image.pixels);
-    EXPECT_EQ(picture.coverage[0], 0);
+}
+
+TEST(Render, CoverageIsFilteredAsTheLightIs) {
+    SceneDescription scene = lamp_ball(32);
+    for (const int spp : {2, 8, 64}) {
+        scene.render.filter = PixelFilter::mitchell;
+        scene.render.spp = spp;
+        RenderOptions options;
+        options.coverage = true;
+        const Picture picture = rendered(scene, options);
+        for (std::size_t i = 0; i < picture.coverage.size(); ++i)
+            EXPECT_EQ(picture.coverage[i], std::clamp(picture.image.pixels[3 * i], 0.0f, 1.0f)) << spp;
+    }
+}
+
+TEST(Render, WithCoverageTheBackgroundIsLeftOut) {
+    SceneDescription scene = lamp_ball(32);
+    scene.render.spp = 16;
+    RenderOptions options;
+    options.terms = true;
+    options.coverage = true;
+    const Picture on_black = rendered(scene, options);
+    scene.render.background = Vec3(0.5);
+    const Picture on_gray = rendered(scene, options);
+    EXPECT_EQ(on_gray.image.pixels, on_black.image.pixels);
+    for (std::size_t t = 0; t < on_gray.terms.size(); ++t)
+        EXPECT_EQ(on_gray.terms[t].pixels, on_black.terms[t].pixels);
+    EXPECT_EQ(on_gray.coverage, on_black.coverage);
+    EXPECT_EQ(on_gray.coverage[0], 0);
 }
 
 TEST(Render, RefusesACropOutsideThePicture) {

@@ -2,6 +2,7 @@
 
 #include "formats/explain/markup.h"
 
+#include "glint/error.h"
 #include "imaging/tone.h"
 #include "scene/text.h"
 
@@ -30,7 +31,8 @@ std::string json_list(std::vector<std::string> texts) {
 
 std::string escape_markup(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    // XML has no control characters.
+    for (const char c : printable(text, "\n\t")) {
         switch (c) {
         case '&':
             out += "&amp;";

@@ -2,6 +2,7 @@
 
 #include "scene/text.h"
 #include "formats/explain/formula.h"
+#include "glint/error.h"
 #include "glint/explanation_files.h"
 
 #include <algorithm>
@@ -103,12 +104,13 @@ class TextTree {
 
     void write_path(const ExplainedRay& ray, const std::string& inner) {
         line(inner + "from " + text_of(ray.origin) + " along " + text_of(ray.direction));
-        if (!ray.inside.empty()) line(inner + "inside " + scene::listed(ray.inside, ", within "));
+        if (!ray.inside.empty()) line(inner + "inside " + printable(scene::listed(ray.inside, ", within ")));
         for (const std::string& label : ray.passed_over)
-            line(inner + "passes over " + label + ": hidden inside a solid that owns the space");
+            line(inner + "passes over " + printable(label) + ": hidden inside a solid that owns the space");
         if (!ray.hit) return;
-        line(inner + "hits " + c_.strong + ray.label + c_.plain + " (material " + ray.material + ") from " +
-             (ray.entering ? "outside" : "inside") + ", distance " + number_text(ray.distance, digits));
+        line(inner + "hits " + c_.strong + printable(ray.label) + c_.plain + " (material " +
+             printable(ray.material) + ") from " + (ray.entering ? "outside" : "inside") + ", distance " +
+             number_text(ray.distance, digits));
         if (ray.crosses) line(inner + bending(ray));
         write_given(ray.given, inner);
     }
@@ -136,7 +138,7 @@ class TextTree {
     }
 
     void write_light(const ExplainedRay& ray, const ExplainedLight& light, const std::string& inner) {
-        line(inner + c_.strong + light.label + c_.plain + ": distance " +
+        line(inner + c_.strong + printable(light.label) + c_.plain + ": distance " +
              number_text(light.distance, digits) + ", n·l = " + number_text(light.cosine, digits) + " (" +
              angle(light.degrees) + "), " +
              (light.arriving == glm::vec3(0.0f) ? "nothing arrives"
@@ -145,8 +147,8 @@ class TextTree {
             line(inner + "  shadow ray from " + text_of(light.shadow_origin) + " along " +
                  text_of(light.direction));
         for (const Blocker& b : light.blockers)
-            line(inner + "  blocked at " + number_text(b.distance, digits) + " by " + b.label +
-                 " (material " + b.material + "), τ = " + number_text(b.transparency, digits) +
+            line(inner + "  blocked at " + number_text(b.distance, digits) + " by " + printable(b.label) +
+                 " (material " + printable(b.material) + "), τ = " + number_text(b.transparency, digits) +
                  (b.passed_over ? ", passed over" : ""));
         write_steps(Scope(ray, &light), light.steps, inner);
     }

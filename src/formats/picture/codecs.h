@@ -37,10 +37,10 @@ class PfmFile {
 
 /// Any of the three formats, recognized by the first bytes.
 LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name);
-/// Gray, palette and RGB of any depth, with 1 to 8 bits expanded to 8; transparency is dropped, gamma is
-/// ignored.
+/// Gray, palette and RGB of any depth, with 1 to 8 bits expanded to 8; gamma is ignored.
 LoadedPicture decode_png(std::span<const std::byte> bytes, const std::string& name);
-/// Single-part scan-line files; R, G and B, or only Y, of any type; the picture is the data window.
+/// Single-part scan-line files; R, G and B, or only Y, and A if there is one, of any type; the picture is the
+/// data window.
 LoadedPicture decode_exr(std::span<const std::byte> bytes, const std::string& name);
 /// "PF", and "Pf" as three equal channels; both byte orders. The magnitude of the scale is ignored, as in
 /// most readers.
@@ -52,6 +52,11 @@ LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& na
 
 /// Throws unless the size is 1 … 65,536 on each side and at most 2^30 pixels.
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height);
+
+/// Throws for a file too short for its pixels, before memory is allocated for them. `stored`: their bytes
+/// before compression, at least; deflate makes at most 1032 bytes of one.
+void check_file_size(const std::string& name, const char* kind, std::int64_t width, std::int64_t height,
+                     std::size_t stored, std::size_t file_size);
 
 /// Hint for truncated or damaged files.
 inline constexpr const char* cut_hint = "the file is cut short or damaged; write or copy it again";

@@ -138,12 +138,15 @@ ChannelNames choose_channels(const Imf::ChannelList& list, const std::string& na
 
 /// Reads rows in blocks and grows the image with them, so a file that claims too many rows fails before much
 /// memory is allocated.
-Image read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& channels) {
+LoadedPicture read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& channels) {
     constexpr std::int64_t block_rows = 64;
-    Image image;
+    LoadedPicture picture;
+    Image& image = picture.image;
     image.width = static_cast<int>(window.width());
     const std::size_t row = 3 * static_cast<std::size_t>(image.width);
     std::vector<float> planes(row * block_rows);
+    const bool has_alpha = file.header().channels().findChannel("A") != nullptr;
+    std::vector<float> alphas(has_alpha ? row / 3 * block_rows : 0);
 
     for (std::int64_t first = window.min_y; first <= window.max_y; first += block_rows) {
         const auto last = std::min<std::int64_t>(first + block_rows - 1, window.max_y);
@@ -155,6 +158,9 @@ Image read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& 
         for (std::size_t i = 0; i < (gray ? 1U : 3U); ++i)
             buffer.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, planes.data() + i, block,
                                                         3 * sizeof(float), row * sizeof(float)));
+        if (has_alpha)
+            buffer.insert("A", Imf::Slice::Make(Imf::FLOAT, alphas.data(), block, sizeof(float),
+                                                row / 3 * sizeof(float)));
         file.setFrameBuffer(buffer);
         file.readPixels(static_cast<int>(first), static_cast<int>(last));
 
@@ -162,9 +168,12 @@ Image read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& 
             for (std::size_t i = 0; i < rows * row; i += 3) planes[i + 1] = planes[i + 2] = planes[i];
         image.pixels.insert(image.pixels.end(), planes.begin(),
                             planes.begin() + static_cast<std::ptrdiff_t>(rows * row));
+        if (has_alpha)
+            picture.alpha.insert(picture.alpha.end(), alphas.begin(),
+                                 alphas.begin() + static_cast<std::ptrdiff_t>(rows * row / 3));
         image.height += static_cast<int>(rows);
     }
-    return image;
+    return picture;
 }
 
 } // namespace
@@ -172,12 +181,13 @@ Image read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& 
 LoadedPicture decode_exr(std::span<const std::byte> bytes, const std::string& name) {
     const Window window = HeaderCheck(bytes, name).run();
     check_picture_size(name, window.width(), window.height());
+    // A channel has at least half precision.
+    const auto stored = static_cast<std::size_t>(2 * window.width() * window.height());
+    check_file_size(name, "EXR", window.width(), window.height(), stored, bytes.size());
     try {
         MemoryInput input(bytes);
         Imf::InputFile file(input, 0);
-        LoadedPicture picture;
-        picture.image = read_rows(file, window, choose_channels(file.header().channels(), name));
-        return picture;
+        return read_rows(file, window, choose_channels(file.header().channels(), name));
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

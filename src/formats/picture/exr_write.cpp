@@ -56,9 +56,9 @@ void add_image(Imf::Header& header, Imf::FrameBuffer& buffer, const std::string&
 std::vector<std::byte> encode(const Image& image, const PictureOptions& options) {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
-    // The prefix avoids clashes with attributes that OpenEXR defines.
+    // The prefix, which glint's own keys have, avoids clashes with attributes that OpenEXR defines.
     for (const auto& [key, value] : options.metadata)
-        header.insert("glint." + key, Imf::StringAttribute(value));
+        header.insert(key.starts_with("glint.") ? key : "glint." + key, Imf::StringAttribute(value));
 
     Imf::FrameBuffer buffer;
     add_image(header, buffer, "", image);

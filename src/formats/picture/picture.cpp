@@ -84,11 +84,21 @@ void check_picture_size(const std::string& name, std::int64_t width, std::int64_
                        "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
 }
 
+void check_file_size(const std::string& name, const char* kind, std::int64_t width, std::int64_t height,
+                     std::size_t stored, std::size_t file_size) {
+    constexpr std::size_t max_ratio = 1032;
+    if (stored / max_ratio > file_size)
+        refuse_picture(
+            name, std::string("the ") + kind + " is too short for " + size_text(width, height) + " pixels",
+            cut_hint);
+}
+
 LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.starts_with("\x89PNG")) return decode_png(bytes, name);
     if (text.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, name);
     if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm(bytes, name);
+    refuse_compressed(text, name);
     if (bytes.empty()) refuse_picture(name, "the file is empty", "write or copy it again");
     refuse_picture(name, "this is no picture in PNG, EXR or PFM", "convert it to one of these first", 0);
 }

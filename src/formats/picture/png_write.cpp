@@ -92,10 +92,17 @@ class RowEncoder {
         const float* from = image_.at(0, y);
         const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width);
         for (std::size_t x = 0; x < static_cast<std::size_t>(image_.width); ++x) {
+            const float alpha = options_.alpha.empty() ? 1 : options_.alpha[first + x];
             for (std::size_t channel = 0; channel < 3; ++channel)
-                to = put(to, code_of_light(from[3 * x + channel]));
-            if (!options_.alpha.empty()) to = put(to, code_of_alpha(options_.alpha[first + x]));
+                to = put(to, code_of_light(straight(from[3 * x + channel], alpha)));
+            if (!options_.alpha.empty()) to = put(to, code_of_alpha(alpha));
         }
+    }
+
+    /// The colour without its factor alpha, and black where nothing is.
+    static float straight(float premultiplied, float alpha) {
+        if (alpha >= 1) return premultiplied;
+        return alpha > 0 ? premultiplied / alpha : 0;
     }
 
     static png_bytep put(png_bytep to, std::uint8_t code) {

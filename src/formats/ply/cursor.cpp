@@ -53,7 +53,7 @@ IntegerRange range_of(Type type) {
 } // namespace
 
 std::string row_name(const Element& element, std::uint64_t row) {
-    const std::string name = quoted(element.name);
+    const std::string name = quoted_word(element.name);
     return name.substr(1, name.size() - 2) + " " + std::to_string(row);
 }
 
@@ -87,7 +87,7 @@ void TextCursor::end_row() {
     const std::string_view word = next_word();
     const std::string_view row_text = text_.substr(row_begin_, extra - row_begin_);
     const bool wrapped = row_text.find_first_of("\r\n") != row_text.npos;
-    fail(extra, "unexpected " + quoted(word) + " after the end of " + row_name(*element_, row_),
+    fail(extra, "unexpected " + quoted_word(word) + " after the end of " + row_name(*element_, row_),
          wrapped ? "this row began on an earlier line: a value may be missing there"
                  : "the row has more values than its header lists properties");
 }
@@ -119,7 +119,7 @@ double TextCursor::number(Type type) {
     const std::errc error = parse(word, value);
     if (error == std::errc::result_out_of_range) return out_of_range_number(word);
     if (error != std::errc())
-        fail(value_, quoted(word) + " in " + row_name(*element_, row_) + " is not a number",
+        fail(value_, quoted_word(word) + " in " + row_name(*element_, row_) + " is not a number",
              "expected a number like 0.5 or -1e-3");
     return value;
 }
@@ -129,12 +129,13 @@ std::int64_t TextCursor::integer(Type type) {
     std::int64_t value = 0;
     const std::errc error = parse(word, value);
     if (error == std::errc::invalid_argument)
-        fail(value_, quoted(word) + " in " + row_name(*element_, row_) + " is not a whole number",
+        fail(value_, quoted_word(word) + " in " + row_name(*element_, row_) + " is not a whole number",
              std::string("expected a value of type ") + type_name(type));
     const IntegerRange range = range_of(type);
     if (error != std::errc() || value < range.min || value > range.max)
         fail(value_,
-             quoted(word) + " in " + row_name(*element_, row_) + " does not fit its type " + type_name(type),
+             quoted_word(word) + " in " + row_name(*element_, row_) + " does not fit its type " +
+                 type_name(type),
              "expected a whole number from " + std::to_string(range.min) + " to " +
                  std::to_string(range.max));
     return value;

@@ -22,7 +22,6 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 /// A hint on the format of a file that is not PLY.
 std::string other_kind(std::string_view text) {
     if (text.empty()) return "the file is empty";
-    if (text.starts_with("\x1f\x8b")) return "this one is gzip-compressed: unpack it first";
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "this one is UTF-16 text";
     if (text.starts_with("solid")) return "this one looks like STL";
     if (text.starts_with("glTF")) return "this one looks like glTF";
@@ -98,7 +97,7 @@ class HeaderParser {
             source_.fail_in_text(end, "this header line is too short", std::string("expected: ") + form);
         }
         if (words_.size() > count)
-            fail(words_[count], "unexpected " + quoted(words_[count]) + " in the header",
+            fail(words_[count], "unexpected " + quoted_word(words_[count]) + " in the header",
                  std::string("expected: ") + form);
     }
 
@@ -106,7 +105,7 @@ class HeaderParser {
         if (words_[0] == "format") return read_format();
         if (words_[0] == "element") return read_element();
         if (words_[0] == "property") return read_property();
-        fail(words_[0], "unknown header line " + quoted(words_[0]),
+        fail(words_[0], "unknown header line " + quoted_word(words_[0]),
              suggestion(words_[0], {"format", "comment", "obj_info", "element", "property", "end_header"},
                         "expected format, element, property, comment, obj_info or end_header"));
     }
@@ -116,11 +115,11 @@ class HeaderParser {
         if (has_format_) fail(words_[0], "the header has a second format line", "remove one of them");
         const auto format = value_named<PlyFormat>(words_[1]);
         if (!format)
-            fail(words_[1], "unknown format " + quoted(words_[1]),
+            fail(words_[1], "unknown format " + quoted_word(words_[1]),
                  suggestion(words_[1], {enum_names<PlyFormat>.begin(), enum_names<PlyFormat>.end()},
                             "expected ascii, binary_little_endian or binary_big_endian"));
         if (words_[2] != "1.0")
-            fail(words_[2], "unknown PLY version " + quoted(words_[2]), "the only one is 1.0");
+            fail(words_[2], "unknown PLY version " + quoted_word(words_[2]), "the only one is 1.0");
         header_.format = *format;
         has_format_ = true;
     }
@@ -130,7 +129,7 @@ class HeaderParser {
         const std::string_view digits = words_[2];
         const auto count = scene::parse_number<std::uint64_t>(digits);
         if (!count)
-            fail(digits, quoted(digits) + " is not a number of elements",
+            fail(digits, quoted_word(digits) + " is not a number of elements",
                  "expected a whole number, 0 or more");
         header_.elements.push_back(
             {std::string(words_[1]), *count, source_.offset(words_[1]), source_.offset(digits), {}});
@@ -147,7 +146,7 @@ class HeaderParser {
             expect_words(5, "property list COUNT_TYPE TYPE NAME");
             property.count_type = parse_type(words_[2]);
             if (!is_integer(*property.count_type))
-                fail(words_[2], "a list cannot be counted in " + quoted(words_[2]),
+                fail(words_[2], "a list cannot be counted in " + quoted_word(words_[2]),
                      "expected an integer type, such as uchar");
         } else {
             expect_words(3, "property TYPE NAME");
@@ -160,7 +159,7 @@ class HeaderParser {
         property.offset = source_.offset(name);
         Element& element = header_.elements.back();
         if (!names_in_element_.insert(name).second)
-            fail(name, "element " + quoted(element.name) + " has a second property " + quoted(name),
+            fail(name, "element " + quoted_word(element.name) + " has a second property " + quoted_word(name),
                  "names of properties must differ");
         element.properties.push_back(std::move(property));
     }
@@ -169,7 +168,7 @@ class HeaderParser {
         const auto found = std::find(std::begin(type_names), std::end(type_names), word);
         if (found != std::end(type_names))
             return static_cast<Type>(static_cast<std::size_t>(found - std::begin(type_names)) % type_count);
-        fail(word, "unknown type " + quoted(word),
+        fail(word, "unknown type " + quoted_word(word),
              suggestion(word, {std::begin(type_names), std::end(type_names)},
                         "expected char, uchar, short, ushort, int, uint, float or double"));
     }

@@ -30,11 +30,39 @@ Role role_named(std::string_view name) {
     return static_cast<Role>(role);
 }
 
+/// "colour ", "texture coordinate " or nothing, before the name of a property.
+std::string kind_of(const Property& property) {
+    const Role role = role_named(property.name);
+    if (role == Role::u || role == Role::v || property.name.starts_with("tex")) return "texture coordinate ";
+    if (role == Role::red || role == Role::green || role == Role::blue) return "colour ";
+    return {};
+}
+
+/// Does a vertex property take part in the picture?
+bool is_drawn(const VertexFormat& vertex, std::size_t property) {
+    switch (vertex.roles[property]) {
+    case Role::x:
+    case Role::y:
+    case Role::z:
+        return true;
+    case Role::nx:
+    case Role::ny:
+    case Role::nz:
+        return vertex.normals;
+    case Role::red:
+    case Role::green:
+    case Role::blue:
+        return vertex.colors;
+    default:
+        return false;
+    }
+}
+
 std::string names_of_properties(const Element& element) {
     constexpr std::size_t max_shown = 12;
     std::string names;
     for (std::size_t i = 0; i < element.properties.size() && i < max_shown; ++i)
-        names += (i ? ", " : "") + quoted(element.properties[i].name);
+        names += (i ? ", " : "") + quoted_word(element.properties[i].name);
     if (element.properties.size() > max_shown) names += " …";
     return names.empty() ? "none" : names;
 }
@@ -79,10 +107,10 @@ int find_corners(const Source& source, const Element& element) {
         if (property.name != "vertex_indices" && property.name != "vertex_index") continue;
         if (found >= 0)
             source.fail_in_text(property.offset,
-                                "element " + quoted(element.name) + " lists its corners twice",
+                                "element " + quoted_word(element.name) + " lists its corners twice",
                                 "keep one of vertex_indices and vertex_index");
         if (!property.is_list())
-            source.fail_in_text(property.offset, quoted(property.name) + " is not a list",
+            source.fail_in_text(property.offset, quoted_word(property.name) + " is not a list",
                                 "expected: property list uchar int vertex_indices");
         if (!is_integer(property.type))
             source.fail_in_text(property.type_offset,
@@ -93,7 +121,7 @@ int find_corners(const Source& source, const Element& element) {
     }
     if (found < 0 && element.count > 0)
         source.fail_in_text(
-            element.name_offset, "element " + quoted(element.name) + " has no list of corners",
+            element.name_offset, "element " + quoted_word(element.name) + " has no list of corners",
             "expected: property list uchar int vertex_indices; it has: " + names_of_properties(element));
     return found;
 }
@@ -111,7 +139,7 @@ std::size_t find_vertices(const Source& source, const Header& header) {
         for (const Element& element : header.elements)
             if (nearest_name(element.name, {"vertex", "vertices", "point", "points"}))
                 source.fail_in_text(element.name_offset, "the file has no element 'vertex'",
-                                    "did you mean 'vertex' by " + quoted(element.name) + "?");
+                                    "did you mean 'vertex' by " + quoted_word(element.name) + "?");
         source.fail_in_text(header.end_header, "the file has no element 'vertex'", "a mesh needs vertices");
     }
     if (found->count == 0)
@@ -123,6 +151,33 @@ std::size_t find_vertices(const Source& source, const Header& header) {
 }
 
 } // namespace
+
+std::vector<std::string> not_drawn(const Header& header, const MeshLayout& layout) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < header.elements.size(); ++i) {
+        const Element& element = header.elements[i];
+        if (element.count == 0) continue;
+        const bool is_vertex = i == layout.vertex_element;
+        if (!is_vertex && layout.corners[i] < 0) {
+            // The warning that there are no faces names these.
+            if (!layout.has_faces && may_mean_faces(element)) continue;
+            names.push_back("element " + quoted_word(element.name));
+            continue;
+        }
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const Property& property = element.properties[p];
+            // What programs write beside every colour, usually opaque.
+            if (property.name == "alpha") continue;
+            if (is_vertex ? is_drawn(layout.vertex, p) : static_cast<int>(p) == layout.corners[i]) continue;
+            names.push_back(kind_of(property) + quoted_word(property.name) + " of " + element.name);
+        }
+    }
+    return names;
+}
+
+bool may_mean_faces(const Element& element) {
+    return nearest_name(element.name, {"face", "faces", "triangle", "triangles"}).has_value();
+}
 
 bool is_strips(const Element& element) { return element.name == "tristrips"; }
 

@@ -37,5 +37,10 @@ struct MeshLayout {
 MeshLayout interpret_header(const Source& source, const Header& header);
 
 bool is_strips(const Element& element);
+/// Is its name close to that of faces?
+bool may_mean_faces(const Element& element);
+
+/// What is in the file and not in the mesh, or not drawn, by name: "texture coordinates 's' of vertex".
+std::vector<std::string> not_drawn(const Header& header, const MeshLayout& layout);
 
 } // namespace glint::formats::ply

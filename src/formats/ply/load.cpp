@@ -72,6 +72,7 @@ LoadedMesh load_mesh(const std::string& path, const LoadOptions& options) {
 LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options) {
     const LoadWatch watch(name, options);
     const ply::Source source(bytes, name);
+    formats::refuse_compressed(source.text(), name);
     const ply::Header header = ply::parse_header(source);
     const ply::MeshLayout layout = ply::interpret_header(source, header);
     return ply::assemble(source, header, layout, ply::read_rows(source, header, layout, watch), watch);

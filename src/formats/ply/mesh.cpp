@@ -45,6 +45,7 @@ class Assembler {
         warn_of_missing_faces();
         warn_of_rounding();
         warn_of_the_rest();
+        warn_of_what_is_not_drawn();
         return {std::make_shared<const Mesh>(std::move(mesh())), std::move(warnings_)};
     }
 
@@ -141,8 +142,8 @@ class Assembler {
         }
         std::string hint = "each vertex becomes a small sphere; 'point_radius' sets its size";
         for (const Element& element : header_.elements)
-            if (element.count > 0 && nearest_name(element.name, {"face", "faces", "triangle", "triangles"}))
-                hint = "did you mean 'face' by " + quoted(element.name) + "?";
+            if (element.count > 0 && may_mean_faces(element))
+                hint = "did you mean 'face' by " + quoted_word(element.name) + "?";
         warn("the file has no faces: it is drawn as a point cloud", hint);
     }
 
@@ -171,6 +172,22 @@ class Assembler {
         if (rows_.trailing > 0)
             warn(count_text(rows_.trailing, "byte follows", "bytes follow") + " the last element",
                  "the header may count too few rows");
+    }
+
+    void warn_of_what_is_not_drawn() {
+        const auto lacking = std::ranges::count(mesh().normals, vec3(0.0f));
+        if (lacking > 0)
+            warn(count_text(static_cast<std::uint64_t>(lacking), "vertex has", "vertices have") +
+                     " a normal that is 0 or not finite",
+                 "where normals add up to 0, faces are shaded flat; normals = \"smooth\" computes all");
+        constexpr std::size_t max_shown = 8;
+        const std::vector<std::string> names = not_drawn(header_, layout_);
+        if (names.empty()) return;
+        std::string text;
+        for (std::size_t i = 0; i < names.size() && i < max_shown; ++i) text += (i ? ", " : "") + names[i];
+        if (names.size() > max_shown) text += " and " + std::to_string(names.size() - max_shown) + " more";
+        warn("not drawn: " + text, "of a mesh, its vertices with their normals and colours, and its faces "
+                                   "are drawn; textures are not");
     }
 
     const Source& source_;

@@ -71,7 +71,7 @@ class RowReader {
         if (element.count > max_rows)
             cursor_.fail(cursor_.count_error_offset(element),
                          "the header promises " + std::to_string(element.count) + " rows of " +
-                             quoted(element.name) + ", but the file has room for at most " +
+                             quoted_word(element.name) + ", but the file has room for at most " +
                              std::to_string(max_rows),
                          "the file is cut, or its header is wrong");
     }
@@ -89,7 +89,7 @@ class RowReader {
                                   std::uint64_t row) const {
         const std::size_t max_rows = cursor_.remaining() / Cursor::min_bytes(list.type);
         cursor_.fail(cursor_.value_offset(),
-                     "list " + quoted(list.name) + " of " + row_name(element, row) + " claims " +
+                     "list " + quoted_word(list.name) + " of " + row_name(element, row) + " claims " +
                          std::to_string(length) + " values",
                      length < 0 ? "a length cannot be negative"
                                 : "there is room for at most " + std::to_string(max_rows) +

@@ -49,7 +49,7 @@ void Source::fail_at_byte(std::size_t offset, std::string message, std::string h
     throw Error(ErrorKind::input, std::move(message), std::move(hint), Location{name_, 0, 0, offset});
 }
 
-std::string quoted(std::string_view word) {
+std::string quoted_word(std::string_view word) {
     std::string shown(word.substr(0, max_word));
     std::replace_if(
         shown.begin(), shown.end(), [](char c) { return !printable(c); }, '?');

@@ -36,7 +36,7 @@ class Source {
 };
 
 /// A word of the file for messages: quoted and shortened, with non-printable characters as '?'.
-std::string quoted(std::string_view word);
+std::string quoted_word(std::string_view word);
 
 /// "did you mean 'nearest'?", or `otherwise` if no candidate is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,

@@ -1,5 +1,6 @@
 // load_scene() and parse_scene(): from text or mesh to description.
 
+#include "formats/read_bytes.h"
 #include "formats/read_text.h"
 #include "formats/scene/key_path.h"
 #include "formats/scene/open_scene.h"
@@ -7,7 +8,9 @@
 #include "scene/text.h"
 
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 namespace glint {
 namespace {
@@ -54,7 +57,7 @@ LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOpt
         scene.notes.push_back("up axis: " + std::string(axis_letter(up)) +
                               " (guessed from the shape); change it with --up " + other);
     }
-    scene.description = preview_scene(std::move(mesh.mesh), path, up);
+    scene.description = preview_scene(std::move(mesh.mesh), path, up, options.floor);
     override_preview(scene.description, path, options);
     return scene;
 }
@@ -84,8 +87,13 @@ SceneDescription scene_at(const LoadedScene& scene, double frame) {
 }
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
-    if (path != "-" && formats::lower_extension(path) == ".ply")
+    if (path != "-" && formats::lower_extension(path) == ".ply") {
+        std::error_code failed;
+        if (const char* kind = formats::special_file(std::filesystem::status(path, failed)))
+            throw Error(ErrorKind::input, std::string("the mesh is ") + kind + ", not a file",
+                        "give the mesh on stdin: glint - < MESH", {.file = path});
         return load_preview(load_mesh(path, options), path, options);
+    }
     const std::string text = formats::read_text(path);
     const std::string name = path == "-" ? formats::stdin_name : path;
     if (formats::looks_like_ply(text))

@@ -2,6 +2,7 @@
 
 #include "formats/scene/load_meshes.h"
 
+#include "formats/read_bytes.h"
 #include "glint/mesh_files.h"
 #include "scene/text.h"
 
@@ -94,6 +95,9 @@ class MeshLoader {
                                               " cannot be read: " + failed.message());
         else if (fs::is_directory(status))
             problems_.error(wanted.where, "mesh file " + in_quotes(wanted.path.string()) + " is a folder");
+        else if (const char* kind = special_file(status))
+            problems_.error(wanted.where, "mesh file " + in_quotes(wanted.path.string()) + " is " + kind,
+                            "meshes are read from regular files");
     }
 
     std::shared_ptr<const Mesh> load(const Wanted& wanted) {

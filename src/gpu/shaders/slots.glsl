@@ -139,7 +139,7 @@ void end_sample() {
     }
     uint counts = slot.number + sums * stride;
     if (slot.weight > 0.0f) film[counts] += 1.0f;
-    if (slot.covered) film[counts + stride] += 1.0f;
+    if (slot.covered) film[counts + (slot.weight > 0.0f ? 1u : 2u) * stride] += 1.0f;
     slot.begun = false;
     ++slot.sample_number;
 }

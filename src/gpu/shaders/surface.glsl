@@ -18,19 +18,11 @@ SurfacePoint quadric_point(Hit hit, dvec3 origin, dvec3 direction) {
     ShapeRecord shape = shapes[hit.at];
     QuadricShape quadric = quadric_of(shape);
     to_shape(shape, origin, direction);
-    dvec3 p, n;
-    double size = size_of_quadric(quadric);
-    if (shape.is_local == 0u) {
-        point_on_line(quadric, hit.u != 0.0f, origin, direction, margin_at_rim(size), p, n);
-        return rounded_point(p, n, surface_error * size);
-    }
+    bool leaving = hit.u != 0.0f;
+    if (shape.is_local == 0u) return quadric_surface(quadric, leaving, origin, direction);
     ObjectRecord object = objects[hit.object];
-    dmat3 linear = unpacked(object.linear);
-    dmat3 inverse = unpacked(object.inverse);
-    dvec3 translation = unpacked(object.translation);
-    double margin = local_margin_at_rim(linear, inverse, translation, size);
-    point_on_line(quadric, hit.u != 0.0f, origin, direction, margin, p, n);
-    return point_in_world(p, n, linear, inverse, translation, size);
+    return local_quadric_surface(quadric, leaving, origin, direction, unpacked(object.linear), unpacked(object.inverse),
+                                 unpacked(object.translation));
 }
 
 SurfacePoint surface_at(Hit hit, vec3 origin, vec3 direction) {

@@ -5,7 +5,8 @@ LocalTerms local;
 void at_surface(Hit hit, SurfacePoint point) {
     if (hit.kind == kind_none) {
         // What never leaves a solid brings nothing; what misses everything gets the background.
-        if (path.interiors.x == 0u) add_to_pixel(term_emission, settings.background);
+        bool shown = path.depth > 0u || settings.hides_background == 0u;
+        if (path.interiors.x == 0u && shown) add_to_pixel(term_emission, settings.background);
         phase = phase_next;
         return;
     }

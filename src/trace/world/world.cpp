@@ -216,18 +216,11 @@ SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hi
     const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
     const geometry::Line line = exact_line(ray);
     const bool leaving = hit.u != 0.0f;
-    const double size = size_of_quadric(quadric.shape);
-    dvec3 p;
-    dvec3 n;
-    if (quadric.affine < 0) {
-        point_on_line(quadric.shape, leaving, line.origin, line.direction, margin_at_rim(size), p, n);
-        return rounded_point(p, n, surface_error * size);
-    }
+    if (quadric.affine < 0) return quadric_surface(quadric.shape, leaving, line.origin, line.direction);
     const Affine& affine = world.affines[static_cast<std::size_t>(quadric.affine)];
     const geometry::Line local = affine.to_local(line);
-    const double margin = local_margin_at_rim(affine.linear, affine.inverse, affine.translation, size);
-    point_on_line(quadric.shape, leaving, local.origin, local.direction, margin, p, n);
-    return point_in_world(p, n, affine.linear, affine.inverse, affine.translation, size);
+    return local_quadric_surface(quadric.shape, leaving, local.origin, local.direction, affine.linear,
+                                 affine.inverse, affine.translation);
 }
 
 SurfacePoint plane_point(const WorldData& world, const Ray& ray, const Hit& hit) {
