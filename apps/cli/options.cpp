@@ -32,7 +32,8 @@ constexpr Option set{'D',   "",  "PATH=VALUE", "set one value of the scene: -D m
 constexpr Option frame{0, "frame", "N", "of an animated scene: as it is at this frame"};
 constexpr Option up{0, "up", "y|z|auto", "the axis of a bare mesh that points up"};
 constexpr Option allow_outside{0, "allow-outside", "", "let a scene read files outside its own folder"};
-constexpr Option threads{'t', "threads", "N", "default: one for each core", false, true};
+constexpr Option threads{'t',   "threads", "N", "default: one for each processor that may be used",
+                         false, true};
 constexpr Option color{0, "color", "auto|always|never", "colours in messages; auto heeds NO_COLOR and TERM"};
 constexpr Option quiet{'q', "quiet", "", "print errors only", false, true};
 constexpr Option verbose{'v', "verbose", "", "say more", true};

@@ -20,7 +20,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options);
 /// Prints the notes and warnings of reading.
 void report(const LoadedScene& loaded, Console& console);
 
-/// --threads; 0: one for each core.
+/// --threads; 0: one for each processor.
 int threads(const Arguments& arguments);
 
 } // namespace glint::cli

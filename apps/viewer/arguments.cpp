@@ -57,7 +57,8 @@ void add_options(CLI::App& app, Arguments& a, Choices& choices) {
     app.add_option("--up", choices.up, "the axis of a bare mesh that points up")
         ->check(CLI::IsMember({"y", "z", "auto"}));
     add_flag(app, "--allow-outside", a.load.allow_outside, "let a scene read files outside its own folder");
-    app.add_option("-t,--threads", a.threads, "default: one for each core")->check(CLI::Range(0, 1024));
+    app.add_option("-t,--threads", a.threads, "default: one for each processor that may be used")
+        ->check(CLI::Range(0, 1024));
     app.add_option("--backend", choices.backend, "what renders; auto: a card where there is one")
         ->check(CLI::IsMember({"cpu", "gpu", "auto"}));
     app.add_option("--theme", choices.theme, "colours of the window")

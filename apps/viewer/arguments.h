@@ -20,7 +20,7 @@ struct Arguments {
     LoadOptions load; ///< overrides, up axis, files outside the scene's folder
     std::pair<int, int> window_size{1280, 800};      ///< of the window's content, in screen units
     std::optional<std::pair<int, int>> picture_size; ///< pixels to render; none: as many as the window shows
-    int threads = 0;                                 ///< 0: one for each core
+    int threads = 0;                                 ///< 0: one for each processor
     BackendChoice backend = BackendChoice::automatic;
     ThemeChoice theme = ThemeChoice::dark;
     std::optional<double> scale; ///< of text and widgets; none: that of the screen

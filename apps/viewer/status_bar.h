@@ -10,7 +10,7 @@ namespace glint::viewer {
 class Playback;
 class SceneEditor;
 
-/// True if the list of keys was asked for. `threads` = 0: one for each core.
+/// True if the list of keys was asked for. `threads` = 0: one for each processor.
 bool draw_status(Ui& ui, const Area& area, const SceneEditor& editor, Kernel kernel, int threads);
 
 /// Lets the user play the animation or seek in it. Requires an animation.

@@ -47,8 +47,8 @@ class Explainer {
     std::unique_ptr<State> state_;
 };
 
-/// Explains many pixels, in order, with several threads (0: one per core). Throws what Explainer::pixel()
-/// throws.
+/// Explains many pixels, in order, with several threads (0: one per processor of the process). Throws what
+/// Explainer::pixel() throws.
 std::vector<Explanation> explain_pixels(const Scene& scene, std::span<const PixelCoord> pixels,
                                         const ExplainLimits& limits = {}, int threads = 0,
                                         const CancelFlag* cancel = nullptr);

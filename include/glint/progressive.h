@@ -37,7 +37,7 @@ struct Refinement {
 /// (some 200 bytes a pixel with more than one sample) between scenes. For use by one thread at a time.
 class Progressive {
   public:
-    explicit Progressive(int threads = 0); ///< 0: one for each core
+    explicit Progressive(int threads = 0); ///< 0: one for each processor that may be used
     ~Progressive();
     Progressive(const Progressive&) = delete;
     Progressive& operator=(const Progressive&) = delete;

@@ -61,7 +61,7 @@ bool is_visible(Aov aov);
 
 struct RenderOptions {
     Aov show = Aov::final; ///< contents of Picture::image
-    int threads = 0;       ///< 0: one for each core
+    int threads = 0;       ///< 0: one for each processor that may be used
     int tile_size = 16;    ///< in pixels; affects the order of work, never the picture
     std::optional<Rect> crop;
     KernelChoice kernel; ///< traversal kernel; affects time, never the picture. Throws if the machine lacks

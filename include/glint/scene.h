@@ -329,7 +329,7 @@ struct LoadProgress {
 using LoadCallback = std::function<void(const LoadProgress&)>;
 
 struct BuildSceneOptions {
-    int threads = 0; ///< 0: one for each core
+    int threads = 0; ///< 0: one for each processor that may be used
     /// Determine which meshes are closed even if no material is transparent, so that update_scene() may make
     /// any material transparent. Takes a pass over all edges and changes no picture.
     bool find_solids = false;

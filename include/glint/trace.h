@@ -78,7 +78,7 @@ using Triangles = StridedView<std::uint32_t>; ///< three vertex indices
 
 struct BuildOptions {
     BuildQuality quality = BuildQuality::high;
-    int threads = 0; ///< 0 or less: one per core; the tree does not depend on it
+    int threads = 0; ///< 0 or less: one per processor; the tree does not depend on it
 };
 
 /// A closed axis-aligned box; lo > hi if empty.

@@ -43,8 +43,8 @@ GLINT_FN SurfacePoint rounded_point(dvec3 p, dvec3 n, double slack) {
 // point at the distance d from the edge, then raised by e, is d sin θ − e cos θ within the other face, and
 // offset_ray_origin() raises it by at most 6 errors: enough down to 15°.
 
-/// Faces as small as their points' errors keep at least this share of the way from an edge to the opposite
-/// vertex.
+/// Bound of the weight that is required of each vertex, for faces hardly larger than the errors of their
+/// points.
 const double max_edge_weight = 1.0 / 16.0;
 
 /// Weights of vertices b and c of a triangle.

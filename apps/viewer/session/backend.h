@@ -34,7 +34,7 @@ class Backend {
 /// Creates a GPU backend; called on the renderer's thread. Throws Error(device).
 using BackendFactory = std::function<std::unique_ptr<Backend>()>;
 
-/// `threads` = 0: one for each core.
+/// `threads` = 0: one for each processor.
 std::unique_ptr<Backend> cpu_backend(int threads);
 /// Renders in the OpenGL context that is current. `context` keeps it current: the backend holds it for its
 /// lifetime and releases it after everything it has created.

@@ -38,7 +38,7 @@ class SessionLoader {
   public:
     struct Options {
         LoadOptions load;            ///< its cancel and progress are replaced by the loader's
-        int threads = 0;             ///< 0: one for each core
+        int threads = 0;             ///< 0: one for each processor
         bool watch = true;           ///< reload files when they or their meshes change
         double watch_seconds = 0.15; ///< time between two looks at the files
         std::function<void(LoadedFile)> loaded;

@@ -19,7 +19,7 @@ namespace glint::viewer {
 class SessionRenderer {
   public:
     struct Options {
-        int threads = 0; ///< 0: one for each core
+        int threads = 0; ///< 0: one for each processor
         /// How long the first picture after a change may take; sets how coarse it is.
         double first_picture_seconds = 0.020;
         std::function<void()> changed; ///< there is a new frame; called on the renderer's thread

@@ -19,7 +19,7 @@ namespace glint::viewer {
 
 struct SessionOptions {
     LoadOptions load;
-    int threads = 0;   ///< 0: one for each core
+    int threads = 0;   ///< 0: one for each processor
     bool watch = true; ///< reload files when they or their meshes change
     int width = 800;
     int height = 600;
