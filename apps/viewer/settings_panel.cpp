@@ -122,7 +122,9 @@ void settings_panel(Ui& ui, SceneEditor& editor, const std::string& why_cpu, Vie
     quantity(ui, state);
     backend(ui, why_cpu, state);
     heading(ui, "Light model");
-    settings_rows(ui, "whitted", scene.whitted, edits);
+    if (scene.render.integrator == Integrator::whitted) settings_rows(ui, "whitted", scene.whitted, edits);
+    if (scene.render.integrator == Integrator::ambient_occlusion)
+        settings_rows(ui, "ambient_occlusion", scene.ambient_occlusion, edits);
     heading(ui, "Picture");
     settings_rows(ui, "render", scene.render, edits);
     kernel(ui, state);

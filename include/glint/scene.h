@@ -48,9 +48,10 @@ struct CameraDescription {
     Location where;
 };
 
-enum class Integrator { whitted };
+enum class Integrator { whitted, ambient_occlusion };
 template <>
-inline constexpr NamesUpTo<Integrator::whitted> enum_names<Integrator>{"whitted"};
+inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>{"whitted",
+                                                                                 "ambient-occlusion"};
 
 struct RenderSettings {
     int width = 640;
@@ -79,6 +80,11 @@ struct WhittedSettings {
     Energy energy = Energy::report;
     HighlightModel highlight_model = HighlightModel::blinn;
     double index = 1.0; ///< index of refraction of the surroundings
+};
+
+struct AmbientOcclusionSettings {
+    std::optional<double> distance; ///< scene units; none: a tenth of the diagonal of everything finite
+    bool colored = false;           ///< times the colour of the surface
 };
 
 struct Material {
@@ -272,6 +278,7 @@ struct SceneDescription {
     Framing framing;
     RenderSettings render;
     WhittedSettings whitted;
+    AmbientOcclusionSettings ambient_occlusion;
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Light> lights;

@@ -73,6 +73,11 @@ FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& opti
     layout.samples = settings.spp;
     layout.term = term_of(options.show);
     layout.terms = options.terms;
+    if (settings.integrator != Integrator::whitted && (layout.term || layout.terms))
+        throw Error(ErrorKind::usage,
+                    "the integrator " + std::string(name_of(settings.integrator)) +
+                        " does not split light into terms",
+                    "--integrator whitted does");
     layout.coverage = options.coverage;
     return layout;
 }

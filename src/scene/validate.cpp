@@ -21,8 +21,7 @@ class Checker {
     explicit Checker(const SceneDescription& description) : scene_(description) {}
 
     std::vector<Diagnostic> run(Shapes shapes) {
-        check_keys("render", scene_.render, {});
-        check_keys("whitted", scene_.whitted, {});
+        for_settings(scene_, [&](std::string_view name, const auto& settings) { check_keys(name, settings, {}); });
         if (scene_.camera) check_camera(*scene_.camera);
         for (const Material& material : scene_.materials) check_material(material);
         for (const Object& object : scene_.objects) check_object(object, shapes);

@@ -33,13 +33,10 @@ class WarningFinder {
     explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {}
 
     std::vector<Diagnostic> run() {
-        check_lights();
+        if (description_.render.integrator == Integrator::whitted) check_lights();
         check_camera();
         check_precision();
-        for (const Material& m : description_.materials) check_gain(m);
-        check_open_glass();
-        if (scene_.any_transparent) check_overlaps();
-        check_branching();
+        if (description_.render.integrator == Integrator::whitted) check_light_model();
         return std::move(found_);
     }
 
@@ -50,6 +47,13 @@ class WarningFinder {
     const Object& object(std::uint32_t id) const { return description_.objects[id]; }
     bool glass(std::uint32_t id) const {
         return object(id).visible && scene_.materials[scene_.objects[id].material].transparency > 0;
+    }
+
+    void check_light_model() {
+        for (const Material& m : description_.materials) check_gain(m);
+        check_open_glass();
+        if (scene_.any_transparent) check_overlaps();
+        check_branching();
     }
 
     void check_lights() {

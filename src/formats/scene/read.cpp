@@ -155,9 +155,9 @@ class SceneReader {
             d.camera->where = problems_.locate(camera->where);
             read_camera(reader(*camera, *find_table("camera")), *d.camera);
         }
-        if (const TreeValue* render = table("render")) reader(*render, *find_table("render")).read(d.render);
-        if (const TreeValue* whitted = table("whitted"))
-            reader(*whitted, *find_table("whitted")).read(d.whitted);
+        for_settings(d, [&](std::string_view name, auto& settings) {
+            if (const TreeValue* values = table(name)) reader(*values, *find_table(name)).read(settings);
+        });
     }
 
     void read_materials() {

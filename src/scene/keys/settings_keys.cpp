@@ -1,4 +1,4 @@
-// [camera], [render] and [whitted].
+// [camera], [render] and the settings of the integrators.
 
 #include "scene/keys/bind.h"
 #include "scene/keys/tables.h"
@@ -92,6 +92,20 @@ TableSpec whitted_table() {
             number<&W::index>("index").range(above_0).limits(divisor).typical(1, 2).not_in_metadata().help(
                 "of refraction, of what surrounds everything"),
         }};
+}
+
+TableSpec ambient_occlusion_table() {
+    using A = AmbientOcclusionSettings;
+    return {.name = "ambient_occlusion",
+            .help = "How open the surroundings of surfaces are, without lights.",
+            .keys = {
+                bound<std::optional<double>, &A::distance>("distance", KeyType::number_or_auto)
+                    .unit("scene units")
+                    .range(length)
+                    .help("how near what darkens a surface must be; `auto`: a tenth of the diagonal of "
+                          "everything finite"),
+                boolean<&A::colored>("colored").help("multiply by the colours of the materials"),
+            }};
 }
 
 } // namespace glint::scene::keys
