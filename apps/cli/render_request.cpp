@@ -65,10 +65,8 @@ Aov aov(const Arguments& arguments) {
         names.emplace_back(aov_name(static_cast<Aov>(i)));
         if (name == names.back()) return static_cast<Aov>(i);
     }
-    const auto near = nearest_name(name, names);
     throw Error(ErrorKind::usage, fmt::format("--show knows no \"{}\"", name),
-                near ? fmt::format("did you mean \"{}\"?", *near)
-                     : fmt::format("expected one of {}", fmt::join(names, ", ")));
+                did_you_mean(name, names, fmt::format("expected one of {}", fmt::join(names, ", "))));
 }
 
 /// Layers and alpha belong to the light.

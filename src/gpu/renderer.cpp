@@ -73,15 +73,9 @@ Picture GpuRenderer::render(const RenderOptions& options) {
         read_tile(tile.rect, buffer, executor.terms(), film);
         device_state.context().check("reading the picture");
     });
-    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
-                               options.progress);
-    run.run(rendering::no_deadline);
-    Picture picture;
-    film.move_to(picture);
-    picture.complete = run.is_finished();
-    run.add_stats(picture.stats);
+    Picture picture =
+        rendering::render_film(executor, film, rendering::one_pass(film.layout().samples), options, start);
     picture.stats.device_seconds = executor.work().device_seconds();
-    picture.stats.wall_seconds = rendering::wall_seconds() - start;
     return picture;
 }
 

@@ -263,14 +263,8 @@ Picture render(const Scene& scene, const RenderOptions& options) {
     rendering::Film film(rendering::film_layout(scene.render_settings(), options));
     parallel::TaskPool pool(options.threads);
     rendering::CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
-    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
-                               options.progress);
-    run.run(rendering::no_deadline);
-    Picture picture;
-    film.move_to(picture);
-    picture.complete = run.is_finished();
-    run.add_stats(picture.stats);
-    picture.stats.wall_seconds = rendering::wall_seconds() - wall;
+    Picture picture =
+        rendering::render_film(executor, film, rendering::one_pass(film.layout().samples), options, wall);
     picture.stats.cpu_seconds = cpu_seconds() - cpu;
     return picture;
 }

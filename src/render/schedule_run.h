@@ -3,6 +3,7 @@
 
 #include "glint/progressive.h"
 #include "parallel/task_pool.h"
+#include "render/film.h"
 #include "render/schedule.h"
 
 #include <atomic>
@@ -149,5 +150,19 @@ class ScheduleRun {
     Progress progress_;
     Refinement reached_;
 };
+
+/// The picture of a film, measured in these passes. `begin`: when the picture began, by wall_seconds().
+template <TileExecutor Executor>
+Picture render_film(Executor& executor, Film& film, std::vector<Pass> passes, const RenderOptions& options,
+                    double begin) {
+    ScheduleRun run(executor, std::move(passes), options.cancel, options.progress);
+    run.run(no_deadline);
+    Picture picture;
+    film.move_to(picture);
+    picture.complete = run.is_finished();
+    run.add_stats(picture.stats);
+    picture.stats.wall_seconds = wall_seconds() - begin;
+    return picture;
+}
 
 } // namespace glint::rendering

@@ -47,10 +47,4 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
-                         std::string otherwise) {
-    const auto nearest = nearest_name(std::string(word), candidates);
-    return nearest ? "did you mean " + in_quotes(*nearest) + "?" : otherwise;
-}
-
 } // namespace glint::scene

@@ -19,10 +19,6 @@ std::string in_quotes(std::string_view text);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words, std::string_view separator = ", ");
 
-/// "did you mean "glass"?", or `otherwise` where no candidate is near.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
-                         std::string otherwise = {});
-
 /// With the letters of ASCII in lower case.
 std::string lower_case(std::string_view text);
 
