@@ -140,11 +140,11 @@ class Renderer {
     }
 
     Picture render_with_progress(const Scene& scene, RenderRecord& record, const std::string& task) {
+        stop_gently();
         ProgressMeter meter(console_, progress_style(arguments_.text("progress").value_or("auto")), task);
         RenderOptions options = request_.render;
         options.progress = [&](const Progress& progress) { meter.update(progress); };
         options.cancel = &cancel_flag();
-        stop_gently();
         RenderedPicture rendered = backend_.render(scene, options);
         if (waits_for_reader(record.output)) stop_at_once();
         meter.finish();

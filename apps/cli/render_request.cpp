@@ -138,6 +138,7 @@ RenderRequest read_render_request(const Arguments& arguments) {
     request.view = static_cast<View>(arguments.choice("view"));
     request.bits = arguments.text("bits") == "16" ? 16 : 8;
     request.keep_partial = arguments.has("keep-partial");
+    request.render.coarse_first = request.keep_partial;
     // Wrong flags are told before a large scene is read.
     SceneDescription unused;
     apply_flags(arguments, unused);

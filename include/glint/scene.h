@@ -59,7 +59,7 @@ struct RenderSettings {
     int spp = 4; ///< samples per pixel; 1: through the pixel's centre
     std::uint64_t seed = 0;
     Integrator integrator = Integrator::whitted;
-    PixelFilter filter = PixelFilter::mitchell;
+    PixelFilter filter = PixelFilter::box;
     Vec3 background{0}; ///< linear RGB
 };
 

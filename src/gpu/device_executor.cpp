@@ -6,7 +6,7 @@
 
 namespace glint::gpu {
 
-void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_done) {
+void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_done, PassDone pass_done) {
     const std::size_t terms = layout.terms || layout.term ? term_count : 1;
     if (!work_ || terms_ != terms) {
         terms_ = terms;
@@ -17,6 +17,7 @@ void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_do
     work_->start();
     layout_ = layout;
     tile_done_ = std::move(tile_done);
+    pass_done_ = std::move(pass_done);
     samples_.assign(picture_tiles().size(), 0);
 }
 

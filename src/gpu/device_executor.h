@@ -29,17 +29,21 @@ class DeviceExecutor {
   public:
     /// Called when a tile is done, with the device's film of it.
     using TileDone = std::function<void(const GpuTile& tile, const GpuBuffer& film)>;
+    /// Called when all tiles of a pass are done.
+    using PassDone = std::function<void(const rendering::Pass& pass)>;
 
     explicit DeviceExecutor(GpuDeviceState& device_state) : device_state_(device_state) {}
 
     /// Begins a picture of the scene that the device state holds.
-    void start(const rendering::FilmLayout& layout, TileDone tile_done);
+    void start(const rendering::FilmLayout& layout, TileDone tile_done, PassDone pass_done = {});
 
     parallel::TaskPool& pool() { return pool_; }
     std::vector<std::uint32_t> begin_pass(const rendering::Pass& pass);
     /// One dispatch. Throws Error(device): see TileWork::step().
     std::uint32_t step(std::size_t tile, int worker);
-    void end_pass() {}
+    void end_pass() {
+        if (pass_done_) pass_done_(pass_);
+    }
     rendering::RayCounts rays(int /*worker*/) const { return work_->rays(); }
 
     const rendering::Pass& pass() const { return pass_; } ///< the last that was begun
@@ -71,6 +75,7 @@ class DeviceExecutor {
     std::vector<std::uint32_t> samples_;            ///< in each of them
     rendering::FilmLayout layout_;
     TileDone tile_done_;
+    PassDone pass_done_;
     rendering::Pass pass_;
     std::vector<GpuTile> tiles_; ///< of the pass
     std::size_t tile_ = 0;       ///< the one under way, or the last

@@ -32,7 +32,7 @@ void fit_image(Image& image, const Rect& area) {
     image.pixels.resize(values);
 }
 
-void write(float* pixel, const vec3& value) {
+void write_color(float* pixel, const vec3& value) {
     pixel[0] = value.x;
     pixel[1] = value.y;
     pixel[2] = value.z;
@@ -92,18 +92,13 @@ void Film::start(const FilmLayout& layout) {
     }
 }
 
-void Film::begin_pass(const Pass& pass) {
-    if (pass.step > 1)
-        fit_image(preview_, layout_.area);
-    else
-        fit();
-}
+void Film::begin_pass(const Pass& pass) { fit(images_of(pass)); }
 
-void Film::fit() {
-    fit_image(image_, layout_.area);
-    for (Image& term : terms_) fit_image(term, layout_.terms ? layout_.area : Rect{});
+void Film::fit(FilmImages& images) const {
+    fit_image(images.image, layout_.area);
+    for (Image& term : images.terms) fit_image(term, layout_.terms ? layout_.area : Rect{});
     const std::size_t pixels = layout_.coverage ? index({0, layout_.area.height}) : 0;
-    if (coverage_.size() != pixels) coverage_.assign(pixels, 0.0f);
+    if (images.coverage.size() != pixels) images.coverage.assign(pixels, 0.0f);
 }
 
 // ── Samples ──
@@ -175,14 +170,7 @@ std::size_t Film::pixels_of(std::size_t tile) const {
 void Film::commit(std::size_t tile, const Pass& visit, FilmTile& values) {
     const int end = visit.first + visit.count;
     const bool continued = continues(tile, visit);
-    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
-        const Pixel& pixel = values.pixels[i];
-        write(image_.at(pixel.x, pixel.y), values.shown[i]);
-        if (layout_.terms)
-            for (std::size_t t = 0; t < terms_.size(); ++t)
-                write(terms_[t].at(pixel.x, pixel.y), values.terms[i].value[t]);
-        if (layout_.coverage) coverage_[index(pixel)] = values.coverage[i];
-    }
+    write(values, images_);
     TileSamples& samples_of_tile = samples_[tile];
     const bool keeps = keeps_states(tile, visit);
     if (continued) {
@@ -206,7 +194,7 @@ void Film::insert(TileSamples& tile, SampleBlock block) const {
 // ── Blocks of samples with sums of their own ──
 
 void Film::merge_blocks(std::size_t tile) {
-    with_sum_type(layout_, [&]<class T>(const T&) { merge_and_show<T>(tile); });
+    layout_.sums_terms() ? merge_and_show<Terms>(tile) : merge_and_show<vec3>(tile);
 }
 
 /// Joins neighbours that make a larger tree, as carries run through a binary counter.
@@ -264,7 +252,8 @@ void Film::show_blocks(std::size_t tile) {
                                           static_cast<std::uint32_t>(count), all.sum.positives};
         const auto width = static_cast<std::size_t>(r.width);
         show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)},
-             imaging::pixel_value(sums), imaging::pixel_coverage(all.covered, sums.count, sums.positives));
+             imaging::pixel_value(sums), imaging::pixel_coverage(all.covered, sums.count, sums.positives),
+             images_);
     }
     if (count == layout_.samples) {
         blocks.resize(1);
@@ -274,39 +263,54 @@ void Film::show_blocks(std::size_t tile) {
 
 // ── Pixels ──
 
-template <class T>
-void Film::show(const Pixel& pixel, const T& value, float coverage) {
-    if constexpr (std::is_same_v<T, Terms>) {
-        write(image_.at(pixel.x, pixel.y), layout_.term ? value[*layout_.term] : value.sum());
-        for (std::size_t t = 0; layout_.terms && t < terms_.size(); ++t)
-            write(terms_[t].at(pixel.x, pixel.y), value.value[t]);
-    } else {
-        write(image_.at(pixel.x, pixel.y), value);
+void Film::write(const FilmTile& values, FilmImages& images) const {
+    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+        const Pixel& pixel = values.pixels[i];
+        write_color(images.image.at(pixel.x, pixel.y), values.shown[i]);
+        for (std::size_t t = 0; layout_.terms && t < images.terms.size(); ++t)
+            write_color(images.terms[t].at(pixel.x, pixel.y), values.terms[i].value[t]);
+        if (layout_.coverage) images.coverage[index(pixel)] = values.coverage[i];
     }
-    if (layout_.coverage) coverage_[index(pixel)] = coverage;
 }
 
-void Film::set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
+template <class T>
+void Film::show(const Pixel& pixel, const T& value, float coverage, FilmImages& images) const {
+    if constexpr (std::is_same_v<T, Terms>) {
+        write_color(images.image.at(pixel.x, pixel.y), layout_.term ? value[*layout_.term] : value.sum());
+        for (std::size_t t = 0; layout_.terms && t < images.terms.size(); ++t)
+            write_color(images.terms[t].at(pixel.x, pixel.y), value.value[t]);
+    } else {
+        write_color(images.image.at(pixel.x, pixel.y), value);
+    }
+    if (layout_.coverage) images.coverage[index(pixel)] = coverage;
+}
+
+void Film::set_pixel(const Pass& pass, const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
                      const imaging::CoveredCounts& covered) {
-    show(pixel, imaging::pixel_value(sums), imaging::pixel_coverage(covered, sums.count, sums.positives));
+    show(pixel, imaging::pixel_value(sums), imaging::pixel_coverage(covered, sums.count, sums.positives),
+         images_of(pass));
 }
 
-void Film::commit_preview(const Pass& pass, const FilmTile& values) {
-    Image& image = pass.step > 1 ? preview_ : image_;
-    for (std::size_t i = 0; i < values.pixels.size(); ++i)
-        write(image.at(values.pixels[i].x, values.pixels[i].y), values.shown[i]);
-}
+void Film::commit_preview(const Pass& pass, const FilmTile& values) { write(values, images_of(pass)); }
 
-void Film::show_preview(int step, bool smooth, parallel::TaskPool& pool) {
-    if (step == 1) return;
-    fit();
-    upsample(preview_, step, smooth, image_, pool);
+void Film::show_preview(const Pass& pass, parallel::TaskPool& pool) {
+    if (pass.step == 1) return;
+    fit(images_);
+    const bool smooth = is_light(layout_.show) && !layout_.terms;
+    const auto spread = [&](std::span<const float> known, int channels, std::span<float> out) {
+        const Layout layout{layout_.area.width, layout_.area.height, channels};
+        if (!known.empty()) upsample(known, layout, pass.step, smooth, out, pool);
+    };
+    spread(preview_.image.pixels, 3, images_.image.pixels);
+    for (std::size_t t = 0; t < images_.terms.size(); ++t)
+        spread(preview_.terms[t].pixels, 3, images_.terms[t].pixels);
+    spread(preview_.coverage, 1, images_.coverage);
 }
 
 void Film::move_to(Picture& picture) {
-    picture.image = std::move(image_);
-    picture.terms = std::move(terms_);
-    picture.coverage = std::move(coverage_);
+    picture.image = std::move(images_.image);
+    picture.terms = std::move(images_.terms);
+    picture.coverage = std::move(images_.coverage);
 }
 
 // ── Joining ──
@@ -321,7 +325,7 @@ void Film::join(const Film& other) {
                     throw Error(ErrorKind::usage, "both films have the same samples",
                                 "both have sample " + std::to_string(std::max(a.first, b.first)) +
                                     " of the pixels of tile " + std::to_string(tile));
-    fit();
+    fit(images_);
     for (std::size_t tile = 0; tile < samples_.size(); ++tile) {
         const auto& blocks = other.samples_[tile].blocks;
         if (blocks.empty()) continue;
@@ -337,11 +341,11 @@ void Film::copy_pixels(std::size_t tile, const Film& from) {
     const Rect r = grid_.tile(tile);
     for (int y = r.y; y < r.y + r.height; ++y) {
         const std::size_t floats = 3 * static_cast<std::size_t>(r.width);
-        std::copy_n(from.image_.at(r.x, y), floats, image_.at(r.x, y));
-        for (std::size_t t = 0; layout_.terms && t < terms_.size(); ++t)
-            std::copy_n(from.terms_[t].at(r.x, y), floats, terms_[t].at(r.x, y));
+        std::copy_n(from.images_.image.at(r.x, y), floats, images_.image.at(r.x, y));
+        for (std::size_t t = 0; layout_.terms && t < images_.terms.size(); ++t)
+            std::copy_n(from.images_.terms[t].at(r.x, y), floats, images_.terms[t].at(r.x, y));
         if (layout_.coverage)
-            std::copy_n(&from.coverage_[index({r.x, y})], r.width, &coverage_[index({r.x, y})]);
+            std::copy_n(&from.images_.coverage[index({r.x, y})], r.width, &images_.coverage[index({r.x, y})]);
     }
 }
 

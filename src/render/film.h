@@ -28,8 +28,6 @@ struct FilmLayout {
 
     /// True if each term is summed; otherwise one channel is: the radiance, a single term or an AOV.
     bool sums_terms() const { return terms || (samples > 1 && !term); }
-    /// True if an estimator must set the terms.
-    bool needs_terms() const { return sums_terms() || term; }
 };
 
 /// The layout of a picture. AOVs of first hits have one sample, no terms and no coverage. Throws Error(usage)
@@ -57,6 +55,13 @@ struct FilmTile {
         if (layout.terms) terms.resize(pixels.size());
         if (layout.coverage) coverage.resize(pixels.size());
     }
+};
+
+/// The images that a film keeps, each of all pixels or empty.
+struct FilmImages {
+    Image image;
+    std::array<Image, term_count> terms;
+    std::vector<float> coverage; ///< by pixel
 };
 
 class FilmReader;
@@ -92,13 +97,14 @@ class Film {
     void commit(std::size_t tile, const Pass& visit, FilmTile& values);
     /// Stores centres of a preview pass.
     void commit_preview(const Pass& pass, const FilmTile& values);
-    /// Ends a preview pass: the image shows its pixels and, `smooth`, interpolates between them.
-    void show_preview(int step, bool smooth, parallel::TaskPool& pool);
-    /// Sets a finished pixel of the area from sums made elsewhere.
-    void set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
+    /// Ends a preview pass: the images show its pixels and, of light, interpolate between them. Terms are
+    /// copied instead, so that their sum remains the picture to the bit.
+    void show_preview(const Pass& pass, parallel::TaskPool& pool);
+    /// Sets a pixel of the area from sums made elsewhere: all that a pass adds to it.
+    void set_pixel(const Pass& pass, const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
                    const imaging::CoveredCounts& covered);
 
-    const Image& image() const { return image_; }
+    const Image& image() const { return images_.image; }
     /// Moves the images and the coverage into a picture.
     void move_to(Picture& picture);
     /// True if any tile has samples, which previews would overwrite.
@@ -131,7 +137,9 @@ class Film {
         std::vector<std::byte> spare;    ///< memory of former states
     };
 
-    void fit();
+    void fit(FilmImages& images) const;
+    FilmImages& images_of(const Pass& pass) { return pass.step > 1 ? preview_ : images_; }
+    void write(const FilmTile& values, FilmImages& images) const;
     bool is_complete(const TileSamples& tile) const;
     std::size_t pixels_of(std::size_t tile) const;
     void insert(TileSamples& tile, SampleBlock block) const;
@@ -143,7 +151,7 @@ class Film {
     template <class T>
     void show_blocks(std::size_t tile);
     template <class T>
-    void show(const Pixel& pixel, const T& value, float coverage);
+    void show(const Pixel& pixel, const T& value, float coverage, FilmImages& images) const;
     void copy_pixels(std::size_t tile, const Film& from);
     /// Calls f(row of floats) for each row of a tile in each image that the film keeps.
     template <class AnyFilm, class F>
@@ -159,19 +167,8 @@ class Film {
     FilmLayout layout_;
     TileGrid grid_;
     std::vector<TileSamples> samples_; ///< by tile
-    Image image_;
-    Image preview_; ///< centres, at the pixels that were measured
-    std::array<Image, term_count> terms_;
-    std::vector<float> coverage_; ///< by pixel
+    FilmImages images_;
+    FilmImages preview_; ///< centres, at the pixels that were measured
 };
-
-/// Calls f(Terms{}) or f(vec3{}), whichever a film sums.
-template <class F>
-void with_sum_type(const FilmLayout& layout, const F& f) {
-    if (layout.sums_terms())
-        f(Terms{});
-    else
-        f(vec3(0.0f));
-}
 
 } // namespace glint::rendering

@@ -135,10 +135,10 @@ void Film::for_rows(AnyFilm& film, std::size_t tile, const F& f) {
     const Rect r = film.grid_.tile(tile);
     const auto width = static_cast<std::size_t>(r.width);
     for (int y = r.y; y < r.y + r.height; ++y) {
-        f(std::span(film.image_.at(r.x, y), 3 * width));
-        for (auto& term : film.terms_)
+        f(std::span(film.images_.image.at(r.x, y), 3 * width));
+        for (auto& term : film.images_.terms)
             if (film.layout_.terms) f(std::span(term.at(r.x, y), 3 * width));
-        if (film.layout_.coverage) f(std::span(&film.coverage_[film.index({r.x, y})], width));
+        if (film.layout_.coverage) f(std::span(&film.images_.coverage[film.index({r.x, y})], width));
     }
 }
 
@@ -170,7 +170,7 @@ void Film::load_tile(std::size_t tile, FilmReader& in) {
     if (!is_sound(samples)) refuse("its samples are damaged");
     if (blocks == 0) return;
     if (3 * sizeof(float) * pixels_of(tile) > in.left()) refuse("it ends too early");
-    fit();
+    fit(images_);
     for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
 }
 

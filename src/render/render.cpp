@@ -69,7 +69,7 @@ std::vector<std::uint32_t> CpuExecutor::begin_pass(const Pass& pass) {
 }
 
 void CpuExecutor::end_pass() {
-    if (shows_preview()) film_.show_preview(pass_.step, is_light(film_.layout().show), pool_);
+    if (shows_preview()) film_.show_preview(pass_, pool_);
 }
 
 std::uint32_t CpuExecutor::step(std::size_t task, int worker) {
@@ -96,7 +96,10 @@ bool CpuExecutor::measure_tile(std::size_t tile, Worker& worker) {
 // ── Visits ──
 
 CpuExecutor::Visit CpuExecutor::visit_of(const Pass& pass, std::size_t tile) const {
+    const FilmLayout& layout = film_.layout();
     Visit visit{pass, tile, grid_.tile(tile)};
+    visit.centres = pass.is_preview() || layout.samples == 1;
+    visit.sums_terms = pass.is_preview() ? layout.terms : layout.sums_terms();
     if (!pass.is_preview()) {
         visit.continues = film_.continues(tile, pass);
         visit.keeps_states = film_.keeps_states(tile, pass);
@@ -119,11 +122,8 @@ bool CpuExecutor::measure(const Visit& visit, Worker& worker) const {
         for (int x = r.x; x < r.x + r.width; x += visit.block_width) {
             const std::size_t from = values.pixels.size();
             collect_block(visit, x, y, values);
-            if (visit.pass.is_preview())
-                measure_centres(from, worker);
-            else
-                with_sum_type(film_.layout(),
-                              [&]<class T>(const T&) { measure_samples<T>(visit, from, worker); });
+            visit.sums_terms ? measure_samples<Terms>(visit, from, worker)
+                             : measure_samples<vec3>(visit, from, worker);
             if (is_cancelled()) return false;
         }
     return true;
@@ -147,31 +147,18 @@ void CpuExecutor::collect_block(const Visit& visit, int x, int y, FilmTile& valu
     values.resize_to_pixels(film_.layout());
 }
 
-void CpuExecutor::measure_centres(std::size_t from, Worker& worker) const {
-    const std::size_t count = worker.values.pixels.size() - from;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Pixel& pixel = worker.values.pixels[from + i];
-        worker.samples[i] =
-            sampler_.centre({film_.layout().area.x + pixel.x, film_.layout().area.y + pixel.y});
-    }
-    estimate(worker.estimator, {worker.samples.data(), count}, {worker.channels.data(), count},
-             film_.layout().term.has_value());
-    for (std::size_t i = 0; i < count; ++i)
-        worker.values.shown[from + i] = measured<vec3>(worker.channels[i]);
-}
-
 /// Samples first … first + count − 1 of the pixels from number `from` on.
-void CpuExecutor::estimate_samples(std::size_t from, int first, int count, Worker& worker) const {
-    const bool centres = film_.layout().samples == 1;
+void CpuExecutor::estimate_samples(const Visit& visit, std::size_t from, int first, int count,
+                                   Worker& worker) const {
     std::size_t s = 0;
     for (std::size_t i = from; i < worker.values.pixels.size(); ++i) {
         const Pixel& of_area = worker.values.pixels[i];
         const Pixel pixel{film_.layout().area.x + of_area.x, film_.layout().area.y + of_area.y};
         for (int k = first; k < first + count; ++k, ++s)
-            worker.samples[s] = centres ? sampler_.centre(pixel) : sampler_.sample(pixel, k);
+            worker.samples[s] = visit.centres ? sampler_.centre(pixel) : sampler_.sample(pixel, k);
     }
     estimate(worker.estimator, {worker.samples.data(), s}, {worker.channels.data(), s},
-             film_.layout().needs_terms());
+             visit.sums_terms || film_.layout().term.has_value());
     // With coverage, pixels show what is hit alone.
     for (std::size_t i = 0; film_.layout().coverage && i < s; ++i)
         if (!worker.channels[i].covered) worker.channels[i] = {};
@@ -179,11 +166,11 @@ void CpuExecutor::estimate_samples(std::size_t from, int first, int count, Worke
 
 template <class T>
 void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, Worker& worker) const {
-    const int count = visit.pass.count;
+    const int count = visit.pass.is_preview() ? 1 : visit.pass.count;
     if (count > batch_samples) return measure_pixel<T>(visit, worker);
-    estimate_samples(from, visit.pass.first, count, worker);
+    estimate_samples(visit, from, visit.pass.first, count, worker);
     const std::size_t pixels = worker.values.pixels.size() - from;
-    if (film_.layout().samples == 1) {
+    if (visit.centres) {
         for (std::size_t i = 0; i < pixels; ++i)
             put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1.0f : 0.0f, from + i,
                 worker.values);
@@ -205,7 +192,7 @@ void CpuExecutor::measure_pixel(const Visit& visit, Worker& worker) const {
     const int end = visit.pass.first + visit.pass.count;
     for (int first = visit.pass.first; first < end && !is_cancelled(); first += batch_samples) {
         const int count = std::min(batch_samples, end - first);
-        estimate_samples(pixel, first, count, worker);
+        estimate_samples(visit, pixel, first, count, worker);
         for (std::size_t s = 0; s < static_cast<std::size_t>(count); ++s)
             samples.add(measured<T>(worker.channels[s]), worker.samples[s], worker.channels[s]);
     }
@@ -263,8 +250,8 @@ Picture render(const Scene& scene, const RenderOptions& options) {
     rendering::Film film(rendering::film_layout(scene.render_settings(), options));
     parallel::TaskPool pool(options.threads);
     rendering::CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
-    Picture picture =
-        rendering::render_film(executor, film, rendering::one_pass(film.layout().samples), options, wall);
+    Picture picture = rendering::render_film(
+        executor, film, rendering::picture_passes(film.layout().samples, options), options, wall);
     picture.stats.cpu_seconds = cpu_seconds() - cpu;
     return picture;
 }

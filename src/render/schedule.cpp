@@ -14,6 +14,13 @@ double work_of(const Pass& pass) {
     return (pass.refines ? 0.75 : 1.0) / (double(pass.step) * pass.step);
 }
 
+/// Previews of every `coarsest`-th pixel of each row and column, then between these, to every `finest`-th.
+std::vector<Pass> previews(int coarsest, int finest) {
+    std::vector<Pass> passes;
+    for (int step = coarsest; step >= finest; step /= 2) passes.push_back({step, step != coarsest, 0, 0});
+    return passes;
+}
+
 } // namespace
 
 TileGrid::TileGrid(int width, int height, int tile_size)
@@ -31,12 +38,20 @@ Rect TileGrid::tile(std::size_t index) const {
 
 std::vector<Pass> one_pass(int samples) { return {{1, false, 0, samples}}; }
 
+std::vector<Pass> picture_passes(int samples, const RenderOptions& options) {
+    if (!options.coarse_first) return one_pass(samples);
+    int finest = 1;
+    while (finest * finest * samples < 16) finest *= 2;
+    std::vector<Pass> passes = previews(16, finest);
+    passes.push_back(one_pass(samples).front());
+    return passes;
+}
+
 std::vector<Pass> refining_passes(int coarsest, int samples) {
     if (coarsest < 1 || coarsest > max_coarsest || !std::has_single_bit(static_cast<unsigned>(coarsest)))
         throw Error(ErrorKind::usage, "the coarsest step is not a power of two",
                     "expected 1, 2, 4, 8, 16, 32 or 64");
-    std::vector<Pass> passes;
-    for (int step = coarsest; step >= 1; step /= 2) passes.push_back({step, step != coarsest, 0, 0});
+    std::vector<Pass> passes = previews(coarsest, 1);
     for (int done = 0; samples > 1 && done < samples;) {
         const int count = std::min(std::max(done, 1), samples - done);
         passes.push_back({1, false, done, count});

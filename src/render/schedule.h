@@ -67,6 +67,10 @@ class TileGrid {
 /// All samples of a tile in one visit.
 std::vector<Pass> one_pass(int samples);
 
+/// The passes of render(): all samples of a tile in one visit; `coarse_first`, previews before it that take
+/// at most a sixteenth of the work.
+std::vector<Pass> picture_passes(int samples, const RenderOptions& options);
+
 /// Previews of every `coarsest`-th pixel of each row and column, then between these, until all have had one
 /// ray through their centre. Then, unless one sample is all, samples double: 1, 1, 2, 4 … of each pixel and
 /// what is left, so that one sum is all that a pixel needs to go on (PixelSum). Throws Error(usage) if

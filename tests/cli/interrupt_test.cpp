@@ -39,6 +39,13 @@ TEST_F(Interrupt, LeavesAnOlderPictureAlone) {
     EXPECT_EQ(content("long.png"), "older");
 }
 
+TEST_F(Interrupt, BeforeTheFirstTileIsDone) {
+    const Outcome outcome = stopped("long.toml --tile-size 4096 --spp 100000", SIGINT);
+    EXPECT_EQ(outcome.exit, 130) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"fraction\":0.000000,\"tiles_done\":0"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"seconds_left\":null"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Interrupt, KeepsAPartWhenAsked) {
     const Outcome outcome = stopped("long.toml -o part.pfm --keep-partial --stats part.json", SIGINT);
     EXPECT_EQ(outcome.exit, 130) << outcome.err;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint::gpu {
 namespace {
@@ -120,6 +121,27 @@ TEST(GpuRenderer, CancellingLeavesAnIncompletePicture) {
     EXPECT_FALSE(gpu()->render(options).complete);
     cancel = false;
     EXPECT_TRUE(gpu()->render(options).complete);
+}
+
+TEST(GpuRenderer, ACoarsePictureFirstChangesNoFinishedPictureAndShowsInACancelledOne) {
+    GLINT_NEEDS_GPU();
+    gpu()->prepare(build_scene(exhibit("mirrors")));
+    RenderOptions options;
+    options.coverage = true;
+    const Picture expected = gpu()->render(options);
+    options.coarse_first = true;
+    const Picture finished = gpu()->render(options);
+    EXPECT_EQ(finished.image.pixels, expected.image.pixels);
+    EXPECT_EQ(finished.coverage, expected.coverage);
+    CancelFlag cancel{false};
+    options.cancel = &cancel;
+    options.progress = [&](const Progress& progress) { cancel = progress.fraction > 0.01; };
+    const Picture coarse = gpu()->render(options);
+    EXPECT_FALSE(coarse.complete);
+    double difference = 0;
+    for (std::size_t i = 0; i < coarse.coverage.size(); ++i)
+        difference += std::abs(double(coarse.coverage[i]) - expected.coverage[i]);
+    EXPECT_LT(difference / static_cast<double>(coarse.coverage.size()), 0.1);
 }
 
 TEST(GpuRenderer, TellsOfItsProgress) {

@@ -20,6 +20,19 @@ TEST(Schedule, PreviewsHalveTheStepAndSamplesDouble) {
     for (const int step : {0, -2, 3, 128}) EXPECT_THROW(refining_passes(step, 1), Error);
 }
 
+TEST(Schedule, PreviewsBeforeAPictureTakeAtMostASixteenthOfIt) {
+    RenderOptions options;
+    EXPECT_EQ(picture_passes(4, options), one_pass(4));
+    options.coarse_first = true;
+    for (const int samples : {1, 2, 3, 4, 15, 16, 1 << 20}) {
+        const std::vector<Pass> passes = picture_passes(samples, options);
+        EXPECT_EQ(passes.back(), one_pass(samples).front());
+        const int step = passes[passes.size() - 2].step;
+        EXPECT_LE(16, step * step * samples) << samples;
+        EXPECT_TRUE(step == 1 || step * step * samples < 64) << samples;
+    }
+}
+
 TEST(Schedule, ShardsOfSamplesAreAlignedBlocksThatMakeTheWhole) {
     for (int samples = 1; samples <= 70; ++samples)
         for (int shards = 1; shards <= 9; ++shards) {
