@@ -5,15 +5,6 @@
 namespace glint::rendering {
 
 using trace::Hit;
-namespace {
-
-std::vector<std::uint32_t> objects_of(const InteriorList* interior) {
-    std::vector<std::uint32_t> objects;
-    for (; interior != nullptr; interior = interior->rest) objects.push_back(interior->object);
-    return objects;
-}
-
-} // namespace
 
 void RayRecorder::begin_ray(RayKind kind, int depth, const SpawnedRay& spawned) {
     const std::size_t index = tree_.nodes.size();
@@ -32,12 +23,12 @@ void RayRecorder::begin_ray(RayKind kind, int depth, const SpawnedRay& spawned) 
 
 void RayRecorder::skip_hidden(const Hit& hit) { node().passed_over.push_back(hit); }
 
-void RayRecorder::miss(const InteriorList* interior) {
-    node().end = interior == nullptr ? RayEnd::background : RayEnd::absorbed;
-    node().interiors = objects_of(interior);
+void RayRecorder::miss(std::vector<std::uint32_t> interiors) {
+    node().end = interiors.empty() ? RayEnd::background : RayEnd::absorbed;
+    node().interiors = std::move(interiors);
 }
 
-void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const InteriorList* interior) {
+void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, std::vector<std::uint32_t> interiors) {
     RayNode& ray = node();
     ray.hit = hit;
     ray.position = at.surface.p;
@@ -46,7 +37,7 @@ void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const Interi
     ray.color = at.surface.color;
     ray.lit_side = at.surface.lit_side;
     ray.entering = at.entering;
-    ray.interiors = objects_of(interior);
+    ray.interiors = std::move(interiors);
 }
 
 void RayRecorder::end_at(RayEnd end) { node().end = end; }

@@ -42,8 +42,9 @@ class RayRecorder {
     // One ray: begin_ray(), its hit or miss, its branches, end_ray().
     void begin_ray(RayKind kind, int depth, const SpawnedRay& ray);
     void skip_hidden(const trace::Hit& hit);
-    void miss(const InteriorList* interior);
-    void hit(const trace::Hit& hit, const SurfaceInteraction& at, const InteriorList* interior);
+    // `interiors` as in RayNode.
+    void miss(std::vector<std::uint32_t> interiors);
+    void hit(const trace::Hit& hit, const SurfaceInteraction& at, std::vector<std::uint32_t> interiors);
     void end_at(RayEnd end);
     void refract(const Refraction& refraction, float index_before, float index_after);
     void bounce(float local_weight, const Split& split);

@@ -4,6 +4,7 @@
 
 #include "math/trig.h"
 #include "scene/bake.h"
+#include "scene/names.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -80,24 +81,12 @@ void build_lights(SceneData& scene) {
     scene.ambient = vec3(ambient);
 }
 
-// Counts the hits of each object along a ray; returns false if one is so near an edge that the parity is
-// unreliable.
-bool count_crossings(const SceneData& scene, const Ray& ray, std::vector<int>& counts) {
-    std::vector<Hit> hits;
-    scene.world.all_hits(ray, hits);
-    bool sure = true;
-    for (const Hit& hit : hits) {
-        if (hit.on_edge) sure = false;
-        if (hit.kind != PrimKind::plane) ++counts[hit.object];
-    }
-    return sure;
-}
-
 } // namespace
 
 bool shows_glass(const SceneDescription& description) {
+    const NameIndex names(description);
     return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
-        return object.visible && material_of(description, object)->transparency > 0;
+        return object.visible && names.material_of(object)->transparency > 0;
     });
 }
 
@@ -129,20 +118,24 @@ void find_camera_interiors(SceneData& scene) {
 }
 
 std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& point) {
-    // Arbitrary directions; the first ray that hits no edge decides.
+    // Arbitrary directions; the first ray that hits no edge decides: at edges the parity is unreliable.
     constexpr int tries = 8;
-    std::vector<int> counts;
+    std::vector<Hit> hits;
     for (int i = 0; i < tries; ++i) {
         const float k = static_cast<float>(i);
-        counts.assign(scene.objects.size(), 0);
         Ray ray;
         ray.origin = point;
         ray.direction = vec3(0.5377f + 0.0713f * k, 0.2917f - 0.1291f * k, 0.7825f - 0.0519f * k);
-        if (count_crossings(scene, ray, counts)) break;
+        scene.world.all_hits(ray, hits);
+        if (std::none_of(hits.begin(), hits.end(), [](const Hit& hit) { return hit.on_edge; })) break;
     }
+    std::erase_if(hits, [](const Hit& hit) { return hit.kind == PrimKind::plane; });
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.object < b.object; });
     std::vector<std::uint32_t> around;
-    for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
-        if (counts[id] % 2 != 0) around.push_back(id);
+    for (auto first = hits.begin(), next = first; first != hits.end(); first = next) {
+        next = std::find_if(first, hits.end(), [&](const Hit& hit) { return hit.object != first->object; });
+        if ((next - first) % 2 != 0) around.push_back(first->object);
+    }
     return around;
 }
 

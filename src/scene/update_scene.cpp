@@ -1,6 +1,7 @@
 // Updating a scene with new materials, lights, settings or camera, sharing its trees.
 
 #include "scene/build_scene.h"
+#include "scene/names.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -24,8 +25,9 @@ bool same_objects(const std::vector<Object>& a, const std::vector<Object>& b) {
 
 void build_materials_of_objects(SceneData& scene) {
     const SceneDescription& description = scene.description;
+    const scene::NameIndex names(description);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Material* material = scene::material_of(description, description.objects[i]);
+        const Material* material = names.material_of(description.objects[i]);
         scene.objects[i].material = static_cast<std::uint32_t>(material - description.materials.data());
     }
 }

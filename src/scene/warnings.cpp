@@ -3,6 +3,7 @@
 #include "geometry/mesh.h"
 #include "glint/keys.h"
 #include "math/trig.h"
+#include "scene/names.h"
 #include "scene/overlaps.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace glint {
 namespace {
@@ -69,20 +71,23 @@ class WarningFinder {
     }
 
     // Without glass it is not known which meshes are closed: find out for those around the position.
-    std::vector<std::uint32_t> everything_around(const Vec3& position) const {
+    std::vector<std::uint32_t> everything_around(const Vec3& position) {
         std::vector<std::uint32_t> around = scene::objects_around(scene_, vec3(position));
         if (scene_.any_transparent) return around;
         for (const std::uint32_t id : scene::surfaces_around(scene_, vec3(position)))
-            if (const Mesh* mesh = mesh_of(id);
-                mesh != nullptr && geometry::is_closed(mesh->positions, mesh->triangles))
-                around.push_back(id);
+            if (const Mesh* mesh = mesh_of(id); mesh != nullptr && is_closed(*mesh)) around.push_back(id);
         return around;
+    }
+    bool is_closed(const Mesh& mesh) {
+        const auto [known, is_new] = closed_.try_emplace(&mesh);
+        if (is_new) known->second = geometry::is_closed(mesh.positions, mesh.triangles);
+        return known->second;
     }
     const Mesh* mesh_of(std::uint32_t id) const {
         if (const auto* mesh = std::get_if<MeshShape>(&object(id).shape)) return mesh->data.get();
         const auto* instance = std::get_if<InstanceShape>(&object(id).shape);
         if (instance == nullptr) return nullptr;
-        return std::get<MeshShape>(scene::find_mesh(description_, instance->mesh)->shape).data.get();
+        return std::get<MeshShape>(names_.mesh(instance->mesh)->shape).data.get();
     }
 
     void check_inside(const Vec3& position, const Location& where) {
@@ -202,6 +207,8 @@ class WarningFinder {
     const scene::SceneData& scene_;
     const SceneDescription& description_;
     std::vector<Diagnostic> found_;
+    const scene::NameIndex names_{description_};
+    std::map<const Mesh*, bool> closed_; ///< of those that were looked at
 };
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "scene_support.h"
 
+#include "formats/scene/key_path.h"
+
 namespace glint::test {
 namespace {
 
@@ -72,6 +74,29 @@ TEST(SceneOverrides, FindTablesByNumberWithinTheirTypeUnlessThatIsAName) {
     EXPECT_EQ(std::get<AmbientLight>(with({"light.1.color=[1,2,3]"}).lights[1].kind).color, Vec3(1, 2, 3));
     EXPECT_EQ(std::get<SphereShape>(with({"sphere.0.radius=7"}).objects[0].shape).radius, 7);
     EXPECT_EQ(std::get<SphereShape>(with({"sphere.1.radius=7"}).objects[2].shape).radius, 7);
+}
+
+TEST(SceneOverrides, FindEachOfVeryManyTablesByName) {
+    using namespace formats;
+    constexpr std::size_t count = 100000;
+    const SceneSource source({}, "many.toml", {});
+    Problems problems(source);
+    TreeValue root;
+    root.entries.push_back({"sphere", {}, {}});
+    std::vector<TreeValue>& spheres = root.entries[0].value.items;
+    for (std::size_t i = 0; i < count; ++i) {
+        TreeValue name;
+        name.kind = TreeValue::Kind::text;
+        name.text = "ball " + std::to_string(i);
+        spheres.emplace_back().entries.push_back({"name", {}, std::move(name)});
+    }
+    KeyPaths paths(root, problems);
+    for (std::size_t i = 0; i < count; ++i)
+        ASSERT_EQ(paths.find("sphere.ball " + std::to_string(i) + ".radius", {}).table, &spheres[i]);
+    // Names change as other values do.
+    paths.put(paths.find("sphere.3.name", {}), read_value("nine", {}), {});
+    EXPECT_EQ(paths.find("sphere.nine.radius", {}).table, &spheres[3]);
+    EXPECT_EQ(paths.find("sphere.ball 3.radius", {}).table, nullptr);
 }
 
 TEST(SceneOverrides, AddKeysThatTheTableLacks) {

@@ -97,6 +97,16 @@ TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
+TEST(Warnings, OfManyLightsInOneMeshLookAtItOnce) {
+    constexpr std::size_t count = 4000;
+    SceneDescription scene = plain();
+    scene.objects.clear();
+    add(scene, mesh_of(sphere_mesh(3, 100)), "clay");
+    scene.lights.clear();
+    for (std::size_t i = 0; i < count; ++i) add_light(scene, Vec3(2.0 * double(i) / count, 0, 0));
+    EXPECT_EQ(warned(scene).size(), count);
+}
+
 TEST(Warnings, TellOfMaterialsThatGiveMoreThanTheyGet) {
     SceneDescription scene = plain();
     Material& m = scene.materials[0];

@@ -48,8 +48,9 @@ std::string example(std::string_view table) {
 
 class Finder {
   public:
-    Finder(TreeValue& root, const SourcePos& where, Problems& problems)
-        : root_(root), problems_(problems), where_(where) {}
+    Finder(TreeValue& root, const SourcePos& where, Problems& problems,
+           std::map<std::string_view, PartNames>& names)
+        : root_(root), problems_(problems), where_(where), names_(names) {}
 
     KeyTarget find(const Path& path) {
         if (path.table.empty()) return find_top(path);
@@ -133,26 +134,30 @@ class Finder {
         if (!entry) return nullptr;
         const std::string_view name = unquoted(written);
         found_as = std::string(spec.name) + ".";
+        const PartNames& names = names_of(spec, entry->value);
+        const auto known = names.find(std::string(name));
         if (spec.form == TableForm::named) {
-            TreeEntry* named = entry->value.find(name);
             found_as += name;
-            return named ? &named->value : nullptr;
+            return known == names.end() ? nullptr : &entry->value.entries[known->second].value;
         }
         std::vector<TreeValue>& items = entry->value.items;
-        const auto index = index_of(items, name);
-        if (!index) return nullptr;
+        const auto index =
+            known == names.end() ? scene::parse_number<std::size_t>(name) : std::optional(known->second);
+        if (!index || *index >= items.size()) return nullptr;
         found_as += std::to_string(*index);
         return &items[*index];
     }
 
-    /// Finds a table by `name`, otherwise by number.
-    static std::optional<std::size_t> index_of(const std::vector<TreeValue>& items, std::string_view name) {
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            const TreeEntry* entry = items[i].find("name");
-            if (entry && entry->value.kind == Kind::text && entry->value.text == name) return i;
+    const PartNames& names_of(const TableSpec& spec, const TreeValue& parts) {
+        const auto [place, is_new] = names_.try_emplace(spec.name);
+        PartNames& names = place->second;
+        for (std::size_t i = 0; is_new && i < parts.entries.size(); ++i)
+            names.emplace(parts.entries[i].key, i);
+        for (std::size_t i = 0; is_new && i < parts.items.size(); ++i) {
+            const TreeEntry* name = parts.items[i].find("name");
+            if (name && name->value.kind == Kind::text) names.emplace(name->value.text, i);
         }
-        const auto number = scene::parse_number<std::size_t>(name);
-        return number && *number < items.size() ? number : std::nullopt;
+        return names;
     }
 
     KeyTarget report_missing(const Path& path, const TableSpec& spec) {
@@ -182,6 +187,7 @@ class Finder {
     TreeValue& root_;
     Problems& problems_;
     SourcePos where_;
+    std::map<std::string_view, PartNames>& names_;
 };
 
 } // namespace
@@ -192,11 +198,12 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-KeyTarget find_target(TreeValue& root, std::string_view path, const SourcePos& where, Problems& problems) {
-    return Finder(root, where, problems).find(split_path(path));
+KeyTarget KeyPaths::find(std::string_view path, const SourcePos& where) {
+    return Finder(root_, where, problems_, names_).find(split_path(path));
 }
 
-void put_value(const KeyTarget& target, TreeValue value, const SourcePos& where) {
+void KeyPaths::put(const KeyTarget& target, TreeValue value, const SourcePos& where) {
+    if (target.key == "name") names_.clear();
     if (TreeEntry* entry = target.table->find(target.key)) {
         entry->where = where;
         entry->value = std::move(value);
@@ -214,6 +221,7 @@ TreeValue read_value(std::string_view text, const SourcePos& where) {
 }
 
 void apply_overrides(TreeValue& root, const SceneSource& source, Problems& problems) {
+    KeyPaths paths(root, problems);
     int origin = 0;
     for (const std::string& text : source.overrides()) {
         const SourcePos where{++origin, 0, 0};
@@ -222,8 +230,8 @@ void apply_overrides(TreeValue& root, const SceneSource& source, Problems& probl
             throw Error(ErrorKind::usage, "-D " + text + " has no value",
                         "expected path=value, for example whitted.max_depth=3");
         const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
-        const KeyTarget target = find_target(root, std::string_view(text).substr(0, equals), where, problems);
-        if (target.table) put_value(target, read_value(value, where), where);
+        const KeyTarget target = paths.find(std::string_view(text).substr(0, equals), where);
+        if (target.table) paths.put(target, read_value(value, where), where);
     }
 }
 

@@ -115,10 +115,10 @@ Channels Whitted::radiance(Path&& path) {
     if (!hit) {
         // The background shows, but not to a ray that never leaves a solid.
         if (path.interior == nullptr) out.terms[Term::emission] = scene_.background;
-        if (recorder_ != nullptr) recorder_->miss(path.interior);
+        if (recorder_ != nullptr) recorder_->miss(solids_of(path.interior, scene_));
     } else {
         const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
-        if (recorder_ != nullptr) recorder_->hit(hit, at, path.interior);
+        if (recorder_ != nullptr) recorder_->hit(hit, at, solids_of(path.interior, scene_));
 
         // Add up the light that arrives from the lights.
         LocalTerms local = local_light(path, at);
@@ -255,7 +255,7 @@ Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction
 
 void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {
     if (interior == nullptr) return;
-    const vec3& sigma = scene_.materials[scene_.objects[interior->object].material].absorption;
+    const vec3& sigma = scene_.materials[scene_.objects[interior->owner].material].absorption;
     if (sigma == vec3(0.0f)) return;
     const vec3 left_over = transmittance(sigma, distance);
     for (vec3& value : terms.value) value = value * left_over;

@@ -6,6 +6,7 @@
 #include "math/trig.h"
 #include "scene/bake_mesh.h"
 #include "scene/keys/check.h"
+#include "scene/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,9 +78,9 @@ std::vector<FlatFace> flat_faces(const S&) {
 class ShapeBaker {
   public:
     /// All must outlive this.
-    ShapeBaker(const SceneDescription& scene, const Object& object, std::uint32_t id, Baked& baked,
+    ShapeBaker(const NameIndex& names, const Object& object, std::uint32_t id, Baked& baked,
                MeshBaker& meshes)
-        : scene_(scene), object_(object), id_(id), baked_(baked), meshes_(meshes) {}
+        : names_(names), object_(object), id_(id), baked_(baked), meshes_(meshes) {}
 
     /// All p with normal · p = offset.
     void plane(const dvec3& normal, double offset);
@@ -93,7 +94,7 @@ class ShapeBaker {
     void instance(const std::string& name);
 
   private:
-    const SceneDescription& scene_;
+    const NameIndex& names_;
     const Object& object_;
     std::uint32_t id_;
     Baked& baked_;
