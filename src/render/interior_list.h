@@ -31,6 +31,19 @@ class InteriorArena {
     }
     void clear() { used_ = 0; }
 
+    /// Invalidates at its end the lists made since its beginning.
+    class Scope {
+      public:
+        explicit Scope(InteriorArena& arena) : arena_(arena), used_(arena.used_) {}
+        ~Scope() { arena_.used_ = used_; }
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        InteriorArena& arena_;
+        std::size_t used_;
+    };
+
   private:
     static constexpr std::size_t block_size = 64;
     using Block = std::array<InteriorList, block_size>;

@@ -261,6 +261,12 @@ GLINT_FN truth has_bounces(GLINT_IN(MaterialRecord) m) {
     return m.reflectivity > 0.0f || m.transparency > 0.0f;
 }
 
+/// True if a ray is followed: a share `weight` of its light reaches the sample, by channel. What others would
+/// add is less than min_weight times their light.
+GLINT_FN truth is_worth_following(vec3 weight, real min_weight) {
+    return !(max(weight.x, max(weight.y, weight.z)) < min_weight);
+}
+
 /// The weight of the local terms if the bounce is followed: 1 − τ, or 1 − ρ − τ if energy is balanced. If it
 /// is not followed, their weight is 1.
 GLINT_FN real local_weight(real reflectivity, real transparency, bool balanced) {

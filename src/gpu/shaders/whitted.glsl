@@ -36,8 +36,13 @@ void add_local(LocalTerms shown) {
 
 void branch(Path from, SpawnedRay next_ray, float share, uint term, uvec4 interiors) {
     if (share == 0.0f) return;
+    vec3 weight = from.weight * share;
+    if (!is_worth_following(weight, settings.min_weight)) {
+        ++left_out;
+        return;
+    }
     ++rays[term == term_reflection ? 1 : 2];
-    follow(Path(next_ray.origin, next_ray.direction, from.weight * share, from.depth + 1u,
+    follow(Path(next_ray.origin, next_ray.direction, weight, from.depth + 1u,
                 from.term == invalid_index ? term : from.term, interiors));
 }
 

@@ -74,8 +74,8 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
-    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
-      kernel_(kernel) {}
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
+      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
     for (std::size_t i = 0; i < samples.size(); ++i) out[i] = trace(samples[i]);
@@ -104,6 +104,7 @@ Channels Whitted::radiance(Path&& path) {
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
     require_stack(max_depth_);
+    const InteriorArena::Scope lists(arena_);
     if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
@@ -119,6 +120,8 @@ Channels Whitted::radiance(Path&& path) {
     } else {
         const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
         if (recorder_ != nullptr) recorder_->hit(hit, at, path.interior);
+        const vec3 left_over = left_by_medium(path.interior, hit.t);
+        path.weight = path.weight * left_over;
 
         // Add up the light that arrives from the lights.
         LocalTerms local = local_light(path, at);
@@ -135,7 +138,8 @@ Channels Whitted::radiance(Path&& path) {
         out.terms[Term::clamp] = local.clamp;
 
         // Absorb what comes back through the medium.
-        absorb(path.interior, hit.t, out.terms);
+        for (vec3& value : out.terms.value) value = value * left_over;
+        if (recorder_ != nullptr) recorder_->absorb(left_over);
     }
     out.radiance = out.terms.sum();
     if (recorder_ != nullptr) recorder_->end_ray(out);
@@ -183,6 +187,7 @@ float Whitted::light_passing(const LightRecord& light, const LightArrival& arriv
 
 float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& at,
                                    const InteriorList* interior) {
+    const InteriorArena::Scope lists(arena_);
     // Light on a back that is lit as stored arrives on the other side of the surface.
     if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
         interior = crossed(interior, at.object, at.entering, scene_, arena_);
@@ -220,9 +225,9 @@ void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Term
     const Bounce bounce = bounce_at(path, at);
     const Split& split = bounce.split;
     if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
-    if (split.reflected > 0.0f)
-        terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
-    if (split.refracted > 0.0f)
+    if (follows(path, split.reflected))
+        terms[Term::reflection] = radiance(reflected_path(path, at, bounce)).radiance * split.reflected;
+    if (follows(path, split.refracted))
         terms[Term::transmission] = radiance(refracted_path(path, at, bounce)).radiance * split.refracted;
 }
 
@@ -242,24 +247,29 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     return bounce;
 }
 
-Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
+bool Whitted::follows(const Path& path, float share) {
+    if (!(share > 0.0f)) return false;
+    if (is_worth_following(path.weight * share, min_weight_)) return true;
+    ++counts_.left_out;
+    return false;
+}
+
+Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.reflected;
-    return {reflected_ray(at.surface), path.interior, path.depth + 1, RayKind::reflected};
+    return {reflected_ray(at.surface), path.interior, path.weight * bounce.split.reflected, path.depth + 1,
+            RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
-    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior, path.depth + 1,
-            RayKind::refracted};
+    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior,
+            path.weight * bounce.split.refracted, path.depth + 1, RayKind::refracted};
 }
 
-void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {
-    if (interior == nullptr) return;
+vec3 Whitted::left_by_medium(const InteriorList* interior, float distance) const {
+    if (interior == nullptr) return vec3(1.0f);
     const vec3& sigma = scene_.materials[scene_.objects[interior->object].material].absorption;
-    if (sigma == vec3(0.0f)) return;
-    const vec3 left_over = transmittance(sigma, distance);
-    for (vec3& value : terms.value) value = value * left_over;
-    if (recorder_ != nullptr) recorder_->absorb(left_over);
+    return sigma == vec3(0.0f) ? vec3(1.0f) : transmittance(sigma, distance);
 }
 
 } // namespace glint::rendering
