@@ -36,8 +36,8 @@ enum class RayEnd {
     min_weight,  ///< its branches carry too little light to be followed
 };
 template <>
-inline constexpr NamesUpTo<RayEnd::min_weight> enum_names<RayEnd>{
-    "bounced", "matte", "depth_limit", "background", "absorbed", "min_weight"};
+inline constexpr NamesUpTo<RayEnd::min_weight> enum_names<RayEnd>{"bounced",    "matte",    "depth_limit",
+                                                                  "background", "absorbed", "min_weight"};
 
 inline const char* ray_kind_name(RayKind kind) { return name_of(kind).data(); }
 inline const char* ray_end_name(RayEnd end) { return name_of(end).data(); }

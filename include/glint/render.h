@@ -83,7 +83,7 @@ struct RenderStats {
     std::uint64_t refracted_rays = 0;
     std::uint64_t shadow_rays = 0;
     std::uint64_t left_out_rays = 0; ///< not traced: their weight was below WhittedSettings::min_weight
-    int threads = 0; ///< threads that rendered at least one tile
+    int threads = 0;                 ///< threads that rendered at least one tile
 
     std::uint64_t rays() const { return primary_rays + reflected_rays + refracted_rays + shadow_rays; }
 };

@@ -70,7 +70,7 @@ struct RayCounts {
     std::uint64_t total() const { return primary + reflected + refracted + shadow; }
     friend RayCounts operator+(const RayCounts& a, const RayCounts& b) {
         return {a.primary + b.primary, a.reflected + b.reflected, a.refracted + b.refracted,
-                a.shadow + b.shadow,       a.left_out + b.left_out};
+                a.shadow + b.shadow, a.left_out + b.left_out};
     }
 };
 

@@ -154,8 +154,8 @@ class BounceSteps {
         }
         step({mirror ? "W_R" : "W_T", "W" + absorbed + " · " + weight,
               out_.weight * node_.transmittance * share, "weight",
-              mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample", "",
-              index >= 0 ? "" : "below min_weight: this ray is left out"});
+              mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample",
+              "", index >= 0 ? "" : "below min_weight: this ray is left out"});
     }
 
     const MaterialRecord& material_;

@@ -65,6 +65,9 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, Interio
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
                             const scene::SceneData& scene, InteriorArena& arena);
 
+/// True if surfaces of `object` can be hidden inside transparent solids.
+bool can_be_hidden(std::uint32_t object, const scene::SceneData& scene);
+
 /// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
 bool is_hidden(const InteriorList* list, std::uint32_t object, const scene::SceneData& scene);
 

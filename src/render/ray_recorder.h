@@ -25,7 +25,7 @@ struct RayNode : TracedRay {
     std::vector<LightNode> lights;        ///< by SceneData::lights
     Refraction refraction{};              ///< at the surface of a transparent solid
     float local_weight = 1;               ///< of ambient, diffuse, highlight and clamp
-    float reflected_weight = 0; ///< above 0 without such a branch: it was left out
+    float reflected_weight = 0;           ///< above 0 without such a branch: it was left out
     float refracted_weight = 0;
     Terms terms{}; ///< weighted, absorption included
 

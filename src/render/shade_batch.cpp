@@ -217,12 +217,13 @@ void start_terms(const glm::vec3& ambient_light, Wave wave, PathStates& states) 
     });
 }
 
-std::size_t spawn_shadow_rays(const LightRecord& light, Wave wave, PathStates& states) {
+std::size_t spawn_shadow_rays(const WhittedModes& modes, const LightRecord& light, Wave wave,
+                              PathStates& states) {
     std::size_t count = 0;
     for_vectors(wave, [&](std::size_t i) {
         const SurfaceRecord s = surfaces_of(states, i);
         const LightArrival arrival = light_arrival(light, s);
-        const truth reached = is_worth_shadow_ray(stored_materials(states, i), arrival);
+        const truth reached = is_worth_shadow_ray(modes, s, stored_materials(states, i), arrival);
         store(arrival.direction, states.to_light, i);
         store(pick(reached, arrival.arriving, vec3(0.0f)), states.arriving, i);
         count += hn::CountTrue(RealTag(), reached.m);

@@ -22,7 +22,8 @@ struct ShadeKernels {
     void (*start_terms)(const vec3& ambient_light, Wave wave, PathStates& states);
     /// Sets what arrives from a light, and the shadow rays. Returns how many are sent; the others can meet
     /// nothing.
-    std::size_t (*spawn_shadow_rays)(const LightRecord& light, Wave wave, PathStates& states);
+    std::size_t (*spawn_shadow_rays)(const WhittedModes& modes, const LightRecord& light, Wave wave,
+                                     PathStates& states);
     /// Adds the light; the share that passes blockers is in PathStates already.
     void (*add_light)(const WhittedModes& modes, Wave wave, PathStates& states);
     /// Limits the local terms where the model clamps.

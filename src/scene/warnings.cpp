@@ -160,9 +160,8 @@ class WarningFinder {
     void check_branching() {
         constexpr int harmless_depth = 16;
         const int depth = description_.whitted.max_depth;
-        constexpr double harmless_weight = 1e-4;
-        if (depth <= harmless_depth || description_.whitted.min_weight >= harmless_weight) return;
-        if (!scene_.any_transparent) return;
+        const bool ends_by_weight = description_.whitted.min_weight >= WhittedSettings{}.min_weight;
+        if (depth <= harmless_depth || ends_by_weight || !scene_.any_transparent) return;
         Bounds branching;
         const Object* glass_object = nullptr;
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
@@ -172,15 +171,11 @@ class WarningFinder {
         }
         if (glass_object == nullptr || !is_among_mirrors(branching)) return;
         const std::string number = std::to_string(depth);
-        const double min_weight = description_.whitted.min_weight;
-        const bool few = min_weight > 0 && 1 / min_weight < std::ldexp(1.0, depth);
         warn(glass_object->where,
              "max_depth = " + number + " lets rays that branch at " + title(*glass_object) +
-                 " among mirrors become up to " +
-                 (few ? std::to_string(std::llround(1 / min_weight)) + " (1 / min_weight) at each bounce"
-                      : "2^" + number + " a sample"),
-             "lower max_depth in [whitted]; 8 to " + std::to_string(harmless_depth) +
-                 " are enough for most. A higher min_weight helps as well");
+                 " among mirrors become up to 2^" + number + " a sample",
+             "leave min_weight in [whitted] at its default, or lower max_depth; 8 to " +
+                 std::to_string(harmless_depth) + " are enough for most");
     }
 
     bool branches(std::uint32_t id) const {

@@ -40,8 +40,8 @@ SceneDescription random_room(unsigned seed) {
 std::vector<CameraSample> camera_rays(const Scene& scene) {
     std::vector<CameraSample> rays;
     for (int i = 0; i < 64; ++i)
-        rays.push_back(camera_ray(vec3(scene.camera().eye),
-                                  normalize(vec3(0.2f * float(i % 8) - 0.7f, 1, 0.2f * float(i / 8) - 0.7f))));
+        rays.push_back(camera_ray(vec3(scene.camera().eye), normalize(vec3(0.2f * float(i % 8) - 0.7f, 1,
+                                                                           0.2f * float(i / 8) - 0.7f))));
     return rays;
 }
 

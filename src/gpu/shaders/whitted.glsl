@@ -18,6 +18,8 @@ void at_surface(Hit hit, SurfacePoint point) {
     local = ambient_terms(settings.ambient_light, surface, material);
 }
 
+bool needs_shadow_ray() { return is_worth_shadow_ray(settings.modes, surface, material, arrival); }
+
 void add_light() {
     local = with_light(local, shown_light(settings.modes, surface, material, arrival, passing));
 }

@@ -45,7 +45,7 @@ struct PathStates {
     Row<Term> parent_terms;               ///< the term of the parent that it adds to
     Numbers parent_weights;               ///< its share there
     Vectors weights;                      ///< the share of the path's light that reaches its sample
-    Vectors left_over;                    ///< of light behind the medium; for paths in solids that hit something
+    Vectors left_over; ///< of light behind the medium; for paths in solids that hit something
     std::array<Vectors, term_count> terms;
     Vectors sums; ///< of the terms
 

@@ -7,6 +7,7 @@
 #include "render/ray_recorder.h"
 #include "shading/interaction.shared.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -75,7 +76,11 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
     : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
-      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel) {}
+      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel),
+      ends_shadow_([&scene](const Hit& hit) {
+          const float transparency = scene.materials[scene.objects[hit.object].material].transparency;
+          return !(transparency > 0.0f) && !can_be_hidden(hit.object, scene);
+      }) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
     for (std::size_t i = 0; i < samples.size(); ++i) out[i] = trace(samples[i]);
@@ -166,7 +171,10 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
     for (const LightRecord& light : scene_.lights) {
         const LightArrival arrival = light_arrival(light, at.surface);
         if (recorder_ != nullptr) recorder_->begin_light(arrival);
-        if (!is_worth_shadow_ray(*at.material, arrival)) continue;
+        // A recorder gets the shadows outside the highlight too.
+        if (recorder_ != nullptr ? !reflects_light(*at.material, arrival)
+                                 : !is_worth_shadow_ray(modes_, at.surface, *at.material, arrival))
+            continue;
         const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
         local = with_light(local, shown);
@@ -200,18 +208,31 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
 
 /// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
-    blockers_.clear();
-    scene_.world.all_hits(shadow, blockers_);
+    static const trace::EndsSearch never;
+    if (!scene_.world.all_hits(shadow, blockers_, recorder_ == nullptr ? ends_shadow_ : never)) return 0.0f;
+    const bool hides = any_may_be_hidden(blockers_, interior);
     float passing = 1.0f;
     for (const Hit& hit : blockers_) {
-        const bool hidden = is_hidden(interior, hit.object, scene_);
+        const bool hidden = hides && is_hidden(interior, hit.object, scene_);
         const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
         if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
         if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
-        cross(shadow, hit, interior);
+        if (hides) cross(shadow, hit, interior);
     }
     return passing;
+}
+
+/// False if no hit is of a lower rank than a solid that the ray is in or enters: then none is hidden, and the
+/// list need not be kept.
+bool Whitted::any_may_be_hidden(std::span<const Hit> hits, const InteriorList* interior) const {
+    std::uint32_t highest = 0;
+    if (interior != nullptr) highest = scene_.objects[interior->object].rank;
+    for (const Hit& hit : hits)
+        if (is_dielectric(hit.object, scene_)) highest = std::max(highest, scene_.objects[hit.object].rank);
+    return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
+        return can_be_hidden(hit.object, scene_) && scene_.objects[hit.object].rank < highest;
+    });
 }
 
 bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {

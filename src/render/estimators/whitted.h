@@ -89,6 +89,7 @@ class Whitted {
     float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
                         const SurfaceInteraction& at);
     float walk_shadow(const Ray& shadow, const InteriorList* interior);
+    bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
@@ -100,6 +101,7 @@ class Whitted {
     const CancelFlag* cancel_;
     const KernelChoice kernel_;
     InteriorArena arena_;
+    const trace::EndsSearch ends_shadow_; ///< at a hit that lets no light pass
     std::vector<trace::Hit> blockers_;
     RayCounts counts_;
     RayRecorder* recorder_ = nullptr;

@@ -38,8 +38,8 @@ SurfaceRows surface_rows(PathStates& s, std::size_t first) {
 WhittedWavefront::WhittedWavefront(const scene::SceneData& scene, const WhittedSettings& settings,
                                    const CancelFlag* cancel, const KernelChoice& kernel)
     : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
-      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel), shade_(shade_kernels[row_of(kernel.target)]),
-      single_(scene, settings, cancel, kernel) {
+      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel),
+      shade_(shade_kernels[row_of(kernel.target)]), single_(scene, settings, cancel, kernel) {
     background_.emission = scene.background;
 }
 
@@ -79,21 +79,28 @@ void WhittedWavefront::follow_branches(Wave wave, int depth) {
         for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) branch_by_recursion(i, depth);
         return;
     }
-    const std::size_t end = wave.first + wave.count;
-    for (Wave parents{wave.first, 0}; parents.first < end; parents = {parents.first + parents.count, 0}) {
-        for (std::size_t branches = 0; parents.first + parents.count < end;) {
-            const std::size_t from = parents.first + parents.count;
-            const Wave more{from, std::min(PathStates::alignment, end - from)};
-            branches += most_branches(more);
-            if (branches > at_once) break;
-            parents.count += more.count;
-        }
+    for (std::size_t done = 0; done < wave.count;) {
+        const Wave parents = parents_of({wave.first + done, wave.count - done}, at_once);
+        done += parents.count;
         const InteriorArena::Scope lists(single_.arena());
-        const Wave next = spawn(parents, {wave.end(), 0}, depth);
+        const Wave next = spawn(parents, wave.end(), depth);
         if (next.count == 0) continue;
         follow(next, depth + 1);
         shade_.add_to_parents(next, *states_);
     }
+}
+
+/// The first paths of a wave, whole vectors of them, that have at most so many branches.
+Wave WhittedWavefront::parents_of(Wave wave, std::size_t branches) const {
+    Wave parents{wave.first, 0};
+    while (parents.count < wave.count) {
+        const std::size_t more = std::min(PathStates::alignment, wave.count - parents.count);
+        const std::size_t of_more = most_branches({wave.first + parents.count, more});
+        if (of_more > branches) break;
+        branches -= of_more;
+        parents.count += more;
+    }
+    return parents;
 }
 
 /// Bound on the number of branches of a wave.
@@ -177,7 +184,7 @@ void WhittedWavefront::put_surface(std::size_t i) {
 /// Adds one light to all paths that it reaches.
 void WhittedWavefront::add_light(const LightRecord& light, Wave wave) {
     PathStates& s = *states_;
-    const std::size_t count = shade_.spawn_shadow_rays(light, wave, s);
+    const std::size_t count = shade_.spawn_shadow_rays(modes_, light, wave, s);
     if (count == 0) return;
     counts_.shadow += count;
     scene_.world.occluded(part(s.shadow_rays, wave), part(s.blocked, wave), RayHint::coherent, scratch_,
@@ -197,12 +204,12 @@ void WhittedWavefront::pass_blockers(Wave wave) {
     }
 }
 
-/// Spawns the branches of a wave.
-Wave WhittedWavefront::spawn(Wave parents, Wave next, int depth) {
-    const Branches mirrored = shade_.spawn_reflected(modes_, min_weight_, parents, next.first, *states_);
+/// Spawns the branches of a wave from path `first` on.
+Wave WhittedWavefront::spawn(Wave parents, std::size_t first, int depth) {
+    const Branches mirrored = shade_.spawn_reflected(modes_, min_weight_, parents, first, *states_);
     counts_.reflected += mirrored.followed;
     counts_.left_out += mirrored.left_out;
-    next.count = mirrored.followed;
+    Wave next{first, mirrored.followed};
     if (scene_.any_transparent)
         for (std::size_t i = parents.first; i < parents.first + parents.count; ++i)
             if (states_->materials[i]->transparency > 0.0f) spawn_at_glass(i, depth, next);
@@ -271,7 +278,8 @@ void WhittedWavefront::absorb(Wave wave) {
 
 Whitted::Path WhittedWavefront::path_at(std::size_t i, int depth) const {
     const Ray& ray = states_->rays[i];
-    return {{ray.origin, ray.direction, ray.tmax}, states_->interiors[i], element(states_->weights, i), depth};
+    return {
+        {ray.origin, ray.direction, ray.tmax}, states_->interiors[i], element(states_->weights, i), depth};
 }
 
 SurfaceInteraction WhittedWavefront::surface_at(std::size_t i) const {

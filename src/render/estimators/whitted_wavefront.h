@@ -1,8 +1,8 @@
 #pragma once
 // Whitted's ray tracing of many camera rays at once: a wave holds paths of one depth. Its rays are traced
-// together, then light by light its shadow rays, and shaded in vectors (render/shade_batch.h); then its branches
-// are followed in the same way, as many at once as a wave may hold. Results have the bits of Whitted, which
-// shades glass, and follows branches for which PathStates has no room.
+// together, then light by light its shadow rays, and shaded in vectors (render/shade_batch.h); then its
+// branches are followed in the same way, as many at once as a wave may hold. Results have the bits of
+// Whitted, which shades glass, and follows branches for which PathStates has no room.
 
 #include "render/estimators/path_states.h"
 #include "render/estimators/whitted.h"
@@ -30,6 +30,7 @@ class WhittedWavefront {
     void estimate_batch(std::span<const CameraSample> samples, std::span<Channels> out, bool terms);
     void follow(Wave wave, int depth);
     void follow_branches(Wave wave, int depth);
+    Wave parents_of(Wave wave, std::size_t branches) const;
     std::size_t most_branches(Wave wave) const;
     void start(std::span<const CameraSample> samples);
     void finish(std::span<Channels> out, bool terms);
@@ -40,7 +41,7 @@ class WhittedWavefront {
     void put_surface(std::size_t i);
     void add_light(const LightRecord& light, Wave wave);
     void pass_blockers(Wave wave);
-    Wave spawn(Wave parents, Wave next, int depth);
+    Wave spawn(Wave parents, std::size_t first, int depth);
     void spawn_at_glass(std::size_t i, int depth, Wave& next);
     void spawn(const Whitted::Path& path, std::size_t parent, Term term, float weight, Wave& next);
     void branch_by_recursion(std::size_t i, int depth);
