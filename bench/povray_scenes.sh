@@ -1,5 +1,7 @@
 # The report's scenes in POV-Ray's language, and how programs are measured: for bench/povray and
 # bench/povray-antialiased, which set $folder.
+# shellcheck shell=bash
+: "${folder:?}"
 
 # The room, its lights and the camera in POV-Ray's language, at a depth and with an ambient light. Its lights fade as
 # 2/(1 + d^2): so half the intensity. Of the walls one is a mirror and the floor a little, unless `mirrors` is 0.

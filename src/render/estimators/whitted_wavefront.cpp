@@ -95,7 +95,7 @@ Wave WhittedWavefront::parents_of(Wave wave, std::size_t branches) const {
     Wave parents{wave.first, 0};
     while (parents.count < wave.count) {
         const std::size_t more = std::min(PathStates::alignment, wave.count - parents.count);
-        const std::size_t of_more = most_branches({wave.first + parents.count, more});
+        const std::size_t of_more = max_branches({wave.first + parents.count, more});
         if (of_more > branches) break;
         branches -= of_more;
         parents.count += more;
@@ -104,7 +104,7 @@ Wave WhittedWavefront::parents_of(Wave wave, std::size_t branches) const {
 }
 
 /// Bound on the number of branches of a wave.
-std::size_t WhittedWavefront::most_branches(Wave wave) const {
+std::size_t WhittedWavefront::max_branches(Wave wave) const {
     std::size_t count = 0;
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
         const MaterialRecord& m = *states_->materials[i];

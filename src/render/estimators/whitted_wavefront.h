@@ -31,7 +31,7 @@ class WhittedWavefront {
     void follow(Wave wave, int depth);
     void follow_branches(Wave wave, int depth);
     Wave parents_of(Wave wave, std::size_t branches) const;
-    std::size_t most_branches(Wave wave) const;
+    std::size_t max_branches(Wave wave) const;
     void start(std::span<const CameraSample> samples);
     void finish(std::span<Channels> out, bool terms);
     void find_hits(Wave wave);
