@@ -81,6 +81,7 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
           {"refracted", stats.refracted_rays},
           {"shadow", stats.shadow_rays},
           {"total", stats.rays()}}},
+        {"left_out", {{"rays", stats.left_out_rays}, {"share", left_out_share(stats, scene)}}},
         {"seconds",
          {{"load", record.load_seconds},
           {"build", record.build_seconds},

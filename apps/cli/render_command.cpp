@@ -72,6 +72,9 @@ void print_details(Console& console, const Scene& scene, const RenderRecord& rec
                                with_commas(stats.primary_rays), with_commas(stats.reflected_rays),
                                with_commas(stats.refracted_rays), with_commas(stats.shadow_rays),
                                counted(static_cast<std::uint64_t>(stats.threads), "thread")));
+    if (stats.left_out_rays > 0)
+        console.detail(fmt::format("left out: {} below min_weight, less than {:.2g} of the light",
+                                   counted(stats.left_out_rays, "ray"), left_out_share(stats, scene)));
 }
 
 /// Renders pictures of one scene, one after the other.

@@ -33,10 +33,11 @@ enum class RayEnd {
     depth_limit, ///< maximum depth reached
     background,  ///< nothing was hit
     absorbed,    ///< nothing was hit from inside a solid: no light returns
+    min_weight,  ///< its branches carry too little light to be followed
 };
 template <>
-inline constexpr NamesUpTo<RayEnd::absorbed> enum_names<RayEnd>{"bounced", "matte", "depth_limit",
-                                                                "background", "absorbed"};
+inline constexpr NamesUpTo<RayEnd::min_weight> enum_names<RayEnd>{"bounced",    "matte",    "depth_limit",
+                                                                  "background", "absorbed", "min_weight"};
 
 inline const char* ray_kind_name(RayKind kind) { return name_of(kind).data(); }
 inline const char* ray_end_name(RayEnd end) { return name_of(end).data(); }

@@ -87,10 +87,15 @@ struct RenderStats {
     std::uint64_t reflected_rays = 0;
     std::uint64_t refracted_rays = 0;
     std::uint64_t shadow_rays = 0;
-    int threads = 0; ///< threads that rendered at least one tile
+    std::uint64_t left_out_rays = 0; ///< not traced: their weight was below WhittedSettings::min_weight
+    int threads = 0;                 ///< threads that rendered at least one tile
 
     std::uint64_t rays() const { return primary_rays + reflected_rays + refracted_rays + shadow_rays; }
 };
+
+/// Bound on the mean share of a sample's light that the rays left out would have brought: their number times
+/// min_weight. The picture is darker by at most this share of the brightest light along any ray.
+double left_out_share(const RenderStats& stats, const Scene& scene);
 
 struct Picture {
     Image image;

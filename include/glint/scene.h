@@ -74,7 +74,8 @@ template <>
 inline constexpr NamesUpTo<HighlightModel::phong> enum_names<HighlightModel>{"blinn", "phong"};
 
 struct WhittedSettings {
-    int max_depth = 8; ///< bounces after the first hit
+    int max_depth = 8;        ///< bounces after the first hit
+    double min_weight = 1e-5; ///< share of a sample's light below which no ray is followed
     Shadows shadows = Shadows::transmissive;
     bool clamp = false;
     Energy energy = Energy::report;

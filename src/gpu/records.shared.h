@@ -126,6 +126,7 @@ struct GpuSettings {
     uint mesh_count; ///< meshes in the world's own space
     uint tree_root;  ///< invalid_index: only planes
     WhittedModes modes;
+    float min_weight;    ///< WhittedSettings::min_weight
     uint first_interior; ///< in words: the object of the outside, then the transparent solids by rank
 
     // The dispatch.
@@ -153,7 +154,6 @@ struct GpuSettings {
     uint film_terms;    ///< terms that the film sums separately
     uint shown_term;    ///< one of them
     uint smooth_steps;  ///< 1: linear between known pixels, 0: blocks
-    uint reserved;      ///< 0; std140 rounds the size up to a multiple of 16 bytes
 };
 
 // GpuSettings::show_mode
@@ -178,6 +178,7 @@ GLINT_FN uvec2 pixel_of_slot(uint slot, uint tile_width) {
 const uint counter_unfinished = 0u; // slots
 const uint counter_faults = 1u;     // bits: fault_interiors, fault_loops
 const uint counter_rays = 2u;       // primary, reflected, refracted, shadow
+const uint counter_left_out = 6u;   // rays below min_weight
 const uint work_counters = 16u;
 const uint fault_interiors = 1u; // a ray was in more solids than its list has room for
 const uint fault_loops = 2u;     // the driver ended a loop early

@@ -194,6 +194,7 @@ class Flattener {
         s.background = scene_.background;
         s.instance_slack = world_.instance_tree.slack();
         s.max_depth = static_cast<std::uint32_t>(w.max_depth);
+        s.min_weight = static_cast<float>(w.min_weight);
         s.modes = scene::whitted_modes(w);
     }
 

@@ -22,6 +22,7 @@ struct Counters {
     std::uint32_t unfinished = 0;
     std::uint32_t faults = 0;
     std::uint32_t rays[4] = {};
+    std::uint32_t left_out = 0;
 };
 
 } // namespace
@@ -112,6 +113,7 @@ void TileWork::count() {
     rays_.reflected += c.rays[1];
     rays_.refracted += c.rays[2];
     rays_.shadow += c.rays[3];
+    rays_.left_out += c.left_out;
     unfinished_ = c.unfinished;
     if (unfinished_ < slots_ / 4) device_state_.budget().few_left();
 }

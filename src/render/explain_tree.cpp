@@ -36,7 +36,7 @@ class RayWorking {
         if (clamps() && !local_.empty()) clamp();
         absorb();
         end_local_terms();
-        if (node_.end == RayEnd::bounced) explain_bounce(scene_, tree_, node_, out_);
+        if (node_.goes_on()) explain_bounce(scene_, tree_, node_, out_);
         emit();
         add_up();
         weigh_gain();
@@ -61,7 +61,7 @@ class RayWorking {
     std::string reason() const {
         switch (node_.end) {
         case RayEnd::bounced:
-            return "goes on";
+            return "goes on" + branch_left_out();
         case RayEnd::matte:
             return "ends: the surface neither reflects nor transmits";
         case RayEnd::depth_limit:
@@ -72,8 +72,19 @@ class RayWorking {
         case RayEnd::absorbed:
             return "ends: it never leaves " + scene_.label(node_.interiors.front()) +
                    ", so nothing comes back";
+        case RayEnd::min_weight:
+            return "ends: what would go on has a weight below min_weight, and is left out";
         }
         return "";
+    }
+
+    /// Names the one of two branches that was left out, if one was.
+    std::string branch_left_out() const {
+        const bool mirror = node_.reflected < 0 && node_.reflected_weight > 0.0f;
+        const bool refracted = node_.refracted < 0 && node_.refracted_weight > 0.0f;
+        if (!mirror && !refracted) return "";
+        return std::string("; the ") + (mirror ? "mirror" : "refracted") +
+               " ray has a weight below min_weight, and is left out";
     }
 
     void missed() {
@@ -189,7 +200,7 @@ class RayWorking {
     }
 
     void weigh_local() {
-        if (node_.end != RayEnd::bounced) {
+        if (!node_.goes_on()) {
             const char* note =
                 node_.end == RayEnd::depth_limit ? "at the depth limit the local light counts whole" : "";
             return step({"w", "1", node_.local_weight, "weight", "weight of the local light", "2.1", note});

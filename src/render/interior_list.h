@@ -32,6 +32,19 @@ class InteriorArena {
     }
     void clear() { used_ = 0; }
 
+    /// Invalidates at its end the lists made since its beginning.
+    class Scope {
+      public:
+        explicit Scope(InteriorArena& arena) : arena_(arena), used_(arena.used_) {}
+        ~Scope() { arena_.used_ = used_; }
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+      private:
+        InteriorArena& arena_;
+        std::size_t used_;
+    };
+
   private:
     static constexpr std::size_t block_size = 64;
     using Block = std::array<InteriorList, block_size>;
@@ -54,6 +67,9 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, const s
 /// The list behind a surface of `object`: entered() where `entering`, else left().
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
                             const scene::SceneData& scene, InteriorArena& arena);
+
+/// True if surfaces of `object` can be hidden inside transparent solids.
+bool can_be_hidden(std::uint32_t object, const scene::SceneData& scene);
 
 /// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
 bool is_hidden(const InteriorList* list, std::uint32_t object, const scene::SceneData& scene);

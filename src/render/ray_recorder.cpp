@@ -61,6 +61,8 @@ void RayRecorder::bounce(float local_weight, const Split& split) {
 void RayRecorder::absorb(const vec3& transmittance) { node().transmittance = transmittance; }
 
 void RayRecorder::end_ray(const Channels& channels) {
+    if (node().end == RayEnd::bounced && node().reflected < 0 && node().refracted < 0)
+        node().end = RayEnd::min_weight;
     node().terms = channels.terms;
     node().radiance = channels.radiance;
     open_.pop_back();

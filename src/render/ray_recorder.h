@@ -25,9 +25,12 @@ struct RayNode : TracedRay {
     std::vector<LightNode> lights;        ///< by SceneData::lights
     Refraction refraction{};              ///< at the surface of a transparent solid
     float local_weight = 1;               ///< of ambient, diffuse, highlight and clamp
-    float reflected_weight = 0;
+    float reflected_weight = 0;           ///< above 0 without such a branch: it was left out
     float refracted_weight = 0;
     Terms terms{}; ///< weighted, absorption included
+
+    /// Light goes on from here, along branches or along some that were left out.
+    bool goes_on() const { return end == RayEnd::bounced || end == RayEnd::min_weight; }
 };
 
 struct RayTree {

@@ -244,6 +244,12 @@ double cpu_seconds() {
 
 } // namespace
 
+double left_out_share(const RenderStats& stats, const Scene& scene) {
+    if (stats.primary_rays == 0) return 0;
+    return static_cast<double>(stats.left_out_rays) / static_cast<double>(stats.primary_rays) *
+           scene.description().whitted.min_weight;
+}
+
 Picture render(const Scene& scene, const RenderOptions& options) {
     const double wall = rendering::wall_seconds();
     const double cpu = cpu_seconds();

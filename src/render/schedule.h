@@ -23,6 +23,7 @@ inline void add_rays(const RayCounts& rays, RenderStats& stats) {
     stats.reflected_rays += rays.reflected;
     stats.refracted_rays += rays.refracted;
     stats.shadow_rays += rays.shadow;
+    stats.left_out_rays += rays.left_out;
 }
 
 inline bool is_cancelled(const CancelFlag* cancel) {

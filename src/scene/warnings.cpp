@@ -169,7 +169,8 @@ class WarningFinder {
     void check_branching() {
         constexpr int harmless_depth = 16;
         const int depth = description_.whitted.max_depth;
-        if (depth <= harmless_depth || !scene_.any_transparent) return;
+        const bool ends_by_weight = description_.whitted.min_weight >= WhittedSettings{}.min_weight;
+        if (depth <= harmless_depth || ends_by_weight || !scene_.any_transparent) return;
         Bounds branching;
         const Object* glass_object = nullptr;
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
@@ -182,7 +183,8 @@ class WarningFinder {
         warn(glass_object->where,
              "max_depth = " + number + " lets rays that branch at " + title(*glass_object) +
                  " among mirrors become up to 2^" + number + " a sample",
-             "lower max_depth in [whitted]; 8 to " + std::to_string(harmless_depth) + " are enough for most");
+             "leave min_weight in [whitted] at its default, or lower max_depth; 8 to " +
+                 std::to_string(harmless_depth) + " are enough for most");
     }
 
     bool branches(std::uint32_t id) const {

@@ -192,7 +192,10 @@ TEST_F(Render, TellsItsStatisticsAsJson) {
     EXPECT_EQ(stats["complete"], true);
     EXPECT_EQ(stats["scene"]["spheres"], 1);
     EXPECT_EQ(stats["rays"]["primary"], 16 * 12 * 4);
+    EXPECT_EQ(stats["left_out"]["rays"], 0);
+    EXPECT_EQ(stats["left_out"]["share"], 0.0);
     EXPECT_EQ(stats["settings"]["max_depth"], "3");
+    EXPECT_EQ(stats["settings"]["min_weight"], "1e-05");
     EXPECT_EQ(stats["hash"].get<std::string>().size(), 32u);
     EXPECT_GE(stats["seconds"]["total"].get<double>(), stats["seconds"]["render"].get<double>());
 }

@@ -79,6 +79,23 @@ TEST(GpuRenderer, CountsTheRaysOfTheCpu) {
     near(ours.reflected_rays, cpu.reflected_rays);
     near(ours.refracted_rays, cpu.refracted_rays);
     near(ours.shadow_rays, cpu.shadow_rays);
+    near(ours.left_out_rays, cpu.left_out_rays);
+}
+
+TEST(GpuRenderer, LeavesOutTheRaysThatTheCpuLeavesOut) {
+    GLINT_NEEDS_GPU();
+    SceneDescription description = exhibit("nested");
+    description.whitted.min_weight = 0.05;
+    const Scene scene = build_scene(description);
+    gpu()->prepare(scene);
+    const Picture ours = gpu()->render();
+    const Picture cpu = render(scene);
+    EXPECT_GT(cpu.stats.left_out_rays, 0u);
+    EXPECT_NEAR(static_cast<double>(ours.stats.left_out_rays), static_cast<double>(cpu.stats.left_out_rays),
+                0.001 * static_cast<double>(cpu.stats.left_out_rays) + 2);
+    const Agreement found = agreement(ours.image, cpu.image);
+    EXPECT_LE(found.far, 0.001);
+    EXPECT_LE(found.error, 1e-5);
 }
 
 TEST(GpuRenderer, ACropIsAPartOfTheWhole) {

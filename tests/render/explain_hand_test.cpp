@@ -75,6 +75,24 @@ TEST_F(ByHand, TheTreeHasTheRaysOfTheDrawing) {
     EXPECT_EQ(ray(3).end, RayEnd::depth_limit);
 }
 
+// The mirror ray of the ball weighs 0.1, the ray out of the ball 0.25.
+TEST(LeftOut, RaysAreNamedWhereTheyWouldBegin) {
+    SceneDescription scene = ball_before_a_mirror();
+    scene.materials.front().reflectivity = 0.1;
+    scene.whitted.min_weight = 0.3;
+    const Explanation e = explain(build_scene(scene), 0, 0);
+    const std::vector<ExplainedRay>& rays = e.samples.at(0).rays;
+    ASSERT_EQ(rays.size(), 2u);
+    EXPECT_EQ(rays[0].end, RayEnd::bounced);
+    EXPECT_EQ(rays[0].why, "goes on; the mirror ray has a weight below min_weight, and is left out");
+    EXPECT_STREQ(step_of(rays[0].steps, "W_R").note, "below min_weight: this ray is left out");
+    EXPECT_STREQ(step_of(rays[0].steps, "W_T").note, "");
+    EXPECT_EQ(rays[1].end, RayEnd::min_weight);
+    EXPECT_EQ(rays[1].why, "ends: what would go on has a weight below min_weight, and is left out");
+    expect_near(step_of(rays[1].steps, "W_T").result.value, glm::vec3(0.25f));
+    expect_near(step_of(rays[1].steps, "w").result.value, glm::vec3(0.5f, 0, 0));
+}
+
 TEST_F(ByHand, WeightsHalveAtEachSurface) {
     expect_near(ray(0).weight, glm::vec3(1));
     expect_near(ray(1).weight, glm::vec3(0.5f));

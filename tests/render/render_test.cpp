@@ -263,7 +263,20 @@ TEST(Render, CountsEveryRay) {
     EXPECT_EQ(stats.shadow_rays, 64u);
     EXPECT_EQ(stats.refracted_rays, 0u);
     EXPECT_EQ(stats.rays(), 192u);
+    EXPECT_EQ(stats.left_out_rays, 0u);
     EXPECT_GT(stats.wall_seconds, 0);
+}
+
+TEST(Render, BoundsTheShareOfTheRaysThatItLeavesOut) {
+    SceneDescription scene = empty_scene(Vec3(0, 0, 1), Vec3(0, 0, -1), 8);
+    add(scene, PlaneShape{}, mirror(0.25));
+    scene.whitted.min_weight = 0.5;
+    const Scene built = build_scene(scene);
+    const RenderStats stats = render(built).stats;
+    EXPECT_EQ(stats.reflected_rays, 0u);
+    EXPECT_EQ(stats.left_out_rays, 64u);
+    EXPECT_EQ(left_out_share(stats, built), 0.5);
+    EXPECT_EQ(left_out_share(RenderStats{}, built), 0.0);
 }
 
 TEST(Render, ManySamplesApproachTheAreaThatIsCovered) {

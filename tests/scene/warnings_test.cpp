@@ -208,6 +208,8 @@ TEST(Warnings, TellOfDepthsAtWhichRaysBranchAmongMirrors) {
     scene.whitted.max_depth = 16;
     EXPECT_EQ(warned(scene), Messages{});
     scene.whitted.max_depth = 50;
+    EXPECT_EQ(warned(scene), Messages{}) << "their weight ends them";
+    scene.whitted.min_weight = 0;
     EXPECT_EQ(warned(scene), Messages{"max_depth = 50 lets rays that branch at sphere \"ball\" among mirrors "
                                       "become up to 2^50 a sample"});
     scene.objects[1].visible = false;

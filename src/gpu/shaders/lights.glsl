@@ -37,11 +37,13 @@ void meet_surface(Hit hit, SurfacePoint point) {
     interpolate(hit, surface);
 }
 
+bool needs_shadow_ray(); // of `surface` in the light that arrives: the estimator's
+
 /// The next light that is worth a shadow ray, if there is any.
 void next_light() {
     for (; light < settings.light_count; ++light) {
         arrival = light_arrival(lights[light], surface);
-        if (!is_worth_shadow_ray(material, arrival)) continue;
+        if (!needs_shadow_ray()) continue;
         phase = phase_shadow;
         passing = 1.0f;
         shadow_interiors = path.interiors;

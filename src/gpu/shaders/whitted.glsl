@@ -18,6 +18,8 @@ void at_surface(Hit hit, SurfacePoint point) {
     local = ambient_terms(settings.ambient_light, surface, material);
 }
 
+bool needs_shadow_ray() { return is_worth_shadow_ray(settings.modes, surface, material, arrival); }
+
 void add_light() {
     local = with_light(local, shown_light(settings.modes, surface, material, arrival, passing));
 }
@@ -36,8 +38,13 @@ void add_local(LocalTerms shown) {
 
 void branch(Path from, SpawnedRay next_ray, float share, uint term, uvec4 interiors) {
     if (share == 0.0f) return;
+    vec3 weight = from.weight * share;
+    if (!is_worth_following(weight, settings.min_weight)) {
+        ++left_out;
+        return;
+    }
     ++rays[term == term_reflection ? 1 : 2];
-    follow(Path(next_ray.origin, next_ray.direction, from.weight * share, from.depth + 1u,
+    follow(Path(next_ray.origin, next_ray.direction, weight, from.depth + 1u,
                 from.term == invalid_index ? term : from.term, interiors));
 }
 

@@ -7,6 +7,7 @@
 #include "render/ray_recorder.h"
 #include "shading/interaction.shared.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -74,8 +75,12 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
-    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
-      kernel_(kernel) {}
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
+      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel),
+      ends_shadow_([&scene](const Hit& hit) {
+          const float transparency = scene.materials[scene.objects[hit.object].material].transparency;
+          return !(transparency > 0.0f) && !can_be_hidden(hit.object, scene);
+      }) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
     for (std::size_t i = 0; i < samples.size(); ++i) out[i] = trace(samples[i]);
@@ -104,6 +109,7 @@ Channels Whitted::radiance(Path&& path) {
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
     require_stack(max_depth_);
+    const InteriorArena::Scope lists(arena_);
     if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
@@ -119,6 +125,8 @@ Channels Whitted::radiance(Path&& path) {
     } else {
         const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
         if (recorder_ != nullptr) recorder_->hit(hit, at, solids_of(path.interior, scene_));
+        const vec3 left_over = left_by_medium(path.interior, hit.t);
+        path.weight = path.weight * left_over;
 
         // Add up the light that arrives from the lights.
         LocalTerms local = local_light(path, at);
@@ -135,7 +143,8 @@ Channels Whitted::radiance(Path&& path) {
         out.terms[Term::clamp] = local.clamp;
 
         // Absorb what comes back through the medium.
-        absorb(path.interior, hit.t, out.terms);
+        for (vec3& value : out.terms.value) value = value * left_over;
+        if (recorder_ != nullptr) recorder_->absorb(left_over);
     }
     out.radiance = out.terms.sum();
     if (recorder_ != nullptr) recorder_->end_ray(out);
@@ -162,7 +171,10 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
     for (const LightRecord& light : scene_.lights) {
         const LightArrival arrival = light_arrival(light, at.surface);
         if (recorder_ != nullptr) recorder_->begin_light(arrival);
-        if (!is_worth_shadow_ray(*at.material, arrival)) continue;
+        // A recorder gets the shadows outside the highlight too.
+        if (recorder_ != nullptr ? !reflects_light(*at.material, arrival)
+                                 : !is_worth_shadow_ray(modes_, at.surface, *at.material, arrival))
+            continue;
         const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
         local = with_light(local, shown);
@@ -183,6 +195,7 @@ float Whitted::light_passing(const LightRecord& light, const LightArrival& arriv
 
 float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& at,
                                    const InteriorList* interior) {
+    const InteriorArena::Scope lists(arena_);
     // Light on a back that is lit as stored arrives on the other side of the surface.
     if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
         interior = crossed(interior, at.object, at.entering, scene_, arena_);
@@ -195,18 +208,31 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
 
 /// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
-    blockers_.clear();
-    scene_.world.all_hits(shadow, blockers_);
+    static const trace::EndsSearch never;
+    if (!scene_.world.all_hits(shadow, blockers_, recorder_ == nullptr ? ends_shadow_ : never)) return 0.0f;
+    const bool hides = any_may_be_hidden(blockers_, interior);
     float passing = 1.0f;
     for (const Hit& hit : blockers_) {
-        const bool hidden = is_hidden(interior, hit.object, scene_);
+        const bool hidden = hides && is_hidden(interior, hit.object, scene_);
         const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
         if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
         if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
-        cross(shadow, hit, interior);
+        if (hides) cross(shadow, hit, interior);
     }
     return passing;
+}
+
+/// False if no hit is of a lower rank than a solid that the ray is in or enters: then none is hidden, and the
+/// list need not be kept.
+bool Whitted::any_may_be_hidden(std::span<const Hit> hits, const InteriorList* interior) const {
+    std::uint32_t highest = 0;
+    if (interior != nullptr) highest = scene_.objects[interior->object].rank;
+    for (const Hit& hit : hits)
+        if (is_dielectric(hit.object, scene_)) highest = std::max(highest, scene_.objects[hit.object].rank);
+    return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
+        return can_be_hidden(hit.object, scene_) && scene_.objects[hit.object].rank < highest;
+    });
 }
 
 bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
@@ -220,9 +246,9 @@ void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Term
     const Bounce bounce = bounce_at(path, at);
     const Split& split = bounce.split;
     if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
-    if (split.reflected > 0.0f)
-        terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
-    if (split.refracted > 0.0f)
+    if (follows(path, split.reflected))
+        terms[Term::reflection] = radiance(reflected_path(path, at, bounce)).radiance * split.reflected;
+    if (follows(path, split.refracted))
         terms[Term::transmission] = radiance(refracted_path(path, at, bounce)).radiance * split.refracted;
 }
 
@@ -242,24 +268,29 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     return bounce;
 }
 
-Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
+bool Whitted::follows(const Path& path, float share) {
+    if (!(share > 0.0f)) return false;
+    if (is_worth_following(path.weight * share, min_weight_)) return true;
+    ++counts_.left_out;
+    return false;
+}
+
+Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.reflected;
-    return {reflected_ray(at.surface), path.interior, path.depth + 1, RayKind::reflected};
+    return {reflected_ray(at.surface), path.interior, path.weight * bounce.split.reflected, path.depth + 1,
+            RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
-    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior, path.depth + 1,
-            RayKind::refracted};
+    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior,
+            path.weight * bounce.split.refracted, path.depth + 1, RayKind::refracted};
 }
 
-void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {
-    if (interior == nullptr) return;
+vec3 Whitted::left_by_medium(const InteriorList* interior, float distance) const {
+    if (interior == nullptr) return vec3(1.0f);
     const vec3& sigma = scene_.materials[scene_.objects[interior->owner].material].absorption;
-    if (sigma == vec3(0.0f)) return;
-    const vec3 left_over = transmittance(sigma, distance);
-    for (vec3& value : terms.value) value = value * left_over;
-    if (recorder_ != nullptr) recorder_->absorb(left_over);
+    return sigma == vec3(0.0f) ? vec3(1.0f) : transmittance(sigma, distance);
 }
 
 } // namespace glint::rendering

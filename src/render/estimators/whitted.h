@@ -43,7 +43,8 @@ class Whitted {
     struct Path {
         SpawnedRay ray; ///< direction of unit length
         const InteriorList* interior = nullptr;
-        int depth = 0; ///< bounces so far
+        vec3 weight{1.0f}; ///< the share of its light that reaches the sample
+        int depth = 0;     ///< bounces so far
         RayKind kind = RayKind::primary;
     };
 
@@ -58,6 +59,8 @@ class Whitted {
     Channels trace(const CameraSample& sample, RayTree* record = nullptr);
 
     const RayCounts& counts() const { return counts_; }
+    /// Holds the lists of the solids around rays.
+    InteriorArena& arena() { return arena_; }
 
     // The steps of single rays, for the rays that a wavefront does not shade in vectors.
 
@@ -70,12 +73,15 @@ class Whitted {
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
     /// Mirror and refracted ray of a surface: direction and weights.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
-    Path reflected_path(const Path& path, const SurfaceInteraction& at);
+    /// Whether a branch is followed that brings this share of its light to the path. Counts those that are
+    /// not for their weight.
+    bool follows(const Path& path, float share);
+    Path reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
     Path refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
     /// Follows the branches of a bounce to their ends and sets their terms.
     void follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms);
-    /// Absorbs light in the medium around the ray over a distance.
-    void absorb(const InteriorList* interior, float distance, Terms& terms);
+    /// What the medium around a ray leaves of light over a distance.
+    vec3 left_by_medium(const InteriorList* interior, float distance) const;
 
   private:
     Channels radiance(Path&& path);
@@ -83,6 +89,7 @@ class Whitted {
     float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
                         const SurfaceInteraction& at);
     float walk_shadow(const Ray& shadow, const InteriorList* interior);
+    bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
@@ -90,9 +97,11 @@ class Whitted {
     const scene::SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
+    const float min_weight_;
     const CancelFlag* cancel_;
     const KernelChoice kernel_;
     InteriorArena arena_;
+    const trace::EndsSearch ends_shadow_; ///< at a hit that lets no light pass
     std::vector<trace::Hit> blockers_;
     RayCounts counts_;
     RayRecorder* recorder_ = nullptr;

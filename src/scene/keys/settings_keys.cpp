@@ -83,6 +83,10 @@ TableSpec whitted_table() {
                 .range(between(0, 1000))
                 .typical(0, 16)
                 .help("bounces after the first hit"),
+            number<&W::min_weight>("min_weight")
+                .range(share)
+                .typical(0, 0.01)
+                .help("rays that carry a smaller share of a sample's light are not followed; 0: all are"),
             choice<&W::shadows>("shadows").help("whether light shines through transparent objects"),
             boolean<&W::clamp>("clamp").help("limit each light's diffuse term, and then the local sum, to 1"),
             choice<&W::energy>("energy").help(

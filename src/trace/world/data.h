@@ -189,12 +189,10 @@ inline geometry::Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dv
 struct Closest {
     float limit;
     Hit best{};
-    bool positive = false;
 
-    bool add(const Hit& hit, bool facing) {
+    bool add(const Hit& hit) {
         if (precedes(hit, best)) {
             best = hit;
-            positive = facing;
             limit = hit.t;
         }
         return false;
@@ -202,8 +200,7 @@ struct Closest {
 };
 
 /// Tests triangles of an instance (with the ray in the mesh's space) or of mesh_tree, and passes hits to a
-/// sink. A sink has `limit`, the upper bound of t, and add(hit, positive), which returns true to end the
-/// search; `positive` is the facing of the triangle.
+/// sink. A sink has `limit`, the upper bound of t, and add(hit), which returns true to end the search.
 template <class Sink>
 class TriangleTester {
   public:
@@ -222,10 +219,11 @@ class TriangleTester {
     bool triangle(const geometry::TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
         if (!geometry::intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
-        const Hit found = instance_ == invalid_index
-                              ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
-                              : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
-        return sink_.add(found, hit.positive);
+        Hit found = instance_ == invalid_index
+                        ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
+                        : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
+        found.positive = hit.positive;
+        return sink_.add(found);
     }
 
   private:
@@ -268,7 +266,7 @@ class QuadricTester {
     bool root(double t, float which, std::uint32_t object, std::uint32_t prim, PrimKind kind) {
         const float rounded = static_cast<float>(t);
         if (!(t > tmin_ && rounded <= sink_.limit)) return false;
-        return sink_.add(Hit{rounded, which, 0.0f, object, prim, kind, false}, false);
+        return sink_.add(Hit{rounded, which, 0.0f, object, prim, kind});
     }
 
     const WorldData& world_;

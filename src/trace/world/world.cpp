@@ -5,7 +5,6 @@
 #include "trace/world/data.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace glint::trace {
 
@@ -17,9 +16,9 @@ struct ClosestAfter {
     float limit;
     Closest closest{limit};
 
-    bool add(const Hit& hit, bool facing) {
+    bool add(const Hit& hit) {
         if (!precedes(previous, hit)) return false;
-        closest.add(hit, facing);
+        closest.add(hit);
         limit = closest.limit;
         return false;
     }
@@ -30,23 +29,19 @@ struct Any {
     float limit;
     bool found = false;
 
-    bool add(const Hit&, bool) { return found = true; }
+    bool add(const Hit&) { return found = true; }
 };
 
-/// A hit and its facing.
-struct FacedHit {
-    Hit hit;
-    bool positive;
-};
-
-/// Sink that keeps all hits.
+/// Sink that keeps all hits, up to one that ends the search.
 struct All {
     float limit;
-    std::vector<FacedHit> hits{};
+    std::vector<Hit>& hits;
+    const EndsSearch& ends;
+    bool ended = false;
 
-    bool add(const Hit& hit, bool positive) {
-        hits.push_back({hit, positive});
-        return false;
+    bool add(const Hit& hit) {
+        hits.push_back(hit);
+        return ended = ends && ends(hit);
     }
 };
 
@@ -54,10 +49,10 @@ struct All {
 float lowest_same(float t) { return t - std::abs(t) * 0x1p-18f; }
 
 /// Whether `later` repeats `earlier` in the adjacent triangle across an edge or a vertex.
-bool same_crossing(const FacedHit& earlier, const FacedHit& later) {
-    return earlier.hit.on_edge && later.hit.on_edge && earlier.hit.object == later.hit.object &&
-           earlier.positive == later.positive && earlier.hit.t >= lowest_same(later.hit.t) &&
-           precedes(earlier.hit, later.hit);
+bool same_crossing(const Hit& earlier, const Hit& later) {
+    return earlier.on_edge && later.on_edge && earlier.object == later.object &&
+           earlier.positive == later.positive && earlier.t >= lowest_same(later.t) &&
+           precedes(earlier, later);
 }
 
 /// Whether two hits are of the same triangle, found in different leaves.
@@ -66,13 +61,22 @@ bool same_hit(const Hit& a, const Hit& b) {
            a.object == b.object && a.prim == b.prim;
 }
 
+/// Whether hit i of a sorted list repeats one before it.
+bool repeats_earlier(const std::vector<Hit>& hits, std::size_t i) {
+    if (i > 0 && same_hit(hits[i - 1], hits[i])) return true;
+    if (!hits[i].on_edge) return false;
+    for (std::size_t k = i; k-- > 0 && hits[k].t >= lowest_same(hits[i].t);)
+        if (same_crossing(hits[k], hits[i])) return true;
+    return false;
+}
+
 /// Sink that checks whether a hit was already reported by an earlier one.
 struct Repeated {
-    const FacedHit& later;
-    float limit = later.hit.t;
+    const Hit& later;
+    float limit = later.t;
     bool found = false;
 
-    bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
+    bool add(const Hit& hit) { return found = same_crossing(hit, later); }
 };
 
 /// Kernels do not report hits on edges; only hits with a weight of (nearly) 0 can be on one.
@@ -161,29 +165,25 @@ Hit World::next(const Ray& ray, const Hit& previous) const {
     for (;;) {
         ClosestAfter sink{last, limit_below(ray.tmax)};
         trace(*data_, ray, std::max(ray.tmin, last.t), sink);
-        const FacedHit found{sink.closest.best, sink.closest.positive};
-        if (!found.hit || !found.hit.on_edge) return found.hit;
+        const Hit& found = sink.closest.best;
+        if (!found || !found.on_edge) return found;
         Repeated repeated{found};
-        trace(*data_, ray, std::max(ray.tmin, lowest_same(found.hit.t)), repeated);
-        if (!repeated.found) return found.hit;
-        last = found.hit;
+        trace(*data_, ray, std::max(ray.tmin, lowest_same(found.t)), repeated);
+        if (!repeated.found) return found;
+        last = found;
     }
 }
 
-void World::all_hits(const Ray& ray, std::vector<Hit>& out) const {
+bool World::all_hits(const Ray& ray, std::vector<Hit>& out, const EndsSearch& ends) const {
     out.clear();
-    All sink{limit_below(ray.tmax)};
+    All sink{limit_below(ray.tmax), out, ends};
     trace(*data_, ray, ray.tmin, sink);
-    std::sort(sink.hits.begin(), sink.hits.end(),
-              [](const FacedHit& a, const FacedHit& b) { return precedes(a.hit, b.hit); });
-    for (auto hit = sink.hits.begin(); hit != sink.hits.end(); ++hit) {
-        bool repeated = hit != sink.hits.begin() && same_hit(std::prev(hit)->hit, hit->hit);
-        for (auto earlier = hit; hit->hit.on_edge && !repeated && earlier-- != sink.hits.begin();) {
-            if (earlier->hit.t < lowest_same(hit->hit.t)) break;
-            repeated = same_crossing(*earlier, *hit);
-        }
-        if (!repeated) out.push_back(hit->hit);
-    }
+    if (sink.ended) return false;
+    std::sort(out.begin(), out.end(), precedes);
+    // From the last on, so that each is compared with all before it.
+    for (std::size_t i = out.size(); i-- > 0;)
+        if (repeats_earlier(out, i)) out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
+    return true;
 }
 
 // ── From a hit back to the surface: computed in double, rounded once
