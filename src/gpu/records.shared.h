@@ -57,12 +57,11 @@ struct ShapeRecord {
 };
 
 // ObjectRecord::flags
-const uint object_solid = 1u;
-const uint object_lit_as_stored = 2u;  ///< lights find its normals as its winding has them
-const uint object_turned = 4u;         ///< its normals are turned against the winding
-const uint object_reversed = 8u;       ///< the same, against the winding as its triangles are stored
-const uint object_instance = 16u;      ///< its triangles are those of a shared mesh, in a local space
-const uint object_local_normals = 32u; ///< its vertex normals go to the world by normal_matrix
+const uint object_lit_as_stored = 1u;  ///< lights find its normals as its winding has them
+const uint object_turned = 2u;         ///< its normals are turned against the winding
+const uint object_reversed = 4u;       ///< the same, against the winding as its triangles are stored
+const uint object_instance = 8u;       ///< its triangles are those of a shared mesh, in a local space
+const uint object_local_normals = 16u; ///< its vertex normals go to the world by normal_matrix
 
 /// An object with its material, and with the transform of its local space if it is an instance or a quadric
 /// that is stretched.
@@ -76,7 +75,11 @@ struct ObjectRecord {
     uint normals;
     uint colors;
     float mesh_max_coordinate; ///< of an instance: the largest |coordinate| of its tree's boxes
-    PackedMatrix linear;       ///< p_world = linear · p_local + translation
+    vec3 contact_low;          ///< this and the next three: scene::ContactZone
+    float contact_apart;
+    vec3 contact_high;
+    float contact_reach;
+    PackedMatrix linear; ///< p_world = linear · p_local + translation
     PackedMatrix inverse;
     PackedVector translation;
     double slack;               ///< error of the transform to the world and back in double
@@ -201,8 +204,8 @@ static_assert(offsetof(NodeRecord, children) == 16 && offsetof(NodeRecord, sides
               sizeof(NodeRecord) == 96);
 static_assert(sizeof(PackedVector) == 24 && sizeof(PackedMatrix) == 72);
 static_assert(offsetof(ShapeRecord, base) == 16 && sizeof(ShapeRecord) == 80);
-static_assert(offsetof(ObjectRecord, rank) == 80 && offsetof(ObjectRecord, linear) == 112 &&
-              offsetof(ObjectRecord, normal_matrix) == 288 && sizeof(ObjectRecord) == 368);
+static_assert(offsetof(ObjectRecord, rank) == 80 && offsetof(ObjectRecord, linear) == 144 &&
+              offsetof(ObjectRecord, normal_matrix) == 320 && sizeof(ObjectRecord) == 400);
 static_assert(sizeof(FilterTable) % 16 == 0);
 #endif
 

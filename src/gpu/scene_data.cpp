@@ -40,6 +40,7 @@ class Flattener {
     GpuSceneData run(const GpuTree* tree) {
         data_.tree = tree != nullptr ? *tree : build_gpu_tree(world_);
         data_.glass = scene_.any_transparent;
+        data_.contacts = scene_.any_contact;
         add_meshes();
         add_shapes();
         add_objects();
@@ -110,7 +111,10 @@ class Flattener {
             ObjectRecord record{};
             record.material = scene_.materials[o.material];
             record.rank = o.rank;
-            if (o.solid) record.flags |= object_solid;
+            record.contact_low = o.contact.box.lo;
+            record.contact_high = o.contact.box.hi;
+            record.contact_apart = o.contact.apart;
+            record.contact_reach = o.contact.reach;
             if (o.lit_as_stored) record.flags |= object_lit_as_stored;
             if (o.turned) record.flags |= object_turned;
             data_.objects.push_back(record);

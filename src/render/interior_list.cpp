@@ -32,10 +32,8 @@ const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool
     return entering ? entered(list, object, scene, arena) : left(list, object, scene, arena);
 }
 
-bool can_be_hidden(std::uint32_t object, const SceneData& scene) { return scene.objects[object].solid; }
-
 bool is_hidden(const InteriorList* list, std::uint32_t object, const SceneData& scene) {
-    if (list == nullptr || !can_be_hidden(object, scene)) return false;
+    if (list == nullptr || !is_dielectric(object, scene)) return false;
     return scene.objects[list->owner].rank > scene.objects[object].rank;
 }
 

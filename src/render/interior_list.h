@@ -1,7 +1,7 @@
 #pragma once
 // Nested dielectrics: the transparent solids around a ray. The one of the highest rank owns the space;
-// surfaces of the others inside it are skipped. C. M. Schmidt and B. Budge, "Simple Nested Dielectrics in Ray
-// Traced Images", Journal of Graphics Tools 7 (2), 2002.
+// surfaces of the others inside it are skipped, opaque surfaces and panes never are. C. M. Schmidt and B.
+// Budge, "Simple Nested Dielectrics in Ray Traced Images", Journal of Graphics Tools 7 (2), 2002.
 
 #include "scene/scene_data.h"
 
@@ -68,10 +68,7 @@ const InteriorList* left(const InteriorList* list, std::uint32_t object, const s
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
                             const scene::SceneData& scene, InteriorArena& arena);
 
-/// True if surfaces of `object` can be hidden inside transparent solids.
-bool can_be_hidden(std::uint32_t object, const scene::SceneData& scene);
-
-/// True for a surface of `object` inside a transparent solid of higher rank: rays skip it.
+/// True for the surface of a transparent solid inside one of higher rank: rays skip it.
 bool is_hidden(const InteriorList* list, std::uint32_t object, const scene::SceneData& scene);
 
 /// The index of refraction inside all solids of the list: that of the owner.

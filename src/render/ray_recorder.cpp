@@ -21,7 +21,7 @@ void RayRecorder::begin_ray(RayKind kind, int depth, const SpawnedRay& spawned) 
     open_.push_back(index);
 }
 
-void RayRecorder::skip_hidden(const Hit& hit) { node().passed_over.push_back(hit); }
+void RayRecorder::pass_over(const Hit& hit) { node().passed_over.push_back(hit); }
 
 void RayRecorder::miss(std::vector<std::uint32_t> interiors) {
     node().end = interiors.empty() ? RayEnd::background : RayEnd::absorbed;

@@ -21,7 +21,7 @@ struct RayNode : TracedRay {
     trace::Hit hit;
     float lit_side = 1;                   ///< −1: lights find both normals turned away from the viewer
     std::vector<std::uint32_t> interiors; ///< transparent solids around the ray, the owner of the space first
-    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those
+    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those, or coincident with what is seen
     std::vector<LightNode> lights;        ///< by SceneData::lights
     Refraction refraction{};              ///< at the surface of a transparent solid
     float local_weight = 1;               ///< of ambient, diffuse, highlight and clamp
@@ -44,7 +44,7 @@ class RayRecorder {
 
     // One ray: begin_ray(), its hit or miss, its branches, end_ray().
     void begin_ray(RayKind kind, int depth, const SpawnedRay& ray);
-    void skip_hidden(const trace::Hit& hit);
+    void pass_over(const trace::Hit& hit);
     // `interiors` as in RayNode.
     void miss(std::vector<std::uint32_t> interiors);
     void hit(const trace::Hit& hit, const SurfaceInteraction& at, std::vector<std::uint32_t> interiors);

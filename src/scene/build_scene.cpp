@@ -4,6 +4,7 @@
 
 #include "math/trig.h"
 #include "scene/bake.h"
+#include "scene/contacts.h"
 #include "scene/names.h"
 #include "scene/validate.h"
 
@@ -195,6 +196,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
     baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
     report(options, "building the trees", 1);
+    find_contacts(*scene, pool);
     find_camera_interiors(*scene);
     return scene;
 }

@@ -2,22 +2,14 @@
 
 #include "scene/flat_faces.h"
 
-#include "scene/shapes/shapes.h"
+#include "math/trig.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace glint::scene {
 namespace {
-
-std::vector<FlatFace> faces_of(const Object& object) {
-    std::vector<FlatFace> faces = std::visit([](const auto& s) { return flat_faces(s); }, object.shape);
-    if (object.transform == dmat4(1.0)) return faces;
-    const dmat3 turned = glm::transpose(glm::inverse(dmat3(object.transform)));
-    for (FlatFace& face : faces) {
-        face.point = transform_point(object.transform, face.point);
-        face.normal = glm::normalize(turned * face.normal);
-        for (dvec3& corner : face.corners) corner = transform_point(object.transform, corner);
-    }
-    return faces;
-}
 
 /// The largest |coordinate| along each axis.
 dvec3 reach(const FlatFace& face) {
@@ -26,36 +18,29 @@ dvec3 reach(const FlatFace& face) {
     return reach;
 }
 
-/// Is a face in the plane of the other? `reach` covers both.
-bool in_plane(const FlatFace& face, const FlatFace& other, const dvec3& reach) {
-    const double rounding = 0x1p-22 * glm::dot(glm::abs(other.normal), reach) + 0x1p-40 * largest(reach);
-    const auto on_plane = [&](const dvec3& p) {
-        return std::abs(glm::dot(other.normal, p - other.point)) <= rounding;
-    };
-    return on_plane(face.point) && std::all_of(face.corners.begin(), face.corners.end(), on_plane);
+/// How far a face reaches out of the plane of the other.
+double distance_from_plane(const FlatFace& face, const FlatFace& other) {
+    double most = std::abs(glm::dot(other.normal, face.point - other.point));
+    for (const dvec3& p : face.corners)
+        most = std::max(most, std::abs(glm::dot(other.normal, p - other.point)));
+    return most;
 }
 
-/// A common strip less wide than this part of a face is what solids leave that overlap a little on purpose.
-constexpr double narrow = 0.01;
+/// Is a face in the plane of the other? `reach` covers both.
+bool in_plane(const FlatFace& face, const FlatFace& other, const dvec3& reach) {
+    return distance_from_plane(face, other) <= rounding_at(other, reach);
+}
 
-/// Does an edge of the polygon separate it from the other, which may touch it or share a narrow strip?
+/// Does an edge of the polygon separate it from the other, which may touch it?
 bool has_separating_edge(const FlatFace& polygon, const FlatFace& other, double rounding) {
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
         const dvec3& from = polygon.corners[i];
         const dvec3& to = polygon.corners[(i + 1) % polygon.corners.size()];
-        const dvec3 across = glm::normalize(glm::cross(polygon.normal, to - from));
-        const auto within = [&](const FlatFace& face) {
-            double low = std::numeric_limits<double>::infinity(), high = -low;
-            for (const dvec3& p : face.corners) {
-                low = std::min(low, glm::dot(across, p - from));
-                high = std::max(high, glm::dot(across, p - from));
-            }
-            return std::pair(low, high);
-        };
-        const auto [a_low, a_high] = within(polygon);
-        const auto [b_low, b_high] = within(other);
-        const double strip = std::max(rounding, narrow * std::min(a_high - a_low, b_high - b_low));
-        if (std::min(a_high, b_high) - std::max(a_low, b_low) <= strip) return true;
+        const dvec3 across = glm::normalize(glm::cross(polygon.normal, to - from)); // inward
+        const bool outside = std::all_of(other.corners.begin(), other.corners.end(), [&](const dvec3& p) {
+            return glm::dot(across, p - from) <= rounding;
+        });
+        if (outside) return true;
     }
     return false;
 }
@@ -74,13 +59,38 @@ bool coincide(const FlatFace& a, const FlatFace& b) {
 
 } // namespace
 
-bool have_coincident_faces(const Object& a, const Object& b) {
-    const std::vector<FlatFace> faces = faces_of(a);
-    if (faces.empty()) return false;
-    for (const FlatFace& other : faces_of(b))
-        for (const FlatFace& face : faces)
-            if (coincide(face, other)) return true;
-    return false;
+FlatFace polygon_face(std::vector<dvec3> corners) {
+    const dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const dvec3 point = corners[0];
+    return {point, normal, std::move(corners)};
+}
+
+FlatFace circle_face(const dvec3& center, const dvec3 (&across)[2]) {
+    constexpr double step = 7.5; // degrees
+    FlatFace face{center, glm::normalize(glm::cross(across[0], across[1])), {}};
+    for (double angle = 0; angle < 360; angle += step)
+        face.corners.push_back(center +
+                               (across[0] * cos_degrees(angle) + across[1] * cos_degrees(angle - 90)) /
+                                   cos_degrees(step / 2));
+    return face;
+}
+
+double rounding_at(const FlatFace& face, const dvec3& reach) {
+    return 0x1p-22 * glm::dot(glm::abs(face.normal), reach) + 0x1p-40 * largest(reach);
+}
+
+Bounds box_of(const FlatFace& face) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    if (face.corners.empty()) return {vec3(-infinity), vec3(infinity)};
+    Bounds box;
+    for (const dvec3& corner : face.corners) box.grow(vec3(corner));
+    return box;
+}
+
+CommonPart common_part(const FlatFace& a, const FlatFace& b) {
+    if (!coincide(a, b)) return {};
+    const double apart = a.corners.empty() ? distance_from_plane(b, a) : distance_from_plane(a, b);
+    return {common_box(box_of(a), box_of(b)), apart};
 }
 
 } // namespace glint::scene

@@ -1,11 +1,13 @@
 // Updating a scene with new materials, lights, settings or camera, sharing its trees.
 
 #include "scene/build_scene.h"
+#include "scene/contacts.h"
 #include "scene/names.h"
 #include "scene/validate.h"
 
 #include <algorithm>
 #include <variant>
+#include <vector>
 
 namespace glint {
 
@@ -32,6 +34,13 @@ void build_materials_of_objects(SceneData& scene) {
     }
 }
 
+std::vector<bool> transparent_objects(const SceneData& scene) {
+    std::vector<bool> transparent;
+    for (const scene::ObjectData& object : scene.objects)
+        transparent.push_back(scene.materials[object.material].transparency > 0);
+    return transparent;
+}
+
 } // namespace
 
 Scene update_scene(const Scene& scene, const SceneDescription& description,
@@ -47,6 +56,10 @@ Scene update_scene(const Scene& scene, const SceneDescription& description,
     scene::choose_camera(*scene_data);
     scene::build_values(*scene_data);
     build_materials_of_objects(*scene_data);
+    if (transparent_objects(*scene_data) != transparent_objects(scene.data())) {
+        parallel::TaskPool pool(options.threads);
+        scene::find_contacts(*scene_data, pool);
+    }
     scene::find_camera_interiors(*scene_data);
     return Scene(std::move(scene_data));
 }

@@ -3,8 +3,8 @@
 #include "geometry/mesh.h"
 #include "glint/keys.h"
 #include "math/trig.h"
+#include "scene/hidden_solids.h"
 #include "scene/names.h"
-#include "scene/overlaps.h"
 #include "scene/scene_data.h"
 #include "scene/validate.h"
 #include "shading/light_gain.h"
@@ -54,7 +54,7 @@ class WarningFinder {
     void check_light_model() {
         for (const Material& m : description_.materials) check_gain(m);
         check_open_glass();
-        if (scene_.any_transparent) check_overlaps();
+        if (scene_.any_transparent) check_hidden();
         check_branching();
     }
 
@@ -146,23 +146,12 @@ class WarningFinder {
         }
     }
 
-    void check_overlaps() {
-        for (const scene::Overlap& overlap : scene::find_overlaps(scene_)) {
-            const std::string one = title(object(overlap.object)), other = title(object(overlap.other));
-            const Location& where = object(overlap.object).where;
-            switch (overlap.kind) {
-            case scene::OverlapKind::coincident:
-                warn(where, one + " and " + other + " have coincident faces, of glass or against glass",
-                     "leave a small gap; of two transparent solids one may overlap the other a little");
-                break;
-            case scene::OverlapKind::hidden:
-            case scene::OverlapKind::partly_hidden:
-                warn(where,
-                     one + (overlap.kind == scene::OverlapKind::hidden ? " is" : " is partly") +
-                         " hidden inside " + other + ", which owns the space",
-                     "move it behind that object in the file, or give it a higher priority");
-            }
-        }
+    void check_hidden() {
+        for (const scene::HiddenSolid& hidden : scene::find_hidden_solids(scene_))
+            warn(object(hidden.object).where,
+                 title(object(hidden.object)) + " is hidden inside " + title(object(hidden.owner)) +
+                     ", which owns the space",
+                 "move it behind that object in the file, or give it a higher priority");
     }
 
     // Where a ray meets glass it may branch in two; where mirrors send all branches back it does again.

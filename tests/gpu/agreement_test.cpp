@@ -3,6 +3,7 @@
 
 #include "gallery.h"
 #include "gpu_kit.h"
+#include "scene_kit.h"
 
 #include "glint/scene_files.h"
 
@@ -83,6 +84,36 @@ TEST(GpuAgreement, EveryKindOfObjectLightAndMaterialLooksAsOnTheCpu) {
         exhibit.scene.render.width = 160;
         exhibit.scene.render.height = 120;
         expect_agreement(exhibit.scene, exhibit.name);
+    }
+}
+
+TEST(GpuAgreement, SurfacesInOnePlaceLookAsOnTheCpu) {
+    GLINT_NEEDS_GPU();
+    SceneDescription scene = kit::empty_scene(Vec3(0), Vec3(0, 1, 0), 96, 50);
+    scene.render.background = Vec3(0.5, 0.6, 0.8);
+    const auto paint = [](double red, double mirror) {
+        Material m = kit::matte(0.6);
+        m.color = Vec3(red, 1 - red, 0.5);
+        m.reflectivity = mirror;
+        return m;
+    };
+    Material clear = kit::glass(1.5, 0.8);
+    clear.fresnel = true;
+    const auto stands = [](double x, double y) {
+        return PolyhedronShape{PolyhedronKind::box, Vec3(x, y, 0.5), Vec3(1)};
+    };
+    kit::add(scene, kit::mesh_of(kit::box_mesh(Vec3(0, 0, 0.5), Vec3(1))), clear).name = "cube";
+    kit::add(scene, stands(1.5, 0), clear);
+    kit::add(scene, PlaneShape{}, paint(0.3, 0.3));
+    kit::add(scene, RectangleShape{Vec3(-1.5, -1.5, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)}, paint(0.9, 0));
+    kit::add(scene, stands(-1.5, 1.5), paint(0.6, 0));
+    kit::add(scene, InstanceShape{"cube"}, kit::glass(1.3, 0.7)).transform[3] = dvec4(0.3, 0.2, 1, 1);
+    kit::add(scene, SphereShape{Vec3(1.5, -1.5, 0.5), 0.5}, clear);
+    kit::add_light(scene, Vec3(-3, -4, 6), 40);
+    for (const Vec3& eye : {Vec3(2.3, -5, 3), Vec3(-4, 3, 1), Vec3(1, -3, -4)}) {
+        scene.camera->eye = eye;
+        scene.camera->direction = -eye;
+        expect_agreement(scene, "from z = " + std::to_string(eye.z));
     }
 }
 

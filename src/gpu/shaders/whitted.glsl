@@ -51,9 +51,8 @@ void branch(Path from, SpawnedRay next_ray, float share, uint term, uvec4 interi
 /// The mirror ray is the next path; the refracted ray waits meanwhile.
 void bounce() {
     Path from = path;
-    uvec4 beyond = interiors_across(from.interiors, surface_object, entering);
     Split split = split_at_sheet(surface, material);
-    if (GLINT_GLASS != 0 && objects[surface_object].interior != 0u) {
+    if (GLINT_GLASS != 0 && refracts) {
         float index_1 = objects[interiors_owner(from.interiors)].material.index;
         float index_2 = objects[interiors_owner(beyond)].material.index;
         split = split_at_solid(material, refraction_at(surface, index_1 / index_2), index_1, index_2);

@@ -34,20 +34,16 @@ void AmbientOcclusion::find_hits(std::span<const CameraSample> samples) {
     hits_.resize(samples.size());
     scene_.world.closest(camera_rays_, hits_, RayHint::coherent, scratch_, kernel_);
     counts_.primary += samples.size();
-    const InteriorList* const around_eye = single_.start();
-    if (around_eye == nullptr) return;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const InteriorList* interior = around_eye;
-        single_.skip_hidden(camera_rays_[i], hits_[i], interior);
-    }
 }
 
 /// Sets what a sample shows if nothing is near, and the ray that finds out.
 void AmbientOcclusion::start_ray(const CameraSample& sample, std::size_t i, Channels& out) {
+    const InteriorList* interior = around_eye_;
+    const Contact contact = single_.find_seen(camera_rays_[i], hits_[i], interior);
     out.covered = static_cast<bool>(hits_[i]);
     out.radiance = scene_.background;
     if (!out.covered) return;
-    const SurfaceRecord s = surface_interaction(scene_, camera_rays_[i], hits_[i]).surface;
+    const SurfaceRecord s = surface_interaction(scene_, camera_rays_[i], hits_[i], contact).surface;
     const vec2 u = random_pair(scene_.description.render, sample.pixel, static_cast<int>(sample.index),
                                SampleDimension::hemisphere);
     const SpawnedRay spawned = spawn_ray(s, turned_to(s.n, cosine_sample(u.x, u.y)));
@@ -66,6 +62,7 @@ void AmbientOcclusion::start_ray(const CameraSample& sample, std::size_t i, Chan
 void AmbientOcclusion::estimate(std::span<const CameraSample> samples, std::span<Channels> out,
                                 bool /*terms*/) {
     find_hits(samples);
+    around_eye_ = single_.start();
     rays_.clear();
     sample_of_ray_.clear();
     for (std::size_t i = 0; i < samples.size(); ++i) start_ray(samples[i], i, out[i]);

@@ -27,7 +27,8 @@ class AmbientOcclusion {
     const float distance_;
     const bool colored_;
     const KernelChoice kernel_;
-    Whitted single_; ///< skips surfaces inside solids of higher rank
+    Whitted single_; ///< finds what is seen among surfaces that hide each other
+    const InteriorList* around_eye_ = nullptr;
     RayCounts counts_;
     std::vector<Ray> camera_rays_;
     std::vector<trace::Hit> hits_;

@@ -3,6 +3,7 @@
 // that vectors of paths can be shaded at once (render/shade_batch.h).
 
 #include "render/camera_sample.h"
+#include "render/contact.h"
 #include "render/interior_list.h"
 #include "scene/scene_data.h"
 
@@ -40,6 +41,7 @@ struct PathStates {
     Row<Ray> rays;
     Row<trace::Hit> hits;
     Row<const InteriorList*> interiors;   ///< around the ray's origin, then where it arrives
+    Row<Contact> contacts;                ///< where it arrives; set only where there may be any
     Row<const MaterialRecord*> materials; ///< never null
     Row<std::uint32_t> parents;           ///< the path that this is a branch of
     Row<Term> parent_terms;               ///< the term of the parent that it adds to

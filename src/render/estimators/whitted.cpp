@@ -60,10 +60,13 @@ void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord&
 
 } // namespace
 
-SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit,
+                                       const Contact& contact) {
     const scene::ObjectData& object = scene.objects[hit.object];
-    const SurfacePoint point = scene.world.surface(ray, hit);
+    SurfacePoint point = scene.world.surface(ray, hit);
+    point.p_error = point.p_error + vec3(contact.margin);
     SurfaceInteraction at;
+    at.contact = contact;
     at.object = hit.object;
     at.material = &scene.materials[object.material];
     at.entering = enters(point.n, ray.direction);
@@ -78,8 +81,7 @@ Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const 
     : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
       min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel),
       ends_shadow_([&scene](const Hit& hit) {
-          const float transparency = scene.materials[scene.objects[hit.object].material].transparency;
-          return !(transparency > 0.0f) && !can_be_hidden(hit.object, scene);
+          return !(scene.materials[scene.objects[hit.object].material].transparency > 0.0f);
       }) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
@@ -115,7 +117,7 @@ Channels Whitted::radiance(Path&& path) {
     // Find the closest surface that no solid of higher rank hides.
     const Ray ray = ray_of(path.ray);
     Hit hit = scene_.world.closest(ray, kernel_);
-    skip_hidden(ray, hit, path.interior);
+    const Contact contact = find_seen(ray, hit, path.interior);
     out.covered = static_cast<bool>(hit);
 
     if (!hit) {
@@ -123,7 +125,7 @@ Channels Whitted::radiance(Path&& path) {
         if (path.interior == nullptr) out.terms[Term::emission] = scene_.background;
         if (recorder_ != nullptr) recorder_->miss(solids_of(path.interior, scene_));
     } else {
-        const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
+        const SurfaceInteraction at = surface_interaction(scene_, ray, hit, contact);
         if (recorder_ != nullptr) recorder_->hit(hit, at, solids_of(path.interior, scene_));
         const vec3 left_over = left_by_medium(path.interior, hit.t);
         path.weight = path.weight * left_over;
@@ -151,12 +153,42 @@ Channels Whitted::radiance(Path&& path) {
     return out;
 }
 
-void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interior) {
-    while (hit && is_hidden(interior, hit.object, scene_)) {
-        if (recorder_ != nullptr) recorder_->skip_hidden(hit);
-        cross(ray, hit, interior);
-        hit = scene_.world.next(ray, hit);
+Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interior) {
+    if (!scene_.any_contact && interior == nullptr) return {};
+    while (hit) {
+        find_coincident(scene_, ray, hit, met_);
+        const Hit* seen = seen_of(met_.hits, interior, scene_);
+        if (recorder_ != nullptr)
+            for (const Hit& met : met_.hits)
+                if (&met != seen) recorder_->pass_over(met);
+        if (seen != nullptr) {
+            hit = *seen;
+            return met_.hits.size() > 1 ? contact_of_met(ray, interior) : Contact{};
+        }
+        for (const Hit& met : met_.hits) cross(ray, met, interior);
+        hit = scene_.world.next(ray, met_.hits.back());
     }
+    return {};
+}
+
+/// What is met in the place of `met_`.
+Contact Whitted::contact_of_met(const Ray& ray, const InteriorList* interior) {
+    Contact contact;
+    contact.exists = true;
+    contact.margin = met_.margin;
+    for (const Hit& met : met_.hits) {
+        cross(ray, met, interior);
+        contact.refracts = contact.refracts || is_dielectric(met.object, scene_);
+    }
+    contact.beyond = interior;
+    return contact;
+}
+
+/// The list behind a surface.
+const InteriorList* Whitted::beyond(const SurfaceInteraction& at, const InteriorList* interior) {
+    if (at.contact.exists) return at.contact.beyond;
+    if (!is_dielectric(at.object, scene_)) return interior;
+    return crossed(interior, at.object, at.entering, scene_, arena_);
 }
 
 /// The list behind a surface that a ray goes through unbent.
@@ -197,8 +229,7 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
                                    const InteriorList* interior) {
     const InteriorArena::Scope lists(arena_);
     // Light on a back that is lit as stored arrives on the other side of the surface.
-    if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
-        interior = crossed(interior, at.object, at.entering, scene_, arena_);
+    if (at.surface.lit_side < 0.0f) interior = beyond(at, interior);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
     // If no light can pass, only the recorder needs the blockers.
     if (!may_pass && recorder_ == nullptr) return 0.0f;
@@ -212,13 +243,17 @@ float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     if (!scene_.world.all_hits(shadow, blockers_, recorder_ == nullptr ? ends_shadow_ : never)) return 0.0f;
     const bool hides = any_may_be_hidden(blockers_, interior);
     float passing = 1.0f;
-    for (const Hit& hit : blockers_) {
-        const bool hidden = hides && is_hidden(interior, hit.object, scene_);
-        const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
-        if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
-        if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
+    for (std::size_t i = 0; i < blockers_.size(); i += met_.hits.size()) {
+        find_coincident(scene_, shadow, blockers_[i], met_);
+        const Hit* seen = seen_of(met_.hits, interior, scene_);
+        for (const Hit& met : met_.hits) {
+            const float transparency = scene_.materials[scene_.objects[met.object].material].transparency;
+            if (recorder_ != nullptr) recorder_->blocker(met, transparency, &met != seen);
+            if (&met == seen) passing = passing * shadow_transmittance(modes_, transparency);
+        }
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
-        if (hides) cross(shadow, hit, interior);
+        if (!hides) continue;
+        for (const Hit& met : met_.hits) cross(shadow, met, interior);
     }
     return passing;
 }
@@ -227,11 +262,11 @@ float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
 /// list need not be kept.
 bool Whitted::any_may_be_hidden(std::span<const Hit> hits, const InteriorList* interior) const {
     std::uint32_t highest = 0;
-    if (interior != nullptr) highest = scene_.objects[interior->object].rank;
+    if (interior != nullptr) highest = scene_.objects[interior->owner].rank;
     for (const Hit& hit : hits)
         if (is_dielectric(hit.object, scene_)) highest = std::max(highest, scene_.objects[hit.object].rank);
     return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
-        return can_be_hidden(hit.object, scene_) && scene_.objects[hit.object].rank < highest;
+        return is_dielectric(hit.object, scene_) && scene_.objects[hit.object].rank < highest;
     });
 }
 
@@ -254,12 +289,11 @@ void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Term
 
 Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     Bounce bounce;
-    bounce.interior = path.interior;
-    if (!is_dielectric(at.object, scene_)) {
+    bounce.interior = beyond(at, path.interior);
+    if (!is_dielectric(at.object, scene_) && !at.contact.refracts) {
         bounce.split = split_at_sheet(at.surface, *at.material);
         return bounce;
     }
-    bounce.interior = crossed(path.interior, at.object, at.entering, scene_, arena_);
     const float index_before = refractive_index(path.interior, scene_);
     const float index_after = refractive_index(bounce.interior, scene_);
     const Refraction refraction = refraction_at(at.surface, index_before / index_after);

@@ -6,6 +6,7 @@
 #include "glint/explanation.h"
 #include "glint/render.h"
 #include "render/camera_sample.h"
+#include "render/contact.h"
 #include "render/interior_list.h"
 #include "scene/scene_data.h"
 #include "shading/whitted.shared.h"
@@ -24,11 +25,13 @@ struct SurfaceInteraction {
     const MaterialRecord* material = nullptr;
     std::uint32_t object = 0;
     bool entering = true; ///< the ray comes from the object's outer side
+    Contact contact;
 };
 
 /// The surface at a hit of a ray (unit direction): off the edge that it may lie on, with colour and shading
 /// normal of the mesh's vertices.
-SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit);
+SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit,
+                                       const Contact& contact = {});
 
 /// The rays that go on from a surface.
 struct Bounce {
@@ -67,8 +70,9 @@ class Whitted {
     /// Starts a camera ray, or a batch of them: invalidates all lists, returns that of the solids around the
     /// eye.
     const InteriorList* start();
-    /// Replaces a hit that lies inside a solid of higher rank by the next that does not; updates `interior`.
-    void skip_hidden(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
+    /// Replaces a hit by the next that is seen, if it lies inside a solid of higher rank or coincides with
+    /// that; updates `interior`. Returns what is met there.
+    Contact find_seen(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
     /// Mirror and refracted ray of a surface: direction and weights.
@@ -92,6 +96,8 @@ class Whitted {
     bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
+    Contact contact_of_met(const Ray& ray, const InteriorList* interior);
+    const InteriorList* beyond(const SurfaceInteraction& at, const InteriorList* interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
     const scene::SceneData& scene_;
@@ -103,6 +109,7 @@ class Whitted {
     InteriorArena arena_;
     const trace::EndsSearch ends_shadow_; ///< at a hit that lets no light pass
     std::vector<trace::Hit> blockers_;
+    Coincidence met_;
     RayCounts counts_;
     RayRecorder* recorder_ = nullptr;
 };

@@ -136,9 +136,10 @@ void WhittedWavefront::finish(std::span<Channels> out, bool terms) {
 void WhittedWavefront::find_hits(Wave wave) {
     PathStates& s = *states_;
     scene_.world.closest(part(s.rays, wave), part(s.hits, wave), RayHint::coherent, scratch_, kernel_);
-    if (scene_.any_transparent)
+    if (scene_.any_transparent || scene_.any_contact)
         for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
-            if (s.interiors[i] != nullptr) single_.skip_hidden(s.rays[i], s.hits[i], s.interiors[i]);
+            if (scene_.any_contact || s.interiors[i] != nullptr)
+                s.contacts[i] = single_.find_seen(s.rays[i], s.hits[i], s.interiors[i]);
     choose_materials(wave);
     if (scene_.any_transparent) meet_media(wave);
 }
@@ -160,7 +161,9 @@ void WhittedWavefront::locate_surfaces(Wave wave) {
                           part(s.located, wave), kernel_);
     shade_.set_up(wave, s);
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
-        if (s.hits[i] && (s.located[i] == 0 || needs_attributes(s.hits[i].object))) put_surface(i);
+        if (s.hits[i] && (s.located[i] == 0 || needs_attributes(s.hits[i].object) ||
+                          (scene_.any_contact && s.contacts[i].exists)))
+            put_surface(i);
     shade_.start_terms(scene_.ambient, wave, s);
 }
 
@@ -171,7 +174,7 @@ bool WhittedWavefront::needs_attributes(std::uint32_t object) const {
 
 void WhittedWavefront::put_surface(std::size_t i) {
     PathStates& s = *states_;
-    const SurfaceInteraction at = surface_interaction(scene_, s.rays[i], s.hits[i]);
+    const SurfaceInteraction at = surface_interaction(scene_, s.rays[i], s.hits[i], s.contacts[i]);
     put(at.surface.p, s.p, i);
     put(at.surface.p_error, s.p_error, i);
     put(at.surface.n_g, s.n_g, i);
@@ -295,6 +298,7 @@ SurfaceInteraction WhittedWavefront::surface_at(std::size_t i) const {
     at.material = s.materials[i];
     at.object = s.hits[i].object;
     at.entering = s.entering[i] != 0.0f;
+    at.contact = s.contacts[i];
     return at;
 }
 

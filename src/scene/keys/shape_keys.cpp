@@ -29,7 +29,9 @@ std::vector<KeySpec> common_keys() {
         integer<&O::priority>("priority")
             .range(between(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))
             .typical(-8, 8)
-            .help("where solids overlap, the higher owns the space; among equals the later in the file"),
+            .help(
+                "where transparent solids overlap, the higher owns the space; where surfaces coincide, it is "
+                "seen; among equals the later in the file"),
         bound<Mat4, &O::transform>("transform", KeyType::transform)
             .help("a list of the entries below, applied in order"),
     };

@@ -1,5 +1,6 @@
 #pragma once
-// Data of a World, and scalar traversal. Private to this room and to backends that build their own trees.
+// Data of a World, and scalar traversal. Private to this room, to backends that build their own trees, and to
+// what compares primitives (scene/contacts.cpp).
 
 #include "bvh/traverse.h"
 #include "bvh/tree.h"

@@ -1,16 +1,11 @@
-// Pairs of objects whose boxes touch, found by a sweep; then faces in double, and sample rays.
+// Pairs of transparent solids whose boxes touch, then sample rays.
 
-#include "scene/overlaps.h"
+#include "scene/hidden_solids.h"
 
 #include "math/random.shared.h"
-#include "scene/flat_faces.h"
-
-#include <glm/vector_relational.hpp>
+#include "scene/box_tree.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
-#include <tuple>
 #include <utility>
 
 namespace glint::scene {
@@ -22,21 +17,17 @@ constexpr std::uint32_t probes = 64;
 /// Of a distance along a ray; above the rounding of its hits.
 constexpr float rounding = 0x1p-20f;
 
-class OverlapFinder {
+class HiddenSolidFinder {
   public:
-    explicit OverlapFinder(const SceneData& scene) : scene_(scene), known_hidden_(scene.objects.size()) {}
+    explicit HiddenSolidFinder(const SceneData& scene) : scene_(scene), known_(scene.objects.size()) {}
 
-    std::vector<Overlap> run() {
-        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id)
-            if (glass_solid(id) && !unbounded(id)) probe_faces(id);
-        for (const auto& [a, b] : touching_pairs()) compare(a, b);
-        std::sort(found_.begin(), found_.end(), [](const Overlap& a, const Overlap& b) {
-            return std::tie(a.object, a.other, a.kind) < std::tie(b.object, b.other, b.kind);
-        });
-        const auto equal = [](const Overlap& a, const Overlap& b) {
-            return a.object == b.object && a.other == b.other && a.kind == b.kind;
-        };
-        found_.erase(std::unique(found_.begin(), found_.end(), equal), found_.end());
+    std::vector<HiddenSolid> run() {
+        for (const auto& [a, b] : touching_pairs()) {
+            const bool a_is_higher = data(a).rank > data(b).rank;
+            find_hidden(a_is_higher ? b : a, a_is_higher ? a : b);
+        }
+        std::sort(found_.begin(), found_.end(),
+                  [](const HiddenSolid& a, const HiddenSolid& b) { return a.object < b.object; });
         return std::move(found_);
     }
 
@@ -45,8 +36,9 @@ class OverlapFinder {
 
     const ObjectData& data(std::uint32_t id) const { return scene_.objects[id]; }
     const Object& object(std::uint32_t id) const { return scene_.description.objects[id]; }
-    bool glass(std::uint32_t id) const { return scene_.materials[data(id).material].transparency > 0; }
-    bool glass_solid(std::uint32_t id) const { return object(id).visible && data(id).solid && glass(id); }
+    bool glass_solid(std::uint32_t id) const {
+        return object(id).visible && data(id).solid && scene_.materials[data(id).material].transparency > 0;
+    }
     bool unbounded(std::uint32_t id) const { return std::holds_alternative<PlaneShape>(object(id).shape); }
 
     /// Grown by more than the rounding of its sides.
@@ -58,15 +50,12 @@ class OverlapFinder {
         return box;
     }
 
-    /// Pairs of a transparent solid and another object whose boxes touch.
     std::vector<Pair> touching_pairs() const {
         std::vector<Pair> pairs;
-        const auto add = [&](std::uint32_t a, std::uint32_t b) {
-            if (glass_solid(a) || glass_solid(b)) pairs.emplace_back(std::min(a, b), std::max(a, b));
-        };
+        const auto add = [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); };
         std::vector<std::uint32_t> bounded, planes;
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-            if (!object(id).visible) continue;
+            if (!glass_solid(id)) continue;
             if (unbounded(id))
                 planes.push_back(id);
             else if (!data(id).bounds.empty())
@@ -76,54 +65,20 @@ class OverlapFinder {
             for (const std::uint32_t id : bounded) add(planes[i], id);
             for (std::size_t k = 0; k < i; ++k) add(planes[i], planes[k]);
         }
-        sweep(bounded, add);
+        parallel::TaskPool pool(1);
+        BoxTree(
+            bounded, [&](std::uint32_t id) { return grown_box(id); }, pool)
+            .visit_pairs(add);
         std::sort(pairs.begin(), pairs.end());
         return pairs;
     }
 
-    /// Calls add(a, b) for transparent solids and other objects whose boxes touch, along the longest axis.
-    void sweep(std::vector<std::uint32_t>& ids,
-               const std::function<void(std::uint32_t, std::uint32_t)>& add) const {
-        Bounds all;
-        std::vector<Bounds> boxes(scene_.objects.size());
-        for (const std::uint32_t id : ids) all.grow(boxes[id] = grown_box(id));
-        const vec3 size = all.extent();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        std::sort(ids.begin(), ids.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return boxes[a].lo[axis] < boxes[b].lo[axis]; });
-        std::array<std::vector<std::uint32_t>, 2> open; // [1]: transparent solids
-        const auto meet = [&](std::uint32_t id, std::vector<std::uint32_t>& others) {
-            std::erase_if(others, [&](std::uint32_t o) { return boxes[o].hi[axis] < boxes[id].lo[axis]; });
-            for (const std::uint32_t other : others)
-                if (touch(boxes[id], boxes[other])) add(id, other);
-        };
-        for (const std::uint32_t id : ids) {
-            meet(id, open[1]);
-            if (glass_solid(id)) meet(id, open[0]);
-            open[glass_solid(id) ? 1 : 0].push_back(id);
-        }
-    }
-
-    static bool touch(const Bounds& a, const Bounds& b) {
-        return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
-    }
-
-    void compare(std::uint32_t a, std::uint32_t b) {
-        if (have_coincident_faces(object(a), object(b))) found_.push_back({OverlapKind::coincident, a, b});
-        const bool a_is_higher = data(a).rank > data(b).rank;
-        find_hidden(a_is_higher ? b : a, a_is_higher ? a : b);
-    }
-
-    // --- What lies inside a transparent solid that owns the space ---
-
     void find_hidden(std::uint32_t id, std::uint32_t owner) {
-        if (!glass_solid(owner) || known_hidden_[id]) return;
+        if (known_[id]) return;
         const HiddenShare share = probe_inside(id, owner);
-        const bool all = share.hidden && !share.shown;
-        // Transparent objects may overlap, and show what is inside: that all of one vanishes is not meant.
-        if (!share.hidden || (glass(id) && !(all && data(id).solid))) return;
-        known_hidden_[id] = true;
-        found_.push_back({all ? OverlapKind::hidden : OverlapKind::partly_hidden, id, owner});
+        if (!share.hidden || share.shown) return;
+        known_[id] = true;
+        found_.push_back({id, owner});
     }
 
     struct HiddenShare {
@@ -203,33 +158,15 @@ class OverlapFinder {
         scene_.world.all_hits(ray, hits_);
     }
 
-    // --- Faces in one place, of any shape ---
-
-    /// Rays through the box of a transparent solid: does another object's face coincide with one of its?
-    void probe_faces(std::uint32_t id) {
-        const Bounds box = grown_box(id);
-        const float away = 8 * glm::length(box.extent());
-        for (std::uint32_t i = 0; i < probes; ++i) {
-            trace_all(line_through(box, id, i, away));
-            for (std::size_t k = 0; k + 1 < hits_.size(); ++k) {
-                const Hit &hit = hits_[k], &next = hits_[k + 1];
-                if (hit.object == next.object || (hit.object != id && next.object != id)) continue;
-                if (next.t - hit.t > hit.t * rounding) continue;
-                const auto [a, b] = std::minmax(hit.object, next.object);
-                found_.push_back({OverlapKind::coincident, a, b});
-            }
-        }
-    }
-
     const SceneData& scene_;
-    std::vector<bool> known_hidden_;
+    std::vector<bool> known_; ///< to be hidden
     std::vector<Hit> hits_;
     std::vector<float> crossings_;
-    std::vector<Overlap> found_;
+    std::vector<HiddenSolid> found_;
 };
 
 } // namespace
 
-std::vector<Overlap> find_overlaps(const SceneData& scene) { return OverlapFinder(scene).run(); }
+std::vector<HiddenSolid> find_hidden_solids(const SceneData& scene) { return HiddenSolidFinder(scene).run(); }
 
 } // namespace glint::scene
