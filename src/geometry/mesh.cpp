@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace glint::geometry {
 namespace {
@@ -126,6 +127,38 @@ double signed_volume(std::span<const vec3> positions, std::span<const uvec3> tri
         six_volumes += glm::dot(a, glm::cross(b, c));
     }
     return six_volumes / 6;
+}
+
+double sine_at_sharpest_edge(std::span<const vec3> positions, std::span<const uvec3> triangles) {
+    struct Wing {
+        std::uint32_t low, high; ///< the edge
+        std::uint32_t opposite;
+        dvec3 across; ///< from the edge into the triangle, of unit length
+    };
+    const std::vector<std::uint32_t> first = weld_by_position(positions);
+    std::vector<Wing> wings;
+    for (const uvec3& t : triangles)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = first[t[k]];
+            const std::uint32_t b = first[t[(k + 1) % 3]];
+            const std::uint32_t c = first[t[(k + 2) % 3]];
+            const dvec3 along = edge(positions[a], positions[b]);
+            const dvec3 up = edge(positions[a], positions[c]);
+            const dvec3 across = up - along * (glm::dot(up, along) / glm::dot(along, along));
+            const double length = glm::length(across);
+            if (length > 0) wings.push_back({std::min(a, b), std::max(a, b), c, across / length});
+        }
+    std::sort(wings.begin(), wings.end(), [](const Wing& a, const Wing& b) {
+        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+    });
+    double least = 1;
+    for (auto one = wings.begin(); one != wings.end(); ++one)
+        for (auto other = one + 1; other != wings.end(); ++other) {
+            if (other->low != one->low || other->high != one->high) break;
+            if (other->opposite == one->opposite || glm::dot(one->across, other->across) <= 0) continue;
+            least = std::min(least, glm::length(glm::cross(one->across, other->across)));
+        }
+    return least;
 }
 
 bool is_degenerate(const vec3& a, const vec3& b, const vec3& c) {

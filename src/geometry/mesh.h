@@ -22,6 +22,10 @@ bool is_closed(std::span<const vec3> positions, std::span<const uvec3> triangles
 /// outside. Meaningless if the mesh is not closed.
 double signed_volume(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
+/// The sine of the least angle between two triangles that share an edge, by position; 1 if none is below 90°.
+/// Triangles with the same corners do not count.
+double sine_at_sharpest_edge(std::span<const vec3> positions, std::span<const uvec3> triangles);
+
 /// Whether a triangle has no area: at each of its corners the cross product of the two edges, in double, is
 /// exactly zero. True for repeated corners, false for corners that are not finite.
 bool is_degenerate(const vec3& a, const vec3& b, const vec3& c);

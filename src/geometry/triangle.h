@@ -12,6 +12,10 @@
 //   product, Sz and its product in Az stretch one and the same depth, 4 u S. In all 7 u S.
 //
 // Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (error_of_triangle) against that.
+//
+// Wide triangles, whose errors would exceed those of points near them by far, are sheared in double too. The
+// displacement is then a few units of 2^-53 S. Edge functions of neighbours are opposite numbers, and never
+// have the wrong sign, so the test is as watertight.
 
 #include "geometry/triangle.shared.h"
 #include "math/ray.h"
@@ -22,26 +26,47 @@
 
 namespace glint::geometry {
 
-/// Per-ray constants of the triangle test. The direction must be finite and not zero.
-struct ShearedRay {
+/// The axes of the triangle test. The direction must be finite and not zero.
+struct ShearAxes {
     /// kz is the first of the axes with the largest |direction|; kx and ky follow cyclically.
     std::size_t kx, ky, kz;
-    float ox, oy, oz; ///< origin[kx], origin[ky], origin[kz]
-    float sx, sy, sz; ///< d[kx]/d[kz], d[ky]/d[kz], 1/d[kz]
 
-    explicit ShearedRay(const Ray& ray) {
-        const std::array<float, 3> o{ray.origin.x, ray.origin.y, ray.origin.z};
-        const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
-        const vec3 a = glm::abs(ray.direction);
+    explicit ShearAxes(const vec3& direction) {
+        const vec3 a = glm::abs(direction);
         kz = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
+    }
+};
+
+/// Per-ray constants of the triangle test.
+struct ShearedRay : ShearAxes {
+    float ox, oy, oz; ///< origin[kx], origin[ky], origin[kz]
+    float sx, sy, sz; ///< d[kx]/d[kz], d[ky]/d[kz], 1/d[kz]
+
+    explicit ShearedRay(const Ray& ray) : ShearAxes(ray.direction) {
+        const std::array<float, 3> o{ray.origin.x, ray.origin.y, ray.origin.z};
+        const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
         ox = o[kx];
         oy = o[ky];
         oz = o[kz];
         sx = d[kx] / d[kz];
         sy = d[ky] / d[kz];
         sz = 1.0f / d[kz];
+    }
+};
+
+/// The same for wide triangles.
+struct DoubleShearedRay : ShearAxes {
+    dvec3 origin; ///< permuted
+    dvec3 shear;
+
+    explicit DoubleShearedRay(const Ray& ray) : ShearAxes(ray.direction) {
+        const std::array<float, 3> o{ray.origin.x, ray.origin.y, ray.origin.z};
+        const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
+        const double dz = d[kz];
+        origin = dvec3(o[kx], o[ky], o[kz]);
+        shear = dvec3(d[kx] / dz, d[ky] / dz, 1.0 / dz);
     }
 };
 
@@ -61,6 +86,16 @@ inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& ve
     const ShearedVertex b = shear(ray, vertices[1]);
     const ShearedVertex c = shear(ray, vertices[2]);
     return !surely_outside(a, b, c) && intersect_sheared(a, b, c, ray.sz, tmin, limit, hit);
+}
+
+inline dvec3 shear(const DoubleShearedRay& ray, const std::array<float, 3>& v) {
+    return sheared_in_double(dvec3(v[ray.kx], v[ray.ky], v[ray.kz]) - ray.origin, ray.shear);
+}
+
+inline bool intersect_triangle(const DoubleShearedRay& ray, const TriangleVertices& vertices, float tmin,
+                               float limit, TriangleHit& hit) {
+    return intersect_corners(shear(ray, vertices[0]), shear(ray, vertices[1]), shear(ray, vertices[2]), tmin,
+                             limit, hit);
 }
 
 } // namespace glint::geometry

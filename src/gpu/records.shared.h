@@ -84,7 +84,7 @@ struct ObjectRecord {
     PackedVector translation;
     double slack;               ///< error of the transform to the world and back in double
     PackedMatrix normal_matrix; ///< see object_local_normals
-    double reserved;            ///< 0; std430 rounds the size up to a multiple of 16 bytes
+    double off_edges;           ///< of a mesh: how far rays start from edges (geometry/surface.shared.h)
 };
 
 /// The share of the pixel filter beyond a distance of radius · (1 − i / filter_steps).
@@ -152,11 +152,12 @@ struct GpuSettings {
 
     // From a film to a picture: show.glsl.
     uint show_mode;
-    uint known_step;    ///< each of so many pixels of a row and column is known
-    uint known_samples; ///< of each pixel
-    uint film_terms;    ///< terms that the film sums separately
-    uint shown_term;    ///< one of them
-    uint smooth_steps;  ///< 1: linear between known pixels, 0: blocks
+    uint known_step;      ///< each of so many pixels of a row and column is known
+    uint known_samples;   ///< of each pixel
+    uint film_terms;      ///< terms that the film sums separately
+    uint shown_term;      ///< one of them
+    uint smooth_steps;    ///< 1: linear between known pixels, 0: blocks
+    uint first_wide_leaf; ///< from here on leaves have wide triangles: an offset as in their codes
 };
 
 // GpuSettings::show_mode

@@ -5,6 +5,7 @@
 #include "glint/limits.h"
 #include "scene/names.h"
 #include "scene/shapes/shapes.h"
+#include "scene/wide_meshes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -26,6 +27,7 @@ class Baker {
             between_();
             bake_object(static_cast<std::uint32_t>(i));
         }
+        mark_wide_meshes(baked_);
         return std::move(baked_);
     }
 

@@ -105,6 +105,17 @@ TEST(Volume, OfACubeIsOneWhereverItStandsAndTurnsWithItsWinding) {
     EXPECT_EQ(signed_volume(mesh.positions, {}), 0.0);
 }
 
+TEST(SharpestEdge, IsTheLeastAngleBetweenFaces) {
+    TestMesh mesh = cube();
+    EXPECT_DOUBLE_EQ(sine_at_sharpest_edge(mesh.positions, mesh.triangles), 1) << "no edge below 90°";
+    for (vec3& p : mesh.positions) p.x += p.z * 3.0f; // sides lean at a slope of 1 : 3
+    for (const TestMesh& leaning : {mesh, soup_of(mesh)})
+        EXPECT_NEAR(sine_at_sharpest_edge(leaning.positions, leaning.triangles), 1 / std::sqrt(10.0), 1e-12);
+    mesh.triangles.emplace_back(0, 1, 2); // the back of a face
+    EXPECT_NEAR(sine_at_sharpest_edge(mesh.positions, mesh.triangles), 1 / std::sqrt(10.0), 1e-12);
+    EXPECT_EQ(sine_at_sharpest_edge({}, {}), 1);
+}
+
 TEST(Degenerate, IsATriangleWithARepeatedCornerOrOnALine) {
     const vec3 a(0.1f, 0.2f, 0.3f), b(3, 1, 4);
     EXPECT_TRUE(is_degenerate(a, a, b));

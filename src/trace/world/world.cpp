@@ -111,8 +111,22 @@ bool occluded_surface(const WorldData& world, const Ray& ray) {
     return trace_quadrics(world, ray, ray.tmin, sink);
 }
 
+void keep_closer_wide(const WorldData& world, const Ray& ray, Hit& hit) {
+    if (world.wide_tree.nodes.empty() || !is_traceable(ray)) return;
+    Closest sink{std::min(hit.t, limit_below(ray.tmax)), hit};
+    trace_mesh(world.wide_tree, ray, ray.tmin, sink, WideTester<Closest>(world, ray, sink));
+    hit = sink.best;
+}
+
+bool occluded_by_wide(const WorldData& world, const Ray& ray) {
+    if (world.wide_tree.nodes.empty() || !is_traceable(ray)) return false;
+    Any sink{limit_below(ray.tmax)};
+    return trace_mesh(world.wide_tree, ray, ray.tmin, sink, WideTester<Any>(world, ray, sink));
+}
+
 void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit) {
-    const Hit triangle = numbered_hit(world, record.triangle, record.t, record.u, record.v, false);
+    const Hit triangle =
+        numbered_hit(world, world.first_numbers, record.triangle, record.t, record.u, record.v, false);
     if (!precedes(triangle, hit)) return;
     hit = triangle;
     if (may_be_on_edge(hit))
@@ -131,6 +145,7 @@ void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& r
 
 Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
     Hit hit = closest_surface(*data_, ray);
+    keep_closer_wide(*data_, ray, hit);
     Ray limited = ray;
     if (hit) limited.tmax = next_float(hit.t, 1.0f);
     const TriangleRecord record = trace::closest(data_->mesh_tree, limited, choice);
@@ -149,8 +164,8 @@ Hit World::closest_brute_force(const Ray& ray) const {
 }
 
 bool World::occluded(const Ray& ray, const KernelChoice& choice) const {
-    return occluded_surface(*data_, ray) || trace::occluded(data_->mesh_tree, ray, choice) ||
-           data_->instance_tree.occluded(ray, choice);
+    return occluded_surface(*data_, ray) || occluded_by_wide(*data_, ray) ||
+           trace::occluded(data_->mesh_tree, ray, choice) || data_->instance_tree.occluded(ray, choice);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {
@@ -199,17 +214,25 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
     const double v = hit.v;
     const std::uint32_t instance = instance_of(world, hit.object);
     if (instance == invalid_index) {
-        const WorldInput::Triangles& mesh = mesh_of(world, hit.object);
+        const std::size_t number = mesh_number(world, hit.object);
+        const WorldInput::Triangles& mesh = world.meshes[number];
         const geometry::TriangleVertices at = vertices_of(mesh, hit.prim);
-        return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(ray.direction),
+        const double off_edges = world.off_edges[number];
+        const geometry::Line line = exact_line(ray);
+        if (mesh.wide)
+            return wide_triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2),
+                                         line.origin + line.direction * double(hit.t), off_edges,
+                                         line.direction, mesh.flip);
+        return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, off_edges, line.direction,
                                 mesh.flip);
     }
     const InstanceData& data = world.instances[instance];
     const geometry::TriangleVertices at = vertices_of(world, data, hit.prim);
     const Ray local = world.instance_tree.to_local(instance, ray);
-    return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(local.direction),
-                            data.linear, world.instance_tree.inverse(instance),
-                            world.instance_tree.translation(instance), data.slack, data.turned);
+    return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v,
+                            world.shared_meshes[data.mesh].off_edges, dvec3(local.direction), data.linear,
+                            world.instance_tree.inverse(instance), world.instance_tree.translation(instance),
+                            data.slack, data.turned);
 }
 
 SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {
@@ -247,6 +270,7 @@ SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
 
 Bounds World::bounds() const {
     Bounds box = triangle_bounds(*data_).box;
+    box.grow(data_->wide_tree.bounds);
     box.grow(data_->quadric_tree.bounds);
     return box;
 }

@@ -64,6 +64,7 @@ struct WorldInput {
         std::vector<vec3> positions; ///< world space
         std::vector<uvec3> triangles;
         bool flip = false; ///< turn the normals against the winding
+        bool wide = false; ///< trace these in double, and slower: see geometry/triangle.h
     };
     /// A mesh in local space, stored once for any number of instances.
     struct SharedMesh {
@@ -75,6 +76,7 @@ struct WorldInput {
         std::uint32_t mesh = 0;     ///< index into `shared_meshes`
         dmat4 world_from_mesh{1.0}; ///< affine and regular
         bool flip = false;          ///< normals are opposite to the winding in world space
+        bool wide = false;          ///< bake it into world space, as a wide mesh
     };
     struct Quadric {
         std::uint32_t object = 0;
