@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "outputs.h"
 
+#include "glint/limits.h"
 #include "glint/picture_files.h"
 
 #include <fmt/format.h>
@@ -68,6 +69,8 @@ void write_heat(const std::string& path, const LoadedPicture& a, const LoadedPic
     const double max_difference = measures.comparison.max / (measures.eight_bit ? 255 : 1);
     // Equal pictures, and infinite differences, need a finite scale above 0.
     const double full_scale = max_difference > 0 && std::isfinite(max_difference) ? max_difference : 1;
+    require_memory(3.0 * sizeof(float) * static_cast<double>(a.image.pixels.size()), "a heat map",
+                   "leave -o away");
     PictureOptions options;
     options.view = View::raw;
     const Image heat = difference_heat(relative_to_white(a), relative_to_white(b), full_scale);

@@ -6,6 +6,7 @@
 #include "text.h"
 
 #include "glint/keys.h"
+#include "glint/limits.h"
 #include "glint/render.h"
 #include "glint/scene.h"
 
@@ -68,7 +69,7 @@ std::string geometry_rows(const SceneStats& stats) {
     text += row("bounds",
                 bounded ? point(stats.bounds_min) + " to " + point(stats.bounds_max) : "nothing finite");
     text += row("tree", fmt::format("{}, depth {}", counted(stats.tree_nodes, "node"), stats.tree_depth));
-    return text + row("memory", bytes(static_cast<double>(stats.bytes)));
+    return text + row("memory", bytes_text(static_cast<double>(stats.bytes)));
 }
 
 std::string info_text(const std::string& file, const SceneDescription& description, const Scene& scene) {

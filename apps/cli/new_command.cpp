@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace glint::cli {
 namespace {
@@ -35,7 +36,8 @@ int new_command(const Arguments& arguments, Console& console) {
     const Output output{"-o", arguments.text("output").value_or("-")};
     const std::string& path = output.path;
     require_outputs({}, {output});
-    if (path != "-" && std::filesystem::exists(path) && !arguments.has("force"))
+    std::error_code none;
+    if (path != "-" && std::filesystem::exists(path, none) && !arguments.has("force"))
         throw Error(ErrorKind::output, fmt::format("\"{}\" exists", path), "--force overwrites it");
     write_text(output, text);
     if (path == "-") return exit_code::done;

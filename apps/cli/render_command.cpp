@@ -10,6 +10,8 @@
 #include "scene_input.h"
 #include "text.h"
 
+#include "glint/limits.h"
+
 #include <fmt/format.h>
 
 #include <chrono>
@@ -37,9 +39,14 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     options.metadata = picture_settings(scene);
     if (request.render.show != Aov::final)
         options.metadata.emplace_back("glint.show", aov_name(request.render.show));
-    if (const auto& crop = request.render.crop)
+    if (const auto& crop = request.render.crop) {
+        options.x = crop->x;
+        options.y = crop->y;
+        options.full_width = scene.render_settings().width;
+        options.full_height = scene.render_settings().height;
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
+    }
     // The last bits depend on the rounding of the graphics card.
     if (!record.device.empty()) options.metadata.emplace_back("glint.device", record.device);
     options.metadata.emplace_back("glint.hash", record.hash);
@@ -67,7 +74,7 @@ void print_details(Console& console, const Scene& scene, const RenderRecord& rec
     console.detail(fmt::format("read in {}, {}tree of {} with depth {} built in {}, {} held",
                                duration(record.load_seconds), quality, counted(sizes.tree_nodes, "node"),
                                sizes.tree_depth, duration(record.build_seconds),
-                               bytes(static_cast<double>(sizes.bytes))));
+                               bytes_text(static_cast<double>(sizes.bytes))));
     console.detail(fmt::format("rays: {} primary, {} reflected, {} refracted, {} shadow; {}",
                                with_commas(stats.primary_rays), with_commas(stats.reflected_rays),
                                with_commas(stats.refracted_rays), with_commas(stats.shadow_rays),
@@ -75,6 +82,22 @@ void print_details(Console& console, const Scene& scene, const RenderRecord& rec
     if (stats.left_out_rays > 0)
         console.detail(fmt::format("left out: {} below min_weight, less than {:.2g} of the light",
                                    counted(stats.left_out_rays, "ray"), left_out_share(stats, scene)));
+}
+
+/// What --dry-run prints: what would be rendered, and the memory that it takes.
+std::string needs_text(const RenderRequest& request, const SceneDescription& scene, std::size_t pictures) {
+    const auto row = [](const char* label, double bytes) {
+        return fmt::format("  {:<9}{}\n", label, bytes_text(bytes));
+    };
+    const MemoryNeeds needs = memory_needs(request, scene);
+    std::string text = printable(shown_name(request.output));
+    if (request.frames) text += fmt::format(": {}, each", counted(pictures, "frame"));
+    const auto& crop = request.render.crop;
+    text += fmt::format(": {}×{}, {} spp\n", crop ? crop->width : scene.render.width,
+                        crop ? crop->height : scene.render.height, scene.render.spp);
+    text += row("scene", needs.scene) + row("picture", needs.picture) + row("writing", needs.writing);
+    return text + fmt::format("  {:<9}{} of {} that are left\n", "memory", bytes_text(needs.total()),
+                              bytes_text(available_memory()));
 }
 
 /// Renders pictures of one scene, one after the other.
@@ -89,9 +112,22 @@ class Renderer {
         LoadedScene loaded = read_scene(request_.scene, request_.load);
         load_seconds_ = now() - loading_start;
         apply_flags(arguments_, loaded.description);
-        require_possible(request_, loaded.description.render);
+        require_possible(loaded.description);
         report(loaded, console_);
         return loaded;
+    }
+
+    /// Throws Error(usage) where --crop leaves the picture, and Error(resource) where there is no memory for
+    /// it, or for more than the pictures before took.
+    void require_possible(const SceneDescription& scene) {
+        require_crop_inside(scene.render, request_.render.crop);
+        const MemoryNeeds needs = memory_needs(request_, scene);
+        if (needs.total() <= granted_) return;
+        require_memory(needs.total(),
+                       fmt::format("rendering (scene {}, picture {}, writing {})", bytes_text(needs.scene),
+                                   bytes_text(needs.picture), bytes_text(needs.writing)),
+                       "render in parts with --crop, or less with --size");
+        granted_ = needs.total();
     }
 
     /// Renders and writes a picture; false if a signal stopped it. `task`: text for the progress.
@@ -111,6 +147,10 @@ class Renderer {
             stopped_at_ = record.fraction;
             return false;
         }
+        // What --keep-partial keeps may take long to encode, but must not wait for a reader.
+        if (cancel_flag() && !waits_for_reader(record.output) &&
+            !waits_for_reader(request_.stats.value_or("")))
+            take_time();
         record.hash = picture_hash(picture.image);
         // PNG shows AOVs as colours; the other formats hold their values.
         if (output_format(record.output) == PictureFormat::png)
@@ -128,7 +168,6 @@ class Renderer {
     /// Writes --stats: an object, or with --frames a list of objects.
     void write_stats() const {
         if (!request_.stats || (stats_.empty() && !request_.frames)) return;
-        if (waits_for_reader(*request_.stats)) stop_at_once();
         write_text({"--stats", *request_.stats}, request_.frames ? stats_list_json(stats_) : stats_.front());
     }
 
@@ -149,7 +188,6 @@ class Renderer {
         options.progress = [&](const Progress& progress) { meter.update(progress); };
         options.cancel = &cancel_flag();
         RenderedPicture rendered = backend_.render(scene, options);
-        if (waits_for_reader(record.output)) stop_at_once();
         meter.finish();
         record.device = rendered.device;
         record.fraction = rendered.picture.complete ? 1 : meter.fraction();
@@ -162,6 +200,7 @@ class Renderer {
     Backend backend_;
     std::optional<Scene> last_; ///< the next picture may share its trees
     double load_seconds_ = 0;
+    double granted_ = 0; ///< bytes of memory
     double stopped_at_ = 0;
     std::vector<std::string> stats_;
     std::set<std::string> warned_;
@@ -179,6 +218,10 @@ int render_still(const RenderRequest& request, Renderer& renderer, Console& cons
     require_outputs(loaded.files, outputs(request, {}));
     if (!loaded.animation.keys.empty())
         console.note("the scene moves, and this is how it stands; --frames all renders its frames");
+    if (request.dry_run) {
+        print_data(needs_text(request, loaded.description, 1));
+        return exit_code::done;
+    }
     const bool done = renderer.picture(loaded.description, make_record(request), {});
     renderer.write_stats();
     if (done) return exit_code::done;
@@ -196,13 +239,18 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
     require_outputs(loaded.files, outputs(request, frames));
     // Errors of late frames are reported before the first one is rendered.
     for (const int frame : frames) scene_at(loaded, frame);
+    if (request.dry_run) {
+        print_data(needs_text(request, loaded.description, frames.size()));
+        return exit_code::done;
+    }
 
     const double rendering_start = now();
     std::size_t done = 0;
     for (const int frame : frames) {
+        if (cancel_flag()) break; // while the last frame was written
         SceneDescription description = scene_at(loaded, frame);
         apply_flags(arguments, description);
-        require_possible(request, description.render);
+        renderer.require_possible(description);
         RenderRecord record = make_record(request);
         record.output = frame_name(request.output, frame);
         record.frame = frame;
@@ -228,7 +276,6 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
 
 int render_command(const Arguments& arguments, Console& console) {
     const RenderRequest request = read_render_request(arguments);
-    watch_signals();
     console.status("reading " + request.scene);
     Renderer renderer(arguments, request, console);
     return request.frames ? render_frames(arguments, request, renderer, console)

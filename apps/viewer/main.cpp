@@ -1,4 +1,6 @@
 // The program `glint-view`: runs the window and maps errors to exit codes.
+#include "../common/exit_code.h"
+#include "../common/out_of_memory.h"
 #include "app.h"
 
 #include <csignal>
@@ -9,16 +11,6 @@
 
 namespace glint::viewer {
 namespace {
-
-/// Those of glint.
-int exit_code(ErrorKind kind) {
-    return kind == ErrorKind::usage      ? 2
-           : kind == ErrorKind::input    ? 3
-           : kind == ErrorKind::output   ? 4
-           : kind == ErrorKind::resource ? 5
-           : kind == ErrorKind::device   ? 7
-                                         : 70;
-}
 
 /// Ends the program without waiting for its threads: a driver that compiles a shader takes seconds and cannot
 /// be interrupted. Files are written on this thread, so all of them are complete.
@@ -50,13 +42,13 @@ int run(const std::vector<std::string>& words) noexcept {
                               ? "error: " + diagnostic.message + "; " + diagnostic.hint
                               : to_string(diagnostic))
                       << "\n";
-        return exit_code(error.kind());
+        return exit_code::of(error.kind());
     } catch (const std::bad_alloc&) {
-        std::cerr << "error: out of memory\n";
-        return 5;
+        report_out_of_memory();
+        return exit_code::resource;
     } catch (const std::exception& defect) {
         std::cerr << "error: " << defect.what() << " (a defect of glint-view: please report it)\n";
-        return 70;
+        return exit_code::internal;
     }
 }
 
@@ -66,5 +58,6 @@ int run(const std::vector<std::string>& words) noexcept {
 int main(int argc, char** argv) {
     // A picture that exceeds the limit on the size of files is an error, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
+    glint::end_if_bad_alloc_is_uncaught();
     return glint::viewer::run({argv + 1, argv + argc});
 }

@@ -204,7 +204,8 @@ std::string SceneEditor::save() {
     if (is_scene_file(shown_.file)) {
         shown_.document->save();
     } else {
-        if (std::filesystem::exists(name))
+        std::error_code none;
+        if (std::filesystem::exists(name, none))
             throw Error(ErrorKind::output,
                         name + " exists already: move it away, or open it instead of the mesh");
         shown_.document->save_as(name);

@@ -56,5 +56,23 @@ TEST_F(Interrupt, KeepsAPartWhenAsked) {
     EXPECT_EQ(same.exit, 0) << same.err;
 }
 
+TEST_F(Interrupt, KeepsAPartWhenTheTerminalIsClosed) {
+    const Outcome outcome = stopped("long.toml -o part.pfm --keep-partial", SIGHUP);
+    EXPECT_EQ(outcome.exit, 129) << outcome.err;
+    EXPECT_TRUE(exists("part.pfm"));
+}
+
+TEST_F(Interrupt, LeavesNoTemporaryFileOfOtherCommands) {
+    const std::string before = listing();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        Setting setting;
+        setting.signal = signal;
+        setting.signal_after = 200;
+        const Outcome outcome = glint("explain long.toml --format html -o a.html", setting);
+        EXPECT_EQ(outcome.exit, 128 + signal) << outcome.err;
+        EXPECT_EQ(listing(), before);
+    }
+}
+
 } // namespace
 } // namespace glint::test

@@ -251,6 +251,14 @@ TEST(SceneFiles, WhatIsNoSceneIsRefusedInWords) {
               "this is a folder / a scene (.toml) or a mesh (.ply) was expected");
     EXPECT_EQ(message(folder.write("a.obj", "v 0 0 0\n")),
               "meshes of type .obj cannot be read / convert it to PLY");
+    EXPECT_EQ(message(folder.write("a.XYZ", "0 0 0\n")),
+              "point clouds of type .xyz cannot be read / convert it to PLY");
+    EXPECT_EQ(message(folder.write("a.pcd", "# .PCD v.7\n")),
+              "point clouds of type .pcd cannot be read / convert it to PLY");
+    EXPECT_EQ(message(folder.write("a.step", "ISO-10303-21;\n")),
+              "solid models of type .step cannot be read / export it as PLY");
+    EXPECT_EQ(message(folder.write("a.lz4", "\x04\x22\x4d\x18")),
+              "compressed files of type .lz4 cannot be read / decompress it first");
     EXPECT_EQ(message(folder.write("a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0", 11))),
               "a zero byte: this is not a text file / expected a scene file (TOML) or a PLY mesh");
     EXPECT_NE(message(folder.write("b.ply", "[camera]\n")), "");

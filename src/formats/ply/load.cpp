@@ -3,6 +3,7 @@
 #include "formats/ply/fixed_rows.h"
 #include "formats/ply/mesh.h"
 #include "formats/read_bytes.h"
+#include "glint/limits.h"
 #include "glint/mesh_files.h"
 
 #include <algorithm>
@@ -64,6 +65,8 @@ std::optional<LoadedMesh> load_fixed_rows(formats::InputFile& file, const std::s
 LoadedMesh load_mesh(const std::string& path, const LoadOptions& options) {
     const LoadWatch watch(path, options);
     formats::InputFile file(path);
+    if (file.size())
+        require_memory(static_cast<double>(*file.size()), "the mesh", "close other programs", {.file = path});
     if (auto loaded = load_fixed_rows(file, path, watch)) return *std::move(loaded);
     if (file.size()) file.rewind();
     return parse_ply(formats::read_bytes(file, watch), path, options);

@@ -100,9 +100,7 @@ class Finder {
     }
 
     KeyTarget find_of_many(const Path& path, const TableSpec& spec) {
-        if (!path.has_name)
-            return fail("which " + in_quotes(spec.name) + "? the path names none",
-                        "expected " + example(spec.name));
+        if (!path.has_name) return report_unnamed(path, spec);
         std::string found_as;
         if (TreeValue* found = part(spec, path.name, found_as))
             return target(*found, spec, path.key, found_as);
@@ -160,24 +158,49 @@ class Finder {
         return names;
     }
 
-    KeyTarget report_missing(const Path& path, const TableSpec& spec) {
-        const TreeEntry* entry = root_.find(spec.name);
+    /// What can stand between table and key.
+    std::vector<std::string> part_names(const TableSpec& spec) const {
         std::vector<std::string> names;
-        std::size_t count = 0;
-        if (entry) {
-            for (const TreeEntry& named : entry->value.entries) names.push_back(named.key);
-            for (const TreeValue& item : entry->value.items) {
-                const TreeEntry* name = item.find("name");
-                if (name && name->value.kind == Kind::text) names.push_back(name->value.text);
-            }
-            count = entry->value.items.size() + entry->value.entries.size();
+        const TreeEntry* entry = root_.find(spec.name);
+        if (!entry) return names;
+        for (const TreeEntry& named : entry->value.entries) names.push_back(named.key);
+        for (const TreeValue& item : entry->value.items) {
+            const TreeEntry* name = item.find("name");
+            const bool has_name = name && name->value.kind == Kind::text;
+            names.push_back(has_name ? name->value.text : std::to_string(names.size()));
         }
+        return names;
+    }
+
+    static std::string inventory(const TableSpec& spec, const std::vector<std::string>& names) {
+        const std::string what = names.empty() ? "no " + std::string(spec.name)
+                                 : spec.form == TableForm::list
+                                     ? std::to_string(names.size()) + ", numbered from 0"
+                                     : scene::listed(names);
+        return "the scene has " + what;
+    }
+
+    /// For a path without a name: "light.intensity".
+    KeyTarget report_unnamed(const Path& path, const TableSpec& spec) {
+        std::string found_as;
+        if (part(spec, path.key, found_as))
+            return fail(in_quotes(found_as) + " is a table, not a value",
+                        "name one of its keys: " + found_as + "." + std::string(spec.keys.front().key) +
+                            "=…");
+        const std::vector<std::string> names = part_names(spec);
+        std::string hint = inventory(spec, names);
+        if (!names.empty())
+            hint += ": " + std::string(spec.name) + "." + names.front() + "." + std::string(path.key) + "=…";
+        return fail("which " + in_quotes(spec.name) + "? the path names none", std::move(hint));
+    }
+
+    KeyTarget report_missing(const Path& path, const TableSpec& spec) {
+        const std::vector<std::string> names = part_names(spec);
         const std::string_view wanted = unquoted(path.name);
-        const std::string what = count == 0                     ? "no " + std::string(spec.name)
-                                 : spec.form == TableForm::list ? std::to_string(count) + ", numbered from 0"
-                                                                : scene::listed(names);
+        const std::string all = inventory(spec, names);
+        const bool is_number = scene::parse_number<int>(wanted).has_value();
         return fail("no " + std::string(spec.name) + " " + in_quotes(wanted),
-                    problems_.suggestion(wanted, names, "the scene has " + what));
+                    is_number ? all : problems_.suggestion(wanted, names, all));
     }
 
     std::string suggest(std::string_view word, const std::vector<std::string>& names) const {

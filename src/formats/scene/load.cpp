@@ -7,10 +7,13 @@
 #include "glint/mesh_files.h"
 #include "scene/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -62,13 +65,32 @@ LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOpt
     return scene;
 }
 
-void refuse_other_meshes(const std::string& path) {
+/// Throws Error(input) for a name that tells of a format that glint does not read.
+void refuse_other_formats(const std::string& path) {
+    struct Formats {
+        const char* kind;
+        const char* cure;
+        std::vector<std::string_view> extensions;
+    };
+    static const Formats known[] = {
+        {"meshes", "convert it to PLY", {".obj", ".stl", ".gltf", ".glb", ".off", ".fbx",  ".3ds",  ".3mf",
+                                         ".amf", ".dae", ".x3d",  ".wrl", ".usd", ".usda", ".usdc", ".usdz",
+                                         ".abc", ".lwo", ".vtk",  ".vtp", ".msh", ".ase"}},
+        {"point clouds", "convert it to PLY", {".pcd", ".xyz", ".pts", ".las", ".laz", ".e57"}},
+        {"solid models",
+         "export it as PLY",
+         {".step", ".stp", ".iges", ".igs", ".ifc", ".dxf", ".dwg", ".brep", ".sat"}},
+        {"scenes",
+         "glint new shows how scenes are written in TOML",
+         {".pov", ".pbrt", ".blend", ".max", ".ma"}},
+        {"compressed files",
+         "decompress it first",
+         {".gz", ".xz", ".zst", ".bz2", ".zip", ".7z", ".lz4", ".rar"}}};
     const std::string extension = formats::lower_extension(path);
-    for (const char* known :
-         {".obj", ".stl", ".gltf", ".glb", ".off", ".fbx", ".3ds", ".dae", ".x3d", ".blend", ".usd"})
-        if (extension == known)
-            throw Error(ErrorKind::input, "meshes of type " + extension + " cannot be read",
-                        "convert it to PLY", {path, 0, 0, {}});
+    for (const Formats& each : known)
+        if (std::find(each.extensions.begin(), each.extensions.end(), extension) != each.extensions.end())
+            throw Error(ErrorKind::input, each.kind + (" of type " + extension) + " cannot be read",
+                        each.cure, {path, 0, 0, {}});
 }
 
 } // namespace
@@ -98,7 +120,7 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     const std::string name = path == "-" ? formats::stdin_name : path;
     if (formats::looks_like_ply(text))
         return load_preview(parse_ply(std::as_bytes(std::span(text)), name, options), name, options);
-    refuse_other_meshes(path);
+    refuse_other_formats(path);
     return parse_scene(text, name, options);
 }
 
