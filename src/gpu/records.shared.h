@@ -158,6 +158,9 @@ struct GpuSettings {
     uint shown_term;      ///< one of them
     uint smooth_steps;    ///< 1: linear between known pixels, 0: blocks
     uint first_wide_leaf; ///< from here on leaves have wide triangles: an offset as in their codes
+    uint reserved_1;      ///< std140 rounds the size up to a multiple of 16 bytes
+    uint reserved_2;
+    uint reserved_3;
 };
 
 // GpuSettings::show_mode
@@ -200,7 +203,7 @@ const uint film_counts = 3u;
 #ifndef GLINT_GLSL
 static_assert(offsetof(GpuSettings, interiors_at_eye) == 64 && offsetof(GpuSettings, ambient_light) == 96 &&
               offsetof(GpuSettings, light_count) == 128 && offsetof(GpuSettings, modes) == 144 &&
-              sizeof(GpuSettings) == 256);
+              sizeof(GpuSettings) == 272);
 static_assert(offsetof(NodeRecord, children) == 16 && offsetof(NodeRecord, sides_x) == 48 &&
               sizeof(NodeRecord) == 96);
 static_assert(sizeof(PackedVector) == 24 && sizeof(PackedMatrix) == 72);
