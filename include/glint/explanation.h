@@ -175,6 +175,9 @@ struct Explanation {
     int y = 0; ///< from the top
     int width = 0;
     int height = 0;
+    /// What must be added to positions here for those of the scene: zero, unless that lies far from zero
+    /// compared with its size and is traced about a point of its own.
+    glm::dvec3 origin{0};
     std::string scene;  ///< name of the scene, such as its file; empty unless set by the caller
     std::string filter; ///< such as "mitchell"; unused with one sample, which is at the pixel's centre
     std::string rule;   ///< how samples are combined, as a sentence

@@ -27,13 +27,16 @@ namespace glint {
 using Vec3 = glm::dvec3;
 using Mat4 = glm::dmat4; ///< column-major: m[column][row]
 
-/// A triangle mesh, or a point cloud if `triangles` is empty.
+/// A triangle mesh, or a point cloud if `triangles` is empty. Vertex i is at origin + positions[i], in scene
+/// units before MeshShape::scale. Readers choose an origin near meshes that lie far from zero compared with
+/// their size, since positions in single precision could not resolve them.
 struct Mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals; ///< per vertex, or empty
-    std::vector<glm::vec3> colors;  ///< per vertex, linear RGB, or empty
-    std::vector<glm::vec2> uvs;     ///< per vertex, or empty
+    std::vector<glm::vec3> positions; ///< relative to `origin`
+    std::vector<glm::vec3> normals;   ///< per vertex, or empty
+    std::vector<glm::vec3> colors;    ///< per vertex, linear RGB, or empty
+    std::vector<glm::vec2> uvs;       ///< per vertex, or empty
     std::vector<glm::uvec3> triangles;
+    Vec3 origin{0};
 };
 
 enum class Axis { x, y, z };

@@ -84,6 +84,7 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     out.width = r.width;
     out.height = r.height;
     out.filter = name_of(r.filter);
+    out.origin = state_->scene.data().origin;
     imaging::PixelSum<Terms> sum;
     int negative = 0;
     for (int i = 0; i < r.spp; ++i) {

@@ -54,7 +54,9 @@ class Baker {
                 glint::scene::bake(shape, parts);
             },
             object.shape);
-        check_bounds(object, baked_.objects[id].bounds);
+        ObjectData& data = baked_.objects[id];
+        if (data.core.empty()) data.core = data.bounds;
+        check_bounds(object, data.bounds);
     }
 
     void check_bounds(const Object& object, const Bounds& bounds) const {

@@ -3,6 +3,7 @@
 #include "scene/bake_mesh.h"
 
 #include "geometry/mesh.h"
+#include "geometry/point_cloud.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -20,23 +21,12 @@ double max_stretch(const dmat4& m) {
     return std::sqrt(std::max({glm::dot(x, x), glm::dot(y, y), glm::dot(z, z)}));
 }
 
-dmat4 with_scale(const dmat4& transform, const Vec3& scale) {
+// From the stored positions: the mesh's origin, its scale, then the transform.
+dmat4 with_own_space(const dmat4& transform, const MeshShape& s) {
     dmat4 m = transform;
-    for (int c = 0; c < 3; ++c) m[c] *= scale[c];
+    for (int c = 0; c < 3; ++c) m[c] *= s.scale[c];
+    m[3] = m * dvec4(s.data->origin, 1);
     return m;
-}
-
-// Half the spacing of the points if they were evenly distributed on the sides of their box.
-double default_point_radius(const std::vector<vec3>& points) {
-    Bounds bounds;
-    for (const vec3& p : points) bounds.grow(p);
-    if (points.empty()) return 1;
-    const dvec3 d(bounds.extent());
-    const double area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
-    const double spacing = std::sqrt(area / static_cast<double>(points.size()));
-    if (spacing > 0) return spacing / 2;
-    const double length = std::max({d.x, d.y, d.z});
-    return length > 0 ? length / (2.0 * static_cast<double>(points.size())) : 1;
 }
 
 std::vector<vec3> transformed_positions(const std::vector<vec3>& positions, const dmat4& m) {
@@ -81,6 +71,10 @@ Bounds bounds_of_used(const std::vector<vec3>& positions, const std::vector<uvec
 
 } // namespace
 
+double point_radius(const MeshShape& s) {
+    return s.point_radius ? *s.point_radius : geometry::default_point_radius(s.data->positions);
+}
+
 Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi) {
     Bounds bounds;
     for (int corner = 0; corner < 8; ++corner) {
@@ -105,7 +99,7 @@ MeshBaker::MeshBaker(bool need_closedness, const std::function<void()>& between,
 
 void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t id, BakedAs how) {
     const auto& s = std::get<MeshShape>(source.shape);
-    const dmat4 m = with_scale(transform, s.scale);
+    const dmat4 m = with_own_space(transform, s);
     if (s.data->triangles.empty()) return bake_points(s, m, id);
     baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
     if (how == BakedAs::instance) return add_instance(shared(source), m, id);
@@ -113,18 +107,21 @@ void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t
 }
 
 void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id) {
-    const double radius = s.point_radius ? *s.point_radius : default_point_radius(s.data->positions);
+    ObjectData& object = baked_.objects[id];
+    const Bounds kept = geometry::cloud_without_outliers(s.data->positions);
+    const double radius = point_radius(s);
     const double stretched = radius * max_stretch(m);
     std::uint32_t prim = 0;
     for (const vec3& p : s.data->positions) {
         const dvec3 center = transform_point(m, dvec3(p));
         baked_.input.quadrics.push_back({id, prim++, geometry::make_sphere(center, stretched), -1});
-        baked_.objects[id].bounds.grow(vec3(center - stretched));
-        baked_.objects[id].bounds.grow(vec3(center + stretched));
+        const Bounds ball{vec3(center - stretched), vec3(center + stretched)};
+        object.bounds.grow(ball);
+        if (kept.contains(p)) object.core.grow(ball);
     }
-    baked_.objects[id].solid = true;
+    object.solid = true;
     if (s.vertex_colors == VertexColors::automatic && !s.data->colors.empty())
-        baked_.objects[id].attributes = add_attributes(s, nullptr);
+        object.attributes = add_attributes(s, nullptr);
 }
 
 void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) {

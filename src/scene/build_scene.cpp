@@ -2,6 +2,7 @@
 
 #include "scene/build_scene.h"
 
+#include "math/far_origin.h"
 #include "math/trig.h"
 #include "scene/bake.h"
 #include "scene/contacts.h"
@@ -82,6 +83,23 @@ void build_lights(SceneData& scene) {
     scene.ambient = vec3(ambient);
 }
 
+/// Moves everything that has a position.
+void move(SceneDescription& description, const dvec3& by) {
+    dmat4 there(1.0), back(1.0);
+    there[3] = dvec4(by, 1);
+    back[3] = dvec4(-by, 1);
+    for (Object& object : description.objects) {
+        // An instance is transformed after its mesh, which is moved too.
+        const bool instance = std::holds_alternative<InstanceShape>(object.shape);
+        object.transform = there * object.transform * (instance ? back : dmat4(1.0));
+    }
+    const auto move_light = [&](auto& light) {
+        if constexpr (requires { light.position; }) light.position += by;
+    };
+    for (Light& light : description.lights) std::visit(move_light, light.kind);
+    description.camera->eye += by;
+}
+
 } // namespace
 
 bool shows_glass(const SceneDescription& description) {
@@ -91,9 +109,14 @@ bool shows_glass(const SceneDescription& description) {
     });
 }
 
-void choose_camera(SceneData& scene) {
-    scene.has_own_camera = scene.description.camera.has_value();
-    if (!scene.has_own_camera) scene.description.camera = fit_camera(scene.description);
+void set_description(SceneData& scene, const SceneDescription& description) {
+    scene.has_own_camera = description.camera.has_value();
+    scene.description = description;
+    if (!scene.has_own_camera) scene.description.camera = fit_camera(description);
+    scene.given = nullptr;
+    if (scene.origin == dvec3(0)) return;
+    scene.given = std::make_shared<SceneDescription>(scene.description);
+    move(scene.description, -scene.origin);
 }
 
 void build_values(SceneData& scene) {
@@ -173,18 +196,38 @@ void report(const BuildSceneOptions& options, const char* activity, double fract
     if (options.progress) options.progress({activity, fraction});
 }
 
+/// Bakes about zero, and about an origin in the scene if that turns out to lie far from zero.
+Baked bake_about_origin(SceneData& scene, const SceneDescription& description,
+                        const BuildSceneOptions& options) {
+    set_description(scene, description);
+    const auto bake_all = [&] {
+        return bake(scene.description, scene.solids_known, [&] { check_cancel(options); });
+    };
+    Baked baked = bake_all();
+    // Bounds in single precision give an origin that is nearer, but not always near.
+    for (int i = 0; i < 3; ++i) {
+        Bounds core;
+        for (const ObjectData& object : baked.objects) core.grow(object.core);
+        const dvec3 step = far_origin(core);
+        if (step == dvec3(0)) break;
+        scene.origin += step;
+        set_description(scene, description);
+        baked = {}; // its memory is needed
+        baked = bake_all();
+    }
+    return baked;
+}
+
 std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
                                            const BuildSceneOptions& options) {
     report(options, "checking the scene", 0);
     require_valid(description);
     auto scene = std::make_shared<SceneData>();
-    scene->description = description;
-    choose_camera(*scene);
-    build_values(*scene);
 
     report(options, "placing the objects", 0);
-    scene->solids_known = scene->any_transparent || options.find_solids;
-    Baked baked = bake(description, scene->solids_known, [&] { check_cancel(options); });
+    scene->solids_known = shows_glass(description) || options.find_solids;
+    Baked baked = bake_about_origin(*scene, description, options);
+    build_values(*scene);
     scene->objects = std::move(baked.objects);
     scene->attributes = std::move(baked.attributes);
     scene->normal_matrices = std::move(baked.normal_matrices);
@@ -229,14 +272,16 @@ SceneStats Scene::stats() const {
     stats.tree_depth = world.depth;
     if (world.triangles > 0) stats.tree_quality = world.quality == BuildQuality::fast ? "fast" : "high";
     stats.bytes = world.bytes;
-    stats.bounds_min = Vec3(bounds.lo);
-    stats.bounds_max = Vec3(bounds.hi);
+    stats.bounds_min = data_->origin + Vec3(bounds.lo);
+    stats.bounds_max = data_->origin + Vec3(bounds.hi);
     return stats;
 }
 
-const SceneDescription& Scene::description() const { return data_->description; }
+const SceneDescription& Scene::description() const {
+    return data_->given ? *data_->given : data_->description;
+}
 
-const CameraDescription& Scene::camera() const { return *data_->description.camera; }
+const CameraDescription& Scene::camera() const { return *description().camera; }
 
 bool Scene::has_own_camera() const { return data_->has_own_camera; }
 

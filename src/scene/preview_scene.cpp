@@ -123,7 +123,6 @@ SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::stri
     add_materials(scene, *mesh);
     scene.objects.push_back(preview_mesh(mesh, file, up));
     const Extent extent = extent_of(scene);
-    if (extent.lo == extent.hi) std::get<MeshShape>(scene.objects[0].shape).point_radius = extent.radius / 2;
 
     // Looking down by more than half the field of view keeps the horizon above the picture.
     scene.framing.fov = 30;

@@ -45,6 +45,7 @@ struct ObjectData {
         false;     ///< normals are opposite to those by the winding as stored, carried along by the transform
     Bounds bounds; ///< world space; empty for planes and invisible objects
     ContactZone contact;
+    Bounds core;   ///< the same, without the outliers of a point cloud
     std::int32_t attributes = no_attributes;
     std::int32_t normal_matrix = no_normal_matrix; ///< index into SceneData::normal_matrices
 };
@@ -56,8 +57,12 @@ struct HalfSpace {
 };
 
 struct SceneData {
-    SceneDescription description; ///< as given, with its camera filled in
-    bool has_own_camera = false;  ///< before that
+    /// The world is traced about this point of the scene: zero, unless the scene lies far from zero compared
+    /// with its size. All positions here are relative to it, except for those of `given`.
+    dvec3 origin{0};
+    SceneDescription description;                  ///< with its camera filled in
+    std::shared_ptr<const SceneDescription> given; ///< the same as given; null if the origin is zero
+    bool has_own_camera = false;                   ///< before it was filled in
     /// Identifies everything but the view: equal for scenes made from each other by with_view().
     std::shared_ptr<const int> all_but_view;
     trace::World world;

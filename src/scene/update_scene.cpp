@@ -52,8 +52,7 @@ Scene update_scene(const Scene& scene, const SceneDescription& description,
         return build_scene(description, options);
 
     auto scene_data = std::make_shared<SceneData>(scene.data());
-    scene_data->description = description;
-    scene::choose_camera(*scene_data);
+    scene::set_description(*scene_data, description);
     scene::build_values(*scene_data);
     build_materials_of_objects(*scene_data);
     if (transparent_objects(*scene_data) != transparent_objects(scene.data())) {
@@ -71,10 +70,19 @@ Scene with_view(const Scene& scene, const CameraDescription& camera, int width, 
     view.render.height = height;
     scene::require_valid(view);
     auto scene_data = std::make_shared<SceneData>(scene.data());
-    scene_data->description.camera = camera;
+    const auto set_view = [&](SceneDescription& description) {
+        description.camera = camera;
+        description.render.width = width;
+        description.render.height = height;
+    };
+    if (scene_data->given) {
+        auto given = std::make_shared<SceneDescription>(*scene_data->given);
+        set_view(*given);
+        scene_data->given = std::move(given);
+    }
+    set_view(scene_data->description);
+    scene_data->description.camera->eye -= scene_data->origin;
     scene_data->has_own_camera = true;
-    scene_data->description.render.width = width;
-    scene_data->description.render.height = height;
     scene::find_camera_interiors(*scene_data);
     return Scene(std::move(scene_data));
 }

@@ -1,11 +1,13 @@
 // Warnings about valid but suspicious scenes.
 
 #include "geometry/mesh.h"
+#include "geometry/point_cloud.h"
 #include "glint/keys.h"
 #include "math/trig.h"
 #include "scene/hidden_solids.h"
 #include "scene/names.h"
 #include "scene/scene_data.h"
+#include "scene/text.h"
 #include "scene/validate.h"
 #include "shading/light_gain.h"
 
@@ -24,12 +26,6 @@ std::string title(const Object& object) {
     return object.name.empty() ? type : type + " \"" + object.name + "\"";
 }
 
-std::string rounded(double x) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.2g", x);
-    return number;
-}
-
 class WarningFinder {
   public:
     explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {}
@@ -38,6 +34,7 @@ class WarningFinder {
         if (description_.render.integrator == Integrator::whitted) check_lights();
         check_camera();
         check_precision();
+        check_framing();
         if (description_.render.integrator == Integrator::whitted) check_light_model();
         return std::move(found_);
     }
@@ -103,23 +100,43 @@ class WarningFinder {
                  "move it out if that is not meant");
     }
 
-    // Coordinates have single precision: far from the origin their steps exceed what a pixel shows.
+    // Single precision rounds coordinates about the origin of the world, double those of the scene.
     void check_precision() {
+        constexpr double visible = 0.1; // pixels
         const CameraDescription& camera = *description_.camera;
         const RenderSettings& r = description_.render;
         const double a_pixel = 2 * tan_degrees(camera.fov / 2) / fov_side(camera.fov_axis, r.width, r.height);
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-            const Bounds& box = scene_.objects[id].bounds;
+            const Bounds& box = scene_.objects[id].core;
             if (box.empty()) continue;
             const dvec3 middle = (dvec3(box.lo) + dvec3(box.hi)) / 2.0;
-            const dvec3 far = glm::abs(middle);
-            const double step = std::max({far.x, far.y, far.z}) * 0x1p-23;
-            const double pixels = step / (glm::length(middle - camera.eye) * a_pixel);
-            if (!(pixels > 1)) continue;
+            const double radius = glm::length(dvec3(box.extent())) / 2;
+            const double error =
+                (largest(middle) + largest(camera.eye)) * 0x1p-24 + largest(middle + scene_.origin) * 0x1p-52;
+            const double pixels = error / (std::max(glm::length(middle - camera.eye), radius) * a_pixel);
+            if (!(pixels > visible)) continue;
+            warn(
+                object(id).where,
+                "precision moves " + title(object(id)) + " by up to " + scene::rounded(error) + ", about " +
+                    scene::rounded(pixels) + " pixels: the scene is large compared with it",
+                "move it and the camera nearer to the middle of the scene, or leave out objects that are far "
+                "from the others");
+        }
+    }
+
+    void check_framing() {
+        if (scene_.has_own_camera) return;
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const Mesh* mesh = object(id).visible ? mesh_of(id) : nullptr;
+            if (mesh == nullptr || !mesh->triangles.empty()) continue;
+            const Bounds kept = geometry::cloud_without_outliers(mesh->positions);
+            const auto outliers =
+                std::ranges::count_if(mesh->positions, [&](const glm::vec3& p) { return !kept.contains(p); });
+            if (outliers == 0) continue;
             warn(object(id).where,
-                 title(object(id)) + " is so far from the origin that single precision has steps of " +
-                     rounded(step) + " there, about " + rounded(pixels) + " pixels",
-                 "move everything, the camera too, nearer to the origin");
+                 std::to_string(outliers) + " of the " + std::to_string(mesh->positions.size()) +
+                     " points of " + title(object(id)) + " lie far from the others and are not framed",
+                 "remove them from its file, or add a [camera]");
         }
     }
 

@@ -421,13 +421,26 @@ TEST(PlyRead, SaysWhatRoundingLosesFarFromTheOrigin) {
         const std::string row = offset + ".25 0 0\n" + offset + ".75 0 0\n" + offset + ".25 1 0\n3 0 1 2\n";
         return parse(replaced(ascii("3", "1", row), "property float x", "property double x")).warnings;
     };
-    const auto found = warnings("5412349");
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].message.find("single precision moves its vertices by up to 0.25, about 250 pixels"),
-              std::string::npos)
-        << found[0].message;
     EXPECT_TRUE(warnings("12").empty());
     EXPECT_TRUE(warnings("1024").empty());
+    EXPECT_TRUE(warnings("5412349").empty()) << "has an origin of its own";
+
+    Bytes body;
+    body.vertex(5412349, 0, 0).vertex(5412350, 0, 0).vertex(5412349, 1, 0).u8(3).i32(0).i32(1).i32(2);
+    const LoadedMesh floats = parse(header(binary_format(std::endian::little), "3", "1") + std::string(body));
+    ASSERT_EQ(floats.warnings.size(), 1u);
+    EXPECT_NE(floats.warnings[0].message.find(
+                  "single precision moves its vertices by up to 0.32, about 323 pixels"),
+              std::string::npos)
+        << floats.warnings[0].message;
+}
+
+TEST(PlyRead, IgnoresVerticesWithoutFacesWhenItChoosesAnOrigin) {
+    const LoadedMesh loaded =
+        parse(replaced(ascii("4", "1", "0 0 0\n5412349.25 8 0\n5412349.75 8 0\n5412349.25 9 0\n3 1 2 3\n"),
+                       "property float x", "property double x"));
+    EXPECT_TRUE(loaded.warnings.empty());
+    EXPECT_EQ(loaded.mesh->origin.x + double(loaded.mesh->positions[2].x), 5412349.75);
 }
 
 TEST(PlyRead, MayBeCancelledBetweenThePassesAfterItsBody) {

@@ -117,6 +117,13 @@ TEST(GpuAgreement, SurfacesInOnePlaceLookAsOnTheCpu) {
     }
 }
 
+TEST(GpuAgreement, ScenesFarFromZeroLookAsOnTheCpu) {
+    GLINT_NEEDS_GPU();
+    for (const kit::Exhibit& exhibit : kit::gallery())
+        if (exhibit.name == "instances" || exhibit.name == "spots")
+            expect_agreement(kit::moved(exhibit.scene, Vec3(5e5, 5.4e6, 312)), exhibit.name);
+}
+
 TEST(GpuAgreement, EveryFilterLooksAsOnTheCpu) {
     GLINT_NEEDS_GPU();
     SceneDescription scene = kit::gallery().front().scene;

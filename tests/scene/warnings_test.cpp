@@ -75,9 +75,24 @@ TEST(Warnings, TellWhereSinglePrecisionIsCoarserThanPixels) {
     add(scene, SphereShape{far, 1}, "clay");
     const Messages found = warned(scene);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].find("single precision has steps of 0.6 there"), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find("precision moves sphere by up to 0.6, about "), std::string::npos) << found[0];
     scene.camera->eye = Vec3(0, -10, 0);
     EXPECT_EQ(warned(scene), Messages{}) << "from far away";
+    scene.camera->eye = far - Vec3(0, 10, 0);
+    scene.objects.erase(scene.objects.begin());
+    EXPECT_EQ(warned(scene), Messages{}) << "all in one place";
+}
+
+TEST(Warnings, TellOfPointsThatAreNotFramed) {
+    SceneDescription scene = plain();
+    Mesh cloud;
+    for (int i = 0; i < 100; ++i) cloud.positions.emplace_back(i % 5, 9 + i / 20, i / 5 % 4);
+    cloud.positions.emplace_back(1e4f);
+    add(scene, mesh_of(cloud), "clay").name = "cloud";
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.camera.reset();
+    EXPECT_EQ(warned(scene), Messages{"1 of the 101 points of mesh \"cloud\" lie far from the others and are "
+                                      "not framed"});
 }
 
 TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {

@@ -1,5 +1,6 @@
 // The interactive HTML page.
 
+#include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
 #include "formats/explain/page.h"
 #include "formats/picture/codecs.h"
@@ -106,15 +107,21 @@ std::string before_data(const ExplanationPage& page) {
            picture("final", page.image) + layers(page.terms) + "<script id=\"data\" type=\"text/plain\">";
 }
 
+/// How samples are combined, and what positions are relative to.
+std::string rule_of(const Explanation& any) {
+    const std::string rule = any.samples.size() == 1
+                                 ? any.rule
+                                 : "the pixel is made of " + std::to_string(any.samples.size()) + " samples";
+    const std::string origin = formats::origin_text(any);
+    return origin.empty() ? rule : rule + "; " + origin;
+}
+
 std::string head_of(const ExplanationPage& page, const Explanation& any) {
     return "{\"width\":" + std::to_string(page.image.width) +
            ",\"height\":" + std::to_string(page.image.height) +
            ",\"columns\":" + std::to_string(page.columns) + ",\"rows\":" + std::to_string(page.rows) +
-           ",\"samples\":" + std::to_string(any.samples.size()) + ",\"rule\":" +
-           formats::json_text(any.samples.size() == 1 ? any.rule
-                                                      : "the pixel is made of " +
-                                                            std::to_string(any.samples.size()) + " samples") +
-           ",\"gpu\":" + gpu_of(page) + ",";
+           ",\"samples\":" + std::to_string(any.samples.size()) +
+           ",\"rule\":" + formats::json_text(rule_of(any)) + ",\"gpu\":" + gpu_of(page) + ",";
 }
 
 /// Packs as many rays as fit the size limit.

@@ -3,6 +3,7 @@
 #include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
 #include "glint/explanation_files.h"
+#include "scene/text.h"
 
 namespace glint {
 
@@ -177,6 +178,7 @@ std::string explanation_json(const Explanation& e) {
     members.words("scene", e.scene);
     members.add("pixel", "[" + std::to_string(e.x) + ", " + std::to_string(e.y) + "]");
     members.add("size", "[" + std::to_string(e.width) + ", " + std::to_string(e.height) + "]");
+    members.add("relative_to", "[" + scene::show(e.origin) + "]");
     members.words("filter", e.filter).words("rule", e.rule).words("backend", "cpu");
     members.add("color", json_vector(e.color)).add("gpu", json_gpu(e));
     members.add("terms", json_terms(e.terms)).add("samples", lines(samples, 0));

@@ -51,6 +51,8 @@ class TextTree {
         if (e.gpu) line("  " + other_pixel_text(e, *e.gpu));
         line("  " + e.rule + (e.samples.size() > 1 ? " (" + e.filter + " filter)" : ""));
         line("  = " + terms_text(e.terms));
+        const std::string origin = formats::origin_text(e);
+        if (!origin.empty()) line("  " + origin);
         for (std::size_t i = 0; i < e.samples.size(); ++i) {
             if (e.samples.size() > 1) write_sample(e.samples[i], i);
             write_ray(e.samples[i], 0, "", "");

@@ -78,7 +78,12 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name, 
     formats::refuse_compressed(source.text(), name);
     const ply::Header header = ply::parse_header(source);
     const ply::MeshLayout layout = ply::interpret_header(source, header);
-    return ply::assemble(source, header, layout, ply::read_rows(source, header, layout, watch), watch);
+    ply::Rows rows = ply::read_rows(source, header, layout, watch);
+    // Bounds in single precision give an origin that is nearer, but not always near.
+    dvec3 step(0);
+    for (int i = 0; i < 3 && (step = ply::origin_step(rows)) != dvec3(0); ++i)
+        rows = ply::read_rows(source, header, layout, watch, rows.mesh.origin + step);
+    return ply::assemble(source, header, layout, std::move(rows), watch);
 }
 
 } // namespace glint
