@@ -22,7 +22,6 @@ struct Bounds {
         lo = glm::min(lo, b.lo);
         hi = glm::max(hi, b.hi);
     }
-    bool contains(const vec3& p) const { return glm::clamp(p, lo, hi) == p; }
     /// Largest |coordinate|.
     float max_coordinate() const {
         const vec3 far = glm::max(glm::abs(lo), glm::abs(hi));
