@@ -42,6 +42,9 @@ function(glint_room name)
     list(TRANSFORM ROOM_DEPS PREPEND glint_)
     if(ROOM_SOURCES)
         add_library(glint_${name} STATIC ${ROOM_SOURCES})
+        # For shared libraries that contain glint, as plug-ins do: these export nothing of it.
+        set_target_properties(glint_${name} PROPERTIES
+            POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
         target_link_libraries(glint_${name} PUBLIC glint_flags ${ROOM_DEPS} PRIVATE ${ROOM_LIBS})
     else()
         add_library(glint_${name} INTERFACE)

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <set>
@@ -152,6 +153,7 @@ class Renderer {
             !waits_for_reader(request_.stats.value_or("")))
             take_time();
         record.hash = picture_hash(picture.image);
+        if (picture.complete && request_.render.show == Aov::final) warn_if_black(scene, picture.image);
         // PNG shows AOVs as colours; the other formats hold their values.
         if (output_format(record.output) == PictureFormat::png)
             picture.image = visible(picture.image, request_.render.show, scene);
@@ -179,6 +181,21 @@ class Renderer {
     void warn(const Scene& scene) {
         for (const Diagnostic& diagnostic : warnings(scene))
             if (warned_.insert(to_string(diagnostic)).second) console_.warning(diagnostic);
+    }
+
+    /// Light that is there but reaches nothing, or is far too weak.
+    void warn_if_black(const Scene& scene, const Image& image) {
+        constexpr float just_seen = 1.0f / 255;
+        const float brightest = std::ranges::max(image.pixels);
+        if (brightest >= just_seen || scene.description().lights.empty()) return;
+        const Diagnostic black{
+            Severity::warning,
+            {},
+            fmt::format("the picture is all but black: its brightest value is {:.2g}", brightest),
+            "intensity counts at distance 1 and falls with its square; glint explain --pixel X,Y shows "
+            "what reaches a pixel",
+            {}};
+        if (warned_.insert(to_string(black)).second) console_.warning(black);
     }
 
     Picture render_with_progress(const Scene& scene, RenderRecord& record, const std::string& task) {

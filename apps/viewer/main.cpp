@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -14,19 +15,34 @@ namespace {
 
 /// Ends the program without waiting for its threads: a driver that compiles a shader takes seconds and cannot
 /// be interrupted. Files are written on this thread, so all of them are complete.
-[[noreturn]] void exit_now() {
+[[noreturn]] void exit_now(int code) {
     std::cout.flush();
-    std::_Exit(0);
+    std::cerr.flush();
+    std::_Exit(code);
+}
+
+void print(const std::vector<Diagnostic>& problems) {
+    for (const Diagnostic& problem : problems) std::cerr << printable(to_string(problem), "\n\t") << "\n";
+}
+
+/// A window with nothing but the message that there is no such file would help nobody.
+void require_file(const Arguments& arguments) {
+    std::error_code unknown;
+    if (arguments.file.empty() || std::filesystem::exists(arguments.file, unknown) || unknown) return;
+    throw Error(ErrorKind::input, "there is no such file", {}, {.file = arguments.file});
 }
 
 int open(const std::vector<std::string>& words) {
     std::string text;
     const std::optional<Arguments> arguments = parse_arguments(words, text);
     if (arguments) {
+        require_file(*arguments);
         App app(*arguments);
         app.run();
         if (arguments->statistics) std::cout << app.statistics.text();
-        exit_now();
+        // A file that never became a scene is an error, also for those who only see the terminal.
+        if (app.editor.description() == nullptr) print(app.editor.problems());
+        exit_now(app.editor.description() == nullptr && !app.editor.problems().empty() ? 3 : 0);
     }
     std::cout << text;
     return 0;

@@ -93,7 +93,8 @@ void PixelInspector::update_picked() {
     const SceneDescription& scene = *editor_.description();
     Picked hit;
     // The reference view may have had other objects.
-    if (ray.hit && ray.object < scene.objects.size() && object_label(scene, ray.object) == ray.label)
+    if (ray.hit && ray.object < scene.objects.size() &&
+        object_label(scene.objects[ray.object], ray.number) == ray.label)
         hit = {ray.material, ray.object, true};
     if (hit.material == picked_.material && hit.object == picked_.object) return;
     picked_ = hit;

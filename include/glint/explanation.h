@@ -3,6 +3,7 @@
 // light model with its formula, operands and result. Made by explain() (glint/explain.h); written as text,
 // JSON, SVG and HTML by glint/formats.h. docs/explain.md describes the numbers.
 
+#include "glint/error.h"
 #include "glint/term.h"
 
 #include <glm/vec3.hpp>
@@ -69,7 +70,8 @@ struct Step {
 /// A surface crossed by a shadow ray.
 struct Blocker {
     std::uint32_t object = 0; ///< index in SceneDescription::objects
-    std::string label;        ///< sphere "ball"
+    std::uint32_t number = 0; ///< within its type of table
+    std::string label;        ///< object_label()
     std::string material;     ///< name
     float distance = 0;       ///< from the shaded point
     float transparency = 0;   ///< τ of its material
@@ -93,9 +95,10 @@ struct TracedLight {
 
 struct ExplainedLight : TracedLight {
     std::uint32_t light = 0; ///< index in SceneDescription::lights
-    std::string label;       ///< such as point light 1 (counting all lights from 1)
-    float degrees = 0;       ///< angle between normal and light
-    float attenuation = 1;   ///< 1/r², times the spot's falloff; 1 for directional lights
+    std::string label;       ///< light_label()
+    Location where;
+    float degrees = 0;     ///< angle between normal and light
+    float attenuation = 1; ///< 1/r², times the spot's falloff; 1 for directional lights
     std::vector<Step> steps;
 };
 
@@ -129,9 +132,11 @@ struct ExplainedRay : TracedRay {
     std::string why;        ///< `end` as a sentence
     glm::vec3 weight{1.0f}; ///< contribution to the sample of unit radiance along the ray
 
-    bool hit = false; ///< the following fields up to `lights` are valid only if something was hit
-    std::uint32_t object = 0;
-    std::string label;    ///< sphere "ball", or sphere #3 (counting all objects from 1)
+    bool hit = false;         ///< the following fields up to `lights` are valid only if something was hit
+    std::uint32_t object = 0; ///< index in SceneDescription::objects
+    std::uint32_t number = 0; ///< within its type of table
+    std::string label;        ///< object_label()
+    Location where;
     std::string material; ///< name
     float distance = std::numeric_limits<float>::infinity();
     float gain = 0; ///< (1 − τ) · max(c) · k_d + ρ + τ: above 1, more light leaves than arrives

@@ -39,7 +39,10 @@ struct Mesh {
     Vec3 origin{0};
 };
 
-enum class Axis { x, y, z };
+/// A direction along an axis.
+enum class Axis { x, y, z, minus_x, minus_y, minus_z };
+template <>
+inline constexpr NamesUpTo<Axis::minus_z> enum_names<Axis>{"x", "y", "z", "-x", "-y", "-z"};
 
 /// A pinhole camera, right-handed.
 struct CameraDescription {
@@ -82,6 +85,7 @@ struct WhittedSettings {
     Shadows shadows = Shadows::transmissive;
     bool clamp = false;
     Energy energy = Energy::report;
+    bool energy_chosen = false; ///< written down: materials that give more light than they get are meant
     HighlightModel highlight_model = HighlightModel::blinn;
     double index = 1.0; ///< index of refraction of the surroundings
 };
@@ -185,6 +189,7 @@ struct MeshShape {
     std::string file; ///< as written in the scene file; empty for a mesh made in memory
     Vec3 scale{1};    ///< applied before the object's transform
     NormalsMode normals = NormalsMode::automatic;
+    double crease_angle = 180; ///< degrees: with smooth normals, faces that meet at more have an edge
     Facing facing = Facing::viewer;
     VertexColors vertex_colors = VertexColors::automatic;
     std::optional<double> point_radius; ///< radius for point clouds; none: chosen by density
@@ -251,6 +256,7 @@ struct SpotLight {
 struct Light {
     std::variant<AmbientLight, PointLight, DirectionalLight, SpotLight> kind;
     Location where;
+    std::string name = {}; ///< unique among lights, or empty
 };
 
 /// The types of [[light]].
@@ -287,6 +293,13 @@ struct SceneDescription {
     std::vector<Object> objects;
     std::vector<Light> lights;
 };
+
+/// The number of each object within its type of table: 1 for the second [[sphere]], which -D calls sphere.1.
+std::vector<std::uint32_t> object_numbers(const SceneDescription& scene);
+/// How messages call an object: sphere "ball", or sphere.1 for one without a name; number: object_numbers().
+std::string object_label(const Object& object, std::uint32_t number);
+/// Of a light: point light "key", or point light.1 for the second [[light]] of the file.
+std::string light_label(const SceneDescription& scene, std::size_t light);
 
 /// How many primitives of one kind there are: "spheres", 3.
 struct PrimitiveCount {
@@ -370,8 +383,11 @@ std::vector<Diagnostic> warnings(const Scene& scene);
 Axis guess_up_axis(const Mesh& mesh);
 
 /// A preview scene of a mesh: framed, lit, on a floor if wanted, rotated so that `up` points along +z.
+/// Throws Error(input) for a mesh without anything to show.
 SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up,
                                bool floor = true);
+/// The same around an object with a mesh as it stands.
+SceneDescription preview_scene(Object mesh, bool floor = true);
 
 /// The camera that shows everything finite in the scene, for a picture of its size.
 CameraDescription fit_camera(const SceneDescription& description);

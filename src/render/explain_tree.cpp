@@ -100,6 +100,8 @@ class RayWorking {
         out_.hit = true;
         out_.object = node_.hit.object;
         out_.label = scene_.label(node_.hit.object);
+        out_.number = scene_.numbers[node_.hit.object];
+        out_.where = scene_.scene.description.objects[node_.hit.object].where;
         out_.material = scene_.material_name(node_.hit.object);
         out_.distance = node_.hit.t;
     }
@@ -166,7 +168,7 @@ class RayWorking {
     std::string sum(const char* part, const char* topic, vec3 ExplainedLight::*value) {
         std::string formula;
         for (const ExplainedLight& light : out_.lights) {
-            const std::string name = numbered(part, light.light + 1);
+            const std::string name = numbered(part, light.light);
             step({name, "", light.*value, topic, "what this light gives"});
             join(formula, name.c_str());
         }
@@ -257,13 +259,14 @@ class RayWorking {
 
 std::string numbered(const char* symbol, std::size_t number) {
     static constexpr const char* digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
-    std::string subscript;
-    for (; number > 0; number /= 10) subscript = digits[number % 10] + subscript;
+    std::string subscript = digits[number % 10];
+    while (number /= 10) subscript = digits[number % 10] + subscript;
     return symbol + subscript;
 }
 
 ExplainedScene::ExplainedScene(const scene::SceneData& scene_data)
-    : scene(scene_data), settings(scene_data.description.whitted), modes(scene::whitted_modes(settings)) {
+    : scene(scene_data), settings(scene_data.description.whitted), modes(scene::whitted_modes(settings)),
+      numbers(object_numbers(scene_data.description)) {
     const std::vector<Light>& lights = scene_data.description.lights;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
@@ -295,17 +298,3 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
 }
 
 } // namespace glint::rendering
-
-namespace glint {
-
-std::string object_label(const SceneDescription& scene, std::size_t object) {
-    const Object& o = scene.objects[object];
-    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
-    return std::string(name_of(o.shape)) + " " + name;
-}
-
-std::string light_label(const SceneDescription& scene, std::size_t light) {
-    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
-}
-
-} // namespace glint

@@ -27,6 +27,7 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     found.position = scene.data().origin + Vec3(node.position);
     found.normal = Vec3(node.geometric_normal);
     found.distance = static_cast<double>(node.hit.t);
+    found.from_inside = !node.entering;
     return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/point_cloud.h"
+#include "math/trig.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -53,12 +54,24 @@ Normals own(std::vector<vec3> normals) {
     return std::make_shared<const std::vector<vec3>>(std::move(normals));
 }
 
-// Normals in the mesh's own space, or none; every object that shows the mesh transforms these.
-Normals normals_of(const MeshShape& s) {
-    if (s.normals == NormalsMode::smooth)
-        return own(geometry::smooth_normals(s.data->positions, s.data->triangles));
-    if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return nullptr;
-    return Normals(s.data, &s.data->normals);
+// Normals in the mesh's own space, or none; every object that shows the mesh transforms these. The mesh for
+// indices and colours is the object's, or one whose vertices are split at creases.
+MeshAttributes with_smooth_normals(const MeshShape& s) {
+    const Mesh& mesh = *s.data;
+    if (s.crease_angle >= 180) return {own(geometry::smooth_normals(mesh.positions, mesh.triangles)), s.data};
+    geometry::CreasedMesh creased =
+        geometry::split_at_creases(mesh.positions, mesh.triangles, cos_degrees(s.crease_angle));
+    auto split = std::make_shared<Mesh>();
+    split->triangles = std::move(creased.triangles);
+    if (!mesh.colors.empty())
+        for (const std::uint32_t vertex : creased.source) split->colors.push_back(mesh.colors[vertex]);
+    return {own(std::move(creased.normals)), std::move(split)};
+}
+
+MeshAttributes attributes_of(const MeshShape& s) {
+    if (s.normals == NormalsMode::smooth) return with_smooth_normals(s);
+    if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return {nullptr, s.data};
+    return {Normals(s.data, &s.data->normals), s.data};
 }
 
 // Bounds of the vertices used by faces; others need not even be finite.
@@ -121,7 +134,7 @@ void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id
     }
     object.solid = true;
     if (s.vertex_colors == VertexColors::automatic && !s.data->colors.empty())
-        object.attributes = add_attributes(s, nullptr);
+        object.attributes = add_attributes(s, {nullptr, s.data});
 }
 
 void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) {
@@ -129,9 +142,10 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     triangles.positions = transformed_positions(s.data->positions, m);
     triangles.triangles = s.data->triangles;
     between_();
-    Normals normals = normals_of(s);
-    if (normals) normals = own(transformed_normals(*normals, normal_matrix_of(m)));
-    baked_.objects[id].attributes = add_attributes(s, std::move(normals));
+    MeshAttributes attributes = attributes_of(s);
+    if (attributes.normals)
+        attributes.normals = own(transformed_normals(*attributes.normals, normal_matrix_of(m)));
+    baked_.objects[id].attributes = add_attributes(s, std::move(attributes));
     between_();
     const bool closed = need_closedness_ && geometry::is_closed(triangles.positions, triangles.triangles);
     between_();
@@ -139,10 +153,10 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     if (mirrors(m)) baked_.objects[id].turned = !baked_.objects[id].turned;
 }
 
-std::int32_t MeshBaker::add_attributes(const MeshShape& s, Normals normals) {
-    const bool colored = s.vertex_colors == VertexColors::automatic && !s.data->colors.empty();
-    if (normals == nullptr && !colored) return no_attributes;
-    baked_.attributes.push_back({std::move(normals), s.data, colored});
+std::int32_t MeshBaker::add_attributes(const MeshShape& s, MeshAttributes attributes) {
+    attributes.colored = s.vertex_colors == VertexColors::automatic && !s.data->colors.empty();
+    if (attributes.normals == nullptr && !attributes.colored) return no_attributes;
+    baked_.attributes.push_back(std::move(attributes));
     return static_cast<std::int32_t>(baked_.attributes.size()) - 1;
 }
 
@@ -159,7 +173,7 @@ const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
     shared.closed = need_closedness_ && geometry::is_closed(mesh.positions, mesh.triangles);
     between_();
     if (shared.closed) shared.volume = geometry::signed_volume(mesh.positions, mesh.triangles);
-    shared.attributes = add_attributes(s, normals_of(s));
+    shared.attributes = add_attributes(s, attributes_of(s));
     return shared_.emplace(&source, shared).first->second;
 }
 

@@ -46,7 +46,7 @@ class MeshBaker {
     void bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id);
     const Shared& shared(const Object& source);
     void add_instance(const Shared& mesh, const dmat4& m, std::uint32_t id);
-    std::int32_t add_attributes(const MeshShape& s, std::shared_ptr<const std::vector<vec3>> normals);
+    std::int32_t add_attributes(const MeshShape& s, MeshAttributes attributes);
 
     bool need_closedness_;
     const std::function<void()>& between_;

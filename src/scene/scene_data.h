@@ -45,7 +45,7 @@ struct ObjectData {
         false;     ///< normals are opposite to those by the winding as stored, carried along by the transform
     Bounds bounds; ///< world space; empty for planes and invisible objects
     ContactZone contact;
-    Bounds core;   ///< the same, without the outliers of a point cloud
+    Bounds core; ///< the same, without the outliers of a point cloud
     std::int32_t attributes = no_attributes;
     std::int32_t normal_matrix = no_normal_matrix; ///< index into SceneData::normal_matrices
 };

@@ -22,7 +22,8 @@ class Checker {
     explicit Checker(const SceneDescription& description) : scene_(description), names_(description) {}
 
     std::vector<Diagnostic> run(Shapes shapes) {
-        for_settings(scene_, [&](std::string_view name, const auto& settings) { check_keys(name, settings, {}); });
+        for_settings(scene_,
+                     [&](std::string_view name, const auto& settings) { check_keys(name, settings, {}); });
         if (scene_.camera) check_camera(*scene_.camera);
         for (const Material& material : scene_.materials) check_material(material);
         for (const Object& object : scene_.objects) check_object(object, shapes);

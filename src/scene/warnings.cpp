@@ -9,6 +9,7 @@
 #include "scene/scene_data.h"
 #include "scene/text.h"
 #include "scene/validate.h"
+#include "scene/walls.h"
 #include "shading/light_gain.h"
 
 #include <glm/vector_relational.hpp>
@@ -17,22 +18,20 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 
 namespace glint {
 namespace {
 
-std::string title(const Object& object) {
-    const std::string type(name_of(object.shape));
-    return object.name.empty() ? type : type + " \"" + object.name + "\"";
-}
-
 class WarningFinder {
   public:
-    explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {}
+    explicit WarningFinder(const scene::SceneData& scene)
+        : scene_(scene), description_(scene.description), numbers_(object_numbers(description_)) {}
 
     std::vector<Diagnostic> run() {
         if (description_.render.integrator == Integrator::whitted) check_lights();
         check_camera();
+        check_walls();
         check_precision();
         check_framing();
         if (description_.render.integrator == Integrator::whitted) check_light_model();
@@ -44,6 +43,10 @@ class WarningFinder {
         found_.push_back({Severity::warning, where, std::move(message), std::move(hint), {}});
     }
     const Object& object(std::uint32_t id) const { return description_.objects[id]; }
+    std::string title(const Object& object) const {
+        return object_label(object,
+                            numbers_[static_cast<std::size_t>(&object - description_.objects.data())]);
+    }
     bool glass(std::uint32_t id) const {
         return object(id).visible && scene_.materials[scene_.objects[id].material].transparency > 0;
     }
@@ -61,9 +64,10 @@ class WarningFinder {
                                            [](const Material& m) { return m.emission != Vec3(0); });
             if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
         }
-        for (const Light& light : description_.lights) {
+        for (std::size_t i = 0; i < description_.lights.size(); ++i) {
+            const Light& light = description_.lights[i];
             const KeySpec* position = find_key(description_table("light"), "position", name_of(light));
-            if (position) check_inside(std::get<Vec3>(position->get(KeyOwner(light))), light.where);
+            if (position) check_inside(std::get<Vec3>(position->get(KeyOwner(light))), i);
         }
     }
 
@@ -87,10 +91,30 @@ class WarningFinder {
         return std::get<MeshShape>(names_.mesh(instance->mesh)->shape).data.get();
     }
 
-    void check_inside(const Vec3& position, const Location& where) {
+    // The light of a lamp in glass shines through it.
+    void check_inside(const Vec3& position, std::size_t light) {
+        const bool shines_through = description_.whitted.shadows == Shadows::transmissive;
         for (const std::uint32_t id : everything_around(position))
-            warn(where, "the light is inside " + title(object(id)),
-                 "what is outside will be in its shadow; move the light out if that is not meant");
+            if (!glass(id) || !shines_through)
+                warn(description_.lights[light].where,
+                     light_label(description_, light) + " is inside " + title(object(id)),
+                     "what is outside will be in its shadow; move the light out if that is not meant");
+    }
+
+    void check_walls() {
+        if (const auto wall = scene::wall_before_camera(scene_))
+            warn(description_.camera->where, "the camera sees nothing but " + title(object(*wall)),
+                 "it hides the objects behind it; move the camera to their side");
+        std::vector<std::size_t> numbers; // of the lights that scene_.lights has
+        for (std::size_t i = 0; i < description_.lights.size(); ++i)
+            if (!std::holds_alternative<AmbientLight>(description_.lights[i].kind)) numbers.push_back(i);
+        for (const scene::ShutLight& shut : scene::lights_behind_walls(scene_)) {
+            const std::size_t light = numbers[shut.light];
+            warn(description_.lights[light].where,
+                 light_label(description_, light) +
+                     " lights nothing that the camera sees: " + title(object(shut.wall)) + " is in between",
+                 "move the light to the camera's side of it");
+        }
     }
 
     void check_camera() {
@@ -98,6 +122,10 @@ class WarningFinder {
         for (const std::uint32_t id : everything_around(camera.eye))
             warn(camera.where, "the camera is inside " + title(object(id)),
                  "move it out if that is not meant");
+        if (scene_.has_own_camera && camera.fov <= std::numbers::pi && camera.fov != std::floor(camera.fov))
+            warn(camera.where, "a field of view of " + scene::show(camera.fov) + "° is very narrow",
+                 "fov is in degrees; " + scene::show(camera.fov) + " radians are " +
+                     scene::rounded(camera.fov * 180 / std::numbers::pi) + "°");
     }
 
     // Single precision rounds coordinates about the origin of the world, double those of the scene.
@@ -146,21 +174,32 @@ class WarningFinder {
         const bool balanced = description_.whitted.energy == Energy::balanced;
         const double gain =
             shading::light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
-        if (gain <= 1.0000001) return;
+        if (gain <= 1.0000001 || description_.whitted.energy_chosen) return;
         char number[32];
         std::snprintf(number, sizeof number, "%.2f", gain);
         warn(m.where, "material \"" + m.name + "\" gives " + number + " times the light that it gets",
-             "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]");
+             "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]; "
+             "\"report\" there says that it is meant");
     }
 
     void check_open_glass() {
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
             const bool mesh = std::holds_alternative<MeshShape>(object(id).shape) ||
                               std::holds_alternative<InstanceShape>(object(id).shape);
-            if (mesh && glass(id) && !scene_.objects[id].solid)
-                warn(object(id).where, title(object(id)) + " is made of glass but is not closed",
-                     "its faces are drawn as thin panes; close its holes for a solid that refracts");
+            if (mesh && glass(id) && !scene_.objects[id].solid) warn_of_panes(id);
         }
+    }
+
+    void warn_of_panes(std::uint32_t id) {
+        const Mesh& mesh = *mesh_of(id);
+        if (geometry::has_no_holes(mesh.positions, mesh.triangles))
+            warn(object(id).where,
+                 title(object(id)) + " is made of glass, but not all its faces are wound alike",
+                 "its faces are drawn as thin panes; turn the faces that are the wrong way round for a solid "
+                 "that refracts");
+        else
+            warn(object(id).where, title(object(id)) + " is made of glass but is not closed",
+                 "its faces are drawn as thin panes; close its holes for a solid that refracts");
     }
 
     void check_hidden() {
@@ -214,6 +253,7 @@ class WarningFinder {
 
     const scene::SceneData& scene_;
     const SceneDescription& description_;
+    std::vector<std::uint32_t> numbers_; ///< of the objects
     std::vector<Diagnostic> found_;
     const scene::NameIndex names_{description_};
     std::map<const Mesh*, bool> closed_; ///< of those that were looked at

@@ -9,7 +9,8 @@ GLINT_SHARED_BEGIN
 /// sin x for |x| ≤ π/4, by its series; relative error below 2^-23.
 GLINT_FN real sin_of_eighth(real x) {
     real y = x * x;
-    return x * (1.0f - y * (1.0f / 6.0f - y * (1.0f / 120.0f - y * (1.0f / 5040.0f - y * (1.0f / 362880.0f)))));
+    return x *
+           (1.0f - y * (1.0f / 6.0f - y * (1.0f / 120.0f - y * (1.0f / 5040.0f - y * (1.0f / 362880.0f)))));
 }
 
 /// cos x for |x| ≤ π/4, by its series; error below 2^-24.
@@ -18,8 +19,9 @@ GLINT_FN real cos_of_eighth(real x) {
     return 1.0f - y * (0.5f - y * (1.0f / 24.0f - y * (1.0f / 720.0f - y * (1.0f / 40320.0f))));
 }
 
-/// A point of the unit disk, z = 0, uniform by area. Concentric squares become concentric circles. (P. Shirley
-/// and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2 (3), 1997.)
+/// A point of the unit disk, z = 0, uniform by area. Concentric squares become concentric circles. (P.
+/// Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2 (3),
+/// 1997.)
 GLINT_FN vec3 disk_sample(real u, real v) {
     real a = 2.0f * u - 1.0f;
     real b = 2.0f * v - 1.0f;

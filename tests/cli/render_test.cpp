@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <unistd.h>
 
 namespace glint::test {
@@ -34,6 +35,30 @@ std::string hash_of(const Outcome& outcome) {
 }
 
 class Render : public CliTest {};
+
+TEST_F(Render, WarnsOfABlackPicture) {
+    const Outcome dim = glint("good.toml -D light.0.intensity=1e-9 -o a.png");
+    EXPECT_EQ(dim.exit, 0);
+    EXPECT_NE(dim.err.find("warning: the picture is all but black"), std::string::npos) << dim.err;
+    EXPECT_EQ(glint("good.toml -o a.png").err.find("black"), std::string::npos);
+    EXPECT_EQ(glint("good.toml -D light.0.intensity=1e-9 --show normal -o a.png").err.find("black"),
+              std::string::npos);
+}
+
+TEST_F(Render, TurnsABareMeshSixWays) {
+    std::set<std::string> pictures;
+    for (const char* up : {"x", "y", "z", "-x", "-y", "-z"}) {
+        const std::string options = std::string(" --up ") + up + " --size 32x24 --spp 1 -q -o ";
+        const Outcome outcome = glint("mesh.ply" + options + "a.pfm");
+        ASSERT_EQ(outcome.exit, 0) << up << ": " << outcome.err;
+        pictures.insert(content("a.pfm"));
+        Setting setting;
+        setting.input = content("mesh.ply");
+        ASSERT_EQ(glint("-" + options + "b.pfm", setting).exit, 0) << up;
+        EXPECT_EQ(content("b.pfm"), content("a.pfm")) << up << ", from stdin";
+    }
+    EXPECT_EQ(pictures.size(), 6u);
+}
 
 TEST_F(Render, WithoutACommandIsRender) {
     EXPECT_EQ(glint("good.toml -o a.png").exit, 0);
@@ -194,8 +219,8 @@ TEST_F(Render, TellsItsStatisticsAsJson) {
     EXPECT_EQ(stats["rays"]["primary"], 16 * 12 * 4);
     EXPECT_EQ(stats["left_out"]["rays"], 0);
     EXPECT_EQ(stats["left_out"]["share"], 0.0);
-    EXPECT_EQ(stats["settings"]["max_depth"], "3");
-    EXPECT_EQ(stats["settings"]["min_weight"], "1e-05");
+    EXPECT_EQ(stats["settings"]["max_depth"], 3);
+    EXPECT_EQ(stats["settings"]["min_weight"], 1e-5);
     EXPECT_EQ(stats["hash"].get<std::string>().size(), 32u);
     EXPECT_GE(stats["seconds"]["total"].get<double>(), stats["seconds"]["render"].get<double>());
 }

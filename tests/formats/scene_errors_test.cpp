@@ -300,6 +300,9 @@ const Malformed malformed[] = {
      "[material.m]\n[[sphere]]\nname = \"a\"\ncenter = [0,0,0]\nradius = 1\nmaterial = "
      "\"m\"\n[[sphere]]\nname = \"a\"\ncenter = [0,0,0]\nradius = 1\nmaterial = \"m\"\n",
      8, 8, "another sphere is named \"a\"", "line 3"},
+    {"name of a light given twice",
+     "[[light]]\ntype = \"ambient\"\nname = \"key\"\n[[light]]\ntype = \"ambient\"\nname = \"key\"\n", 6, 8,
+     "another light is named \"key\"", "line 3"},
     {"unknown colour", "[material.m]\ncolor = \"crimsn\"\n", 2, 9, "unknown colour \"crimsn\" for \"color\"",
      "did you mean \"crimson\"?"},
     {"bad hexadecimal colour", "[material.m]\ncolor = \"#12345\"\n", 2, 9, "unknown colour \"#12345\"",

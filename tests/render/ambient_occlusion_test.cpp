@@ -53,7 +53,8 @@ TEST(AmbientOcclusion, OnlyWhatIsNearerThanTheDistanceHides) {
 
 TEST(AmbientOcclusion, TheDistanceIsATenthOfTheDiagonalUnlessGiven) {
     SceneDescription scene = ground();
-    const PolyhedronShape slab{.kind = PolyhedronKind::box, .center = Vec3(0, 0, 5.5), .size = Vec3(30, 30, 5)};
+    const PolyhedronShape slab{
+        .kind = PolyhedronKind::box, .center = Vec3(0, 0, 5.5), .size = Vec3(30, 30, 5)};
     add(scene, slab, matte());
     const double diagonal = std::sqrt(30.0 * 30 + 30 * 30 + 5 * 5);
     const double cosine = 3 / (0.1 * diagonal);

@@ -225,7 +225,7 @@ TEST(PreviewScene, TakesFlatMeshes) {
     Mesh square;
     square.positions = {{0, 0, 3}, {1, 0, 3}, {1, 1, 3}, {0, 1, 3}};
     square.triangles = {{0, 1, 2}, {0, 2, 3}};
-    for (Axis up : {Axis::y, Axis::z}) {
+    for (Axis up : {Axis::x, Axis::y, Axis::z, Axis::minus_x, Axis::minus_y, Axis::minus_z}) {
         const SceneDescription scene = staged(square, up);
         EXPECT_TRUE(find_errors(scene).empty());
         EXPECT_NEAR(filled(scene), 0.78, 1e-9);

@@ -49,20 +49,59 @@ TEST(Warnings, TellOfALightInsideSomething) {
     scene.objects[0].name = "lampshade";
     std::get<PointLight>(scene.lights[0].kind).position = Vec3(0.5, 0, 0);
     scene.lights[0].where.line = 4;
-    EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
+    EXPECT_EQ(warned(scene), Messages{"point light.0 is inside sphere \"lampshade\""});
     EXPECT_EQ(warnings(build_scene(scene)).at(0).location.line, 4);
     SpotLight spot;
     spot.position = Vec3(0, 0.5, 0);
     scene.lights[0].kind = spot;
-    EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
+    EXPECT_EQ(warned(scene), Messages{"spot light.0 is inside sphere \"lampshade\""});
     scene.objects[0].visible = false;
     EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, LetLampsOfGlassShine) {
+    SceneDescription scene = plain();
+    add(scene, SphereShape{Vec3(5, -5, 5), 1}, glass(1.5)).name = "bulb";
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.whitted.shadows = Shadows::opaque;
+    EXPECT_EQ(warned(scene), Messages{"point light.0 is inside sphere \"bulb\""});
+}
+
+TEST(Warnings, TellOfACameraAndALightBehindAWall) {
+    SceneDescription scene = plain();
+    add(scene, RectangleShape{Vec3(-50, -6, -50), Vec3(100, 0, 0), Vec3(0, 0, 100)}, "clay").name = "wall";
+    EXPECT_EQ(warned(scene), (Messages{"the camera sees nothing but rectangle \"wall\"",
+                                       "point light.0 lights nothing that the camera sees: "
+                                       "rectangle \"wall\" is in between"}));
+    scene.camera->eye.y = -5.9;
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.camera->eye.y = -9;
+    scene.objects.pop_back();
+    PlaneShape plane;
+    plane.normal = Vec3(1, 0, 0);
+    plane.offset = 3;
+    add(scene, plane, "clay");
+    EXPECT_EQ(warned(scene),
+              Messages{"point light.0 lights nothing that the camera sees: plane.0 is in between"});
+    scene.objects.back().material = "";
+    scene.objects.pop_back();
+    add(scene, plane, glass(1.5));
+    EXPECT_EQ(warned(scene), Messages{}) << "a window";
+}
+
+TEST(Warnings, TellOfAFieldOfViewInRadians) {
+    SceneDescription scene = plain();
+    scene.camera->fov = 0.785;
+    EXPECT_EQ(warned(scene), Messages{"a field of view of 0.785° is very narrow"});
+    EXPECT_EQ(warnings(build_scene(scene)).at(0).hint, "fov is in degrees; 0.785 radians are 45°");
+    scene.camera->fov = 2;
+    EXPECT_EQ(warned(scene), Messages{}) << "a telescope";
 }
 
 TEST(Warnings, TellOfACameraInsideSomething) {
     SceneDescription scene = plain();
     scene.camera->eye = Vec3(0, 0.5, 0);
-    EXPECT_EQ(warned(scene), Messages{"the camera is inside sphere"});
+    EXPECT_EQ(warned(scene), Messages{"the camera is inside sphere.0"});
     scene.camera->eye = Vec3(0, 1.5, 0);
     EXPECT_EQ(warned(scene), Messages{});
 }
@@ -129,6 +168,9 @@ TEST(Warnings, TellOfMaterialsThatGiveMoreThanTheyGet) {
     m.reflectivity = 0.3;
     EXPECT_EQ(warned(scene), Messages{"material \"clay\" gives 1.10 times the light that it gets"});
     EXPECT_EQ(warnings(build_scene(scene)).at(0).location.line, 3);
+    scene.whitted.energy_chosen = true;
+    EXPECT_EQ(warned(scene), Messages{}) << "it is meant";
+    scene.whitted.energy_chosen = false;
     scene.whitted.energy = Energy::balanced;
     EXPECT_EQ(warned(scene), Messages{});
     scene.whitted.energy = Energy::report;
@@ -154,6 +196,15 @@ TEST(Warnings, TellOfOpenMeshesMadeOfGlass) {
     EXPECT_EQ(warned(scene), Messages{"mesh \"vase\" is made of glass but is not closed"});
     scene.objects[1].material = "clay";
     EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, TellOfGlassMeshesWithAFaceTurned) {
+    SceneDescription scene = plain();
+    Mesh box = box_mesh(Vec3(5, 0, 0), Vec3(1));
+    std::swap(box.triangles[0].x, box.triangles[0].y);
+    add(scene, mesh_of(box), glass(1.5)).name = "vase";
+    EXPECT_EQ(warned(scene),
+              Messages{"mesh \"vase\" is made of glass, but not all its faces are wound alike"});
 }
 
 TEST(Warnings, AreNoneForGlassThatStandsOnSomething) {

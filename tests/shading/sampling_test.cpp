@@ -59,7 +59,8 @@ TEST(Sampling, TurningKeepsLengthsAndAngles) {
     for (int i = 0; i < 1000; ++i) {
         const auto t = static_cast<float>(i);
         const vec3 n = normalize(vec3(std::sin(t), std::cos(1.7f * t), std::sin(2.3f * t + 1)));
-        const vec3 x = turned_to(n, vec3(1, 0, 0)), y = turned_to(n, vec3(0, 1, 0)), z = turned_to(n, vec3(0, 0, 1));
+        const vec3 x = turned_to(n, vec3(1, 0, 0)), y = turned_to(n, vec3(0, 1, 0)),
+                   z = turned_to(n, vec3(0, 0, 1));
         EXPECT_EQ(z, n);
         EXPECT_NEAR(length(x), 1, 1e-6);
         EXPECT_NEAR(length(cross(x, y) - n), 0, 1e-6);

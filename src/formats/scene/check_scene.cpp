@@ -52,6 +52,8 @@ class SceneCheck {
             check_references(description_.objects[i], scene_.objects[i]);
             check_geometry(description_.objects[i], scene_.objects[i]);
         }
+        for (std::size_t i = 0; i < description_.lights.size(); ++i)
+            check_name("light", description_.lights[i].name, scene_.lights[i]);
         check_energy();
     }
 
@@ -74,17 +76,18 @@ class SceneCheck {
             }
     }
 
+    void check_name(const std::string& table, const std::string& name, const SourcePos& pos) {
+        if (name.empty()) return;
+        const auto [first, is_new] = names_.emplace(std::pair(table, name), pos);
+        if (!is_new)
+            problems_.error(pos, "another " + table + " is named " + in_quotes(name),
+                            first->second.line > 0
+                                ? "the first is named on line " + std::to_string(first->second.line)
+                                : "names are unique within a type of table");
+    }
+
     void check_references(const Object& object, const ObjectPositions& positions) {
-        if (!object.name.empty()) {
-            const auto [first, is_new] =
-                names_.emplace(std::pair(positions.table, object.name), positions.name);
-            if (!is_new)
-                problems_.error(positions.name,
-                                "another " + positions.table + " is named " + in_quotes(object.name),
-                                first->second.line > 0
-                                    ? "the first is named on line " + std::to_string(first->second.line)
-                                    : "names are unique within a type of table");
-        }
+        check_name(positions.table, object.name, positions.name);
         if (!object.material.empty() && materials_.count(object.material) == 0) {
             problems_.error(positions.material, "unknown material " + in_quotes(object.material),
                             problems_.suggestion(object.material, material_names_,

@@ -90,7 +90,8 @@ TableSpec whitted_table() {
             choice<&W::shadows>("shadows").help("whether light shines through transparent objects"),
             boolean<&W::clamp>("clamp").help("limit each light's diffuse term, and then the local sum, to 1"),
             choice<&W::energy>("energy").help(
-                "`\"balanced\"` scales the local light by 1 − ρ − τ and needs ρ + τ ≤ 1"),
+                "`\"balanced\"` scales the local light by 1 − ρ − τ and needs ρ + τ ≤ 1; `\"report\"`, "
+                "written down, says that materials may give more light than they get"),
             choice<&W::highlight_model>("highlight_model")
                 .help("by the half-way vector, or by the mirror direction"),
             number<&W::index>("index").range(above_0).limits(divisor).typical(1, 2).not_in_metadata().help(

@@ -233,10 +233,9 @@ class TriangleTester {
     bool triangle(const geometry::TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
         if (!geometry::intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
-        Hit found =
-            instance_ == invalid_index
-                ? numbered_hit(world_, first_numbers(), number, hit.t, hit.u, hit.v, hit.on_edge)
-                : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
+        Hit found = instance_ == invalid_index
+                        ? numbered_hit(world_, first_numbers(), number, hit.t, hit.u, hit.v, hit.on_edge)
+                        : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
         found.positive = hit.positive;
         return sink_.add(found);
     }
