@@ -87,7 +87,7 @@ TEST(FarScene, IsReportedInItsOwnCoordinates) {
     const Explanation explanation = explain(built, 7, 7);
     const ExplainedRay& ray = explanation.samples[0].rays[0];
     EXPECT_LT(glm::length(explanation.origin + Vec3(ray.position) - picked->position), 1e-6);
-    EXPECT_NE(explanation_text(explanation, false).find("positions are relative to (50012"),
+    EXPECT_NE(explanation_text(explanation).find("positions are relative to (50012"),
               std::string::npos);
 
     // Other views and lights of it are what a new scene would be.
