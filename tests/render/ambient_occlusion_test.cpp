@@ -16,7 +16,7 @@ constexpr int samples = 4096;
 
 /// Looks straight down at a white ground; a pixel or a few, many samples.
 SceneDescription ground(int size = 1) {
-    SceneDescription scene = empty_scene(Vec3(0, 0, 2), Vec3(0, 0, -1), size, 1e-3);
+    SceneDescription scene = empty_scene(Vec3(0, 0, 0.25), Vec3(0, 0, -1), size, 1e-3);
     scene.camera->up = Vec3(0, 1, 0);
     scene.render.integrator = Integrator::ambient_occlusion;
     scene.render.spp = samples;

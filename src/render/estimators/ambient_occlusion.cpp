@@ -71,6 +71,11 @@ void AmbientOcclusion::estimate(std::span<const CameraSample> samples, std::span
     counts_.shadow += rays_.size();
     for (std::size_t r = 0; r < rays_.size(); ++r)
         if (blocked_[r] != 0) out[sample_of_ray_[r]].radiance = vec3(0.0f);
+    // Films of several samples sum terms.
+    for (Channels& channels : out.first(samples.size())) {
+        channels.terms = {};
+        channels.terms[Term::emission] = channels.radiance;
+    }
 }
 
 } // namespace glint::rendering

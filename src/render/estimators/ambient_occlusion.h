@@ -15,8 +15,8 @@ class AmbientOcclusion {
     AmbientOcclusion(const scene::SceneData& scene, const CancelFlag* cancel, const KernelChoice& kernel);
 
     /// One ray into the hemisphere for each sample: radiance is 0 or 1, or the colour of the surface; the
-    /// background where nothing is hit. There are no terms.
-    void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = false);
+    /// background where nothing is hit. All of it counts as emission.
+    void estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool terms = true);
     RayCounts counts() const { return counts_; }
 
   private:
