@@ -115,7 +115,7 @@ constexpr std::array info_options{
 constexpr std::array explain_options{
     Option{0, "pixel", "X,Y", "which; 0,0 is top left; html: shown first"},
     frame,
-    Option{0, "ray", "N", "text: every step of ray N, as the tree numbers it"},
+    Option{0, "ray", "N", "text: every step of ray N of the tree"},
     Option{0, "steps", "", "of all rays", true},
     Option{0, "sample", "N", "text: the rays of sample N; default: 0"},
     Option{0, "format", "text|json|svg|html", "default: by the extension of -o, else text; html: all pixels"},

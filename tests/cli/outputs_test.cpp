@@ -113,7 +113,7 @@ TEST_F(Outputs, GoIntoPipesThatHaveAName) {
 
 TEST_F(Outputs, LeaveNothingBehindBeyondTheLimitOnTheSizeOfFiles) {
     for (const std::string line :
-         {"good.toml -o a.pfm", "explain good.toml --pixel 8,6 -o a.txt", "new -o a.toml"})
+         {"good.toml -o a.pfm", "explain good.toml --pixel 8,6 --steps -o a.txt", "new -o a.toml"})
         expect_refused("ulimit -f 1; $G " + line, 4, "raise the limit on the size of files");
     expect_refused("ulimit -f 1; $G good.toml", 4, "-o names another file");
 }
