@@ -44,10 +44,10 @@ Mat4 scaling(const Vec3& scale) {
 class SceneCheck {
   public:
     SceneCheck(const ReadScene& scene, Problems& problems)
-        : scene_(scene), description_(scene.description), problems_(problems), index_(description_) {}
+        : scene_(scene), description_(scene.description), names_(description_), problems_(problems) {}
 
     void run() {
-        gather_names();
+        gather_candidates();
         for (std::size_t i = 0; i < description_.objects.size(); ++i) {
             check_references(description_.objects[i], scene_.objects[i]);
             check_geometry(description_.objects[i], scene_.objects[i]);
@@ -63,7 +63,8 @@ class SceneCheck {
     }
 
   private:
-    void gather_names() {
+    /// Names to suggest.
+    void gather_candidates() {
         for (const Material& material : description_.materials)
             if (material_names_.size() < enough_candidates) material_names_.push_back(material.name);
         for (const Object& object : description_.objects)
@@ -74,7 +75,7 @@ class SceneCheck {
 
     void check_name(const std::string& table, const std::string& name, const SourcePos& pos) {
         if (name.empty()) return;
-        const auto [first, is_new] = names_.emplace(std::pair(table, name), pos);
+        const auto [first, is_new] = named_.emplace(std::pair(table, name), pos);
         if (!is_new)
             problems_.error(pos, "another " + table + " is named " + in_quotes(name),
                             first->second.line > 0
@@ -84,13 +85,13 @@ class SceneCheck {
 
     void check_references(const Object& object, const ObjectPositions& positions) {
         check_name(positions.table, object.name, positions.name);
-        if (!object.material.empty() && index_.material_of(object) == nullptr) {
+        if (!object.material.empty() && names_.material_of(object) == nullptr) {
             problems_.error(positions.material, "unknown material " + in_quotes(object.material),
                             problems_.suggestion(object.material, material_names_,
                                                  "define it as [material." + object.material + "]"));
         }
         const auto* instance = std::get_if<InstanceShape>(&object.shape);
-        if (instance && !instance->mesh.empty() && index_.mesh(instance->mesh) == nullptr)
+        if (instance && !instance->mesh.empty() && names_.mesh(instance->mesh) == nullptr)
             problems_.error(
                 positions.shape, "unknown mesh " + in_quotes(instance->mesh),
                 problems_.suggestion(instance->mesh, mesh_names_, "expected the name of a [[mesh]]"));
@@ -113,8 +114,8 @@ class SceneCheck {
         const Object* mesh_object = &object;
         Mat4 whole{1};
         if (const auto* instance = std::get_if<InstanceShape>(&object.shape)) {
-            mesh_object = index_.mesh(instance->mesh);
-            if (mesh_object == nullptr) return;
+            mesh_object = names_.mesh(instance->mesh);
+            if (!mesh_object) return;
             whole = object.transform;
         }
         const auto* mesh = std::get_if<MeshShape>(&mesh_object->shape);
@@ -145,11 +146,11 @@ class SceneCheck {
 
     const ReadScene& scene_;
     const SceneDescription& description_;
+    scene::NameIndex names_;
     Problems& problems_;
-    const scene::NameIndex index_;
-    std::vector<std::string> material_names_; ///< to suggest
+    std::vector<std::string> material_names_;
     std::vector<std::string> mesh_names_;
-    std::map<std::pair<std::string, std::string>, SourcePos> names_;
+    std::map<std::pair<std::string, std::string>, SourcePos> named_; ///< by table and name
     std::map<const Mesh*, ShapeBox> boxes_;
 };
 
