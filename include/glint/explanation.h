@@ -109,7 +109,8 @@ struct TracedRay {
     int parent = -1;
     int reflected = -1;
     int refracted = -1;
-    int depth = 0; ///< number of bounces before it
+    int left_out = 0; ///< branches below min_weight, which were not followed
+    int depth = 0;    ///< number of bounces before it
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f};     ///< unit
     glm::vec3 transmittance{1.0f}; ///< of the path to the hit

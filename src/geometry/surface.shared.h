@@ -70,6 +70,7 @@ GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, dou
     TriangleWeights moved;
     moved.u = u;
     moved.v = v;
+    // None can be required to be larger.
     if (min(min(u, v), 1.0 - u - v) >= max_edge_weight) return moved;
     dvec3 ab = dvec3(b) - dvec3(a);
     dvec3 ac = dvec3(c) - dvec3(a);

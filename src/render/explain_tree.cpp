@@ -80,10 +80,8 @@ class RayWorking {
 
     /// Names the one of two branches that was left out, if one was.
     std::string branch_left_out() const {
-        const bool mirror = node_.reflected < 0 && node_.reflected_weight > 0.0f;
-        const bool refracted = node_.refracted < 0 && node_.refracted_weight > 0.0f;
-        if (!mirror && !refracted) return "";
-        return std::string("; the ") + (mirror ? "mirror" : "refracted") +
+        if (node_.left_out == 0) return "";
+        return std::string("; the ") + (node_.reflected < 0 ? "mirror" : "refracted") +
                " ray has a weight below min_weight, and is left out";
     }
 

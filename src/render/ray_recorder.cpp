@@ -61,10 +61,12 @@ void RayRecorder::bounce(float local_weight, const Split& split) {
 void RayRecorder::absorb(const vec3& transmittance) { node().transmittance = transmittance; }
 
 void RayRecorder::end_ray(const Channels& channels) {
-    if (node().end == RayEnd::bounced && node().reflected < 0 && node().refracted < 0)
-        node().end = RayEnd::min_weight;
-    node().terms = channels.terms;
-    node().radiance = channels.radiance;
+    RayNode& ray = node();
+    if (ray.reflected < 0 && ray.reflected_weight > 0.0f) ++ray.left_out;
+    if (ray.refracted < 0 && ray.refracted_weight > 0.0f) ++ray.left_out;
+    if (ray.left_out > 0 && ray.reflected < 0 && ray.refracted < 0) ray.end = RayEnd::min_weight;
+    ray.terms = channels.terms;
+    ray.radiance = channels.radiance;
     open_.pop_back();
 }
 

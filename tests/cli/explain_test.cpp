@@ -128,6 +128,11 @@ TEST_F(Explain, ShowsATreeWithALineForEachRayThatMatters) {
     EXPECT_NE(steps.find("point light.1 (cabinet.toml:"), std::string::npos) << steps;
 }
 
+TEST_F(Explain, TellsWhereRaysOfLittleWeightAreLeftOut) {
+    const std::string tree = glint("explain cabinet.toml --pixel 22,18 -D whitted.min_weight=0.5").out;
+    EXPECT_NE(tree.find(", 1 branch below min_weight left out: ("), std::string::npos) << tree;
+}
+
 TEST_F(Explain, RefusesRaysAndSamplesThatDoNotExist) {
     const std::string line = "explain cabinet.toml --pixel 30,20 --spp 3 ";
     const Outcome sample = glint(line + "--sample 3");

@@ -87,10 +87,11 @@ TEST(LeftOut, RaysAreNamedWhereTheyWouldBegin) {
     EXPECT_EQ(rays[0].why, "goes on; the mirror ray has a weight below min_weight, and is left out");
     EXPECT_STREQ(step_of(rays[0].steps, "W_R").note, "below min_weight: this ray is left out");
     EXPECT_STREQ(step_of(rays[0].steps, "W_T").note, "");
+    EXPECT_EQ(rays[0].left_out, 1);
+    EXPECT_EQ(rays[1].left_out, 2);
     EXPECT_EQ(rays[1].end, RayEnd::min_weight);
     EXPECT_EQ(rays[1].why, "ends: what would go on has a weight below min_weight, and is left out");
     expect_near(step_of(rays[1].steps, "W_T").result.value, glm::vec3(0.25f));
-    expect_near(step_of(rays[1].steps, "w").result.value, glm::vec3(0.5f, 0, 0));
 }
 
 TEST_F(ByHand, WeightsHalveAtEachSurface) {

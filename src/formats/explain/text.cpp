@@ -144,7 +144,13 @@ class TextTree {
         if (!ray.hit) return "background";
         return printable(ray.label) + place(ray.where) + " at " + number_text(ray.distance, 4) +
                (ray.entering ? "" : ", from inside") + (ray.total_reflection ? ", total reflection" : "") +
-               (ray.end == RayEnd::depth_limit ? ", depth limit" : "");
+               (ray.end == RayEnd::depth_limit ? ", depth limit" : "") + left_out(ray.left_out);
+    }
+
+    static std::string left_out(int branches) {
+        if (branches == 0) return "";
+        return ", " + std::to_string(branches) + (branches == 1 ? " branch" : " branches") +
+               " below min_weight left out";
     }
 
     /// Where something is written, in parentheses; empty for what comes from no file.
