@@ -115,6 +115,18 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
     return document(json);
 }
 
+std::string picture_event_json(const RenderRecord& record, const Picture& picture) {
+    const Json json{{"event", "picture"},
+                    {"output", record.output},
+                    {"complete", picture.complete},
+                    {"width", picture.image.width},
+                    {"height", picture.image.height},
+                    {"rays", picture.stats.rays()},
+                    {"seconds", picture.stats.wall_seconds},
+                    {"hash", record.hash}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string stats_list_json(const std::vector<std::string>& documents) {
     Json list = Json::array();
     for (const std::string& each : documents) list.push_back(Json::parse(each));

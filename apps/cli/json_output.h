@@ -30,6 +30,9 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
 /// The document of --stats for several pictures: a list of theirs.
 std::string stats_list_json(const std::vector<std::string>& documents);
 
+/// The closing line of a picture for --progress json, without a line feed.
+std::string picture_event_json(const RenderRecord& record, const Picture& picture);
+
 /// What check finds in one file.
 struct CheckedFile {
     std::string file; ///< as named on the command line

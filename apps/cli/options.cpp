@@ -47,7 +47,7 @@ const std::array render_options{
     max_depth,
     Option{0, "integrator", joined_names<enum_names<Integrator>>.data(), "the light model"},
     seed,
-    Option{0, "dry-run", "", "check only, and print the memory needed", true},
+    Option{0, "dry-run", "", "check only, print the memory needed", true},
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
     Option{0, "frames", "A..B[:STEP]", "or all, of what moves: one file each, -o frame-%04d.png"},
     up,

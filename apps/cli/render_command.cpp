@@ -101,11 +101,17 @@ std::string needs_text(const RenderRequest& request, const SceneDescription& sce
                               bytes_text(available_memory()));
 }
 
+/// --progress.
+ProgressStyle style_of(const Arguments& arguments) {
+    return progress_style(arguments.text("progress").value_or("auto"));
+}
+
 /// Renders pictures of one scene, one after the other.
 class Renderer {
   public:
     Renderer(const Arguments& arguments, const RenderRequest& request, Console& console)
-        : arguments_(arguments), request_(request), console_(console), backend_(arguments, console) {}
+        : arguments_(arguments), request_(request), console_(console), style_(style_of(arguments)),
+          backend_(arguments, console) {}
 
     /// Reads the scene and reports its notes and warnings.
     LoadedScene read() {
@@ -163,7 +169,11 @@ class Renderer {
         record.write_seconds = now() - writing_start;
         if (request_.stats) stats_.push_back(stats_json(record, scene, picture));
         print_details(console_, scene, record, picture.stats);
-        console_.line(closing_line(record, scene, picture));
+        // Explicitly asked for: -q does not hide it.
+        if (style_ == ProgressStyle::json)
+            console_.always(picture_event_json(record, picture));
+        else
+            console_.line(closing_line(record, scene, picture));
         return picture.complete;
     }
 
@@ -200,7 +210,7 @@ class Renderer {
 
     Picture render_with_progress(const Scene& scene, RenderRecord& record, const std::string& task) {
         stop_gently();
-        ProgressMeter meter(console_, progress_style(arguments_.text("progress").value_or("auto")), task);
+        ProgressMeter meter(console_, style_, task);
         RenderOptions options = request_.render;
         options.progress = [&](const Progress& progress) { meter.update(progress); };
         options.cancel = &cancel_flag();
@@ -214,6 +224,7 @@ class Renderer {
     const Arguments& arguments_;
     const RenderRequest& request_;
     Console& console_;
+    const ProgressStyle style_;
     Backend backend_;
     std::optional<Scene> last_; ///< the next picture may share its trees
     double load_seconds_ = 0;
@@ -277,7 +288,9 @@ int render_frames(const Arguments& arguments, const RenderRequest& request, Rend
     }
     renderer.write_stats();
     if (done == frames.size()) {
-        console.line(fmt::format("{} in {}", counted(done, "frame"), duration(now() - rendering_start)));
+        // For JSON the last picture's line says it.
+        if (style_of(arguments) != ProgressStyle::json)
+            console.line(fmt::format("{} in {}", counted(done, "frame"), duration(now() - rendering_start)));
         return exit_code::done;
     }
     console.error(fmt::format("stopped in frame {}; {}", frames[done],

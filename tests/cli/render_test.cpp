@@ -256,6 +256,12 @@ TEST_F(Render, ReportsProgressAsJson) {
     const Outcome outcome = glint("good.toml --progress json");
     const std::string first = outcome.err.substr(0, outcome.err.find('\n'));
     EXPECT_EQ(nlohmann::json::parse(first)["event"], "progress") << outcome.err;
+    const std::string last = outcome.err.substr(outcome.err.rfind('\n', outcome.err.size() - 2) + 1);
+    const auto picture = nlohmann::json::parse(last);
+    EXPECT_EQ(picture["event"], "picture");
+    EXPECT_EQ(picture["output"], "good.png");
+    EXPECT_EQ(picture["complete"], true);
+    EXPECT_EQ(picture["hash"].get<std::string>().size(), 32u);
 }
 
 TEST_F(Render, SetsValuesOfTheScene) {
