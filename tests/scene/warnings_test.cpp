@@ -114,7 +114,7 @@ TEST(Warnings, TellWhereSinglePrecisionIsCoarserThanPixels) {
     add(scene, SphereShape{far, 1}, "clay");
     const Messages found = warned(scene);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].find("precision moves sphere by up to 0.6, about "), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find("precision moves sphere.1 by up to 0.6, about "), std::string::npos) << found[0];
     scene.camera->eye = Vec3(0, -10, 0);
     EXPECT_EQ(warned(scene), Messages{}) << "from far away";
     scene.camera->eye = far - Vec3(0, 10, 0);
