@@ -35,6 +35,15 @@ std::string seen_from(const std::filesystem::path& folder, const std::string& fi
     return (unknown ? std::filesystem::path(file) : relative).generic_string();
 }
 
+std::filesystem::path folder_of(const std::string& output) {
+    return output == "-" ? "." : std::filesystem::absolute(output).parent_path();
+}
+
+bool lies_outside(const std::string& mesh, const std::string& output) {
+    const std::filesystem::path seen = seen_from(folder_of(output), mesh);
+    return seen.is_absolute() || *seen.begin() == "..";
+}
+
 /// The scene in which glint shows a bare mesh.
 SceneDocument stage_of(const std::string& mesh, const LoadOptions& options) {
     const SceneDocument document = SceneDocument::open(mesh, options);
@@ -85,9 +94,7 @@ std::string scene_around(const Arguments& arguments, const std::string& mesh, co
                     fmt::format("--from goes with no template or with mesh, not with {}", name));
     const LoadOptions options = load_options(arguments);
     SceneDocument document = name.empty() ? stage_of(mesh, options) : turntable_of(mesh, options);
-    const std::filesystem::path folder =
-        output == "-" ? "." : std::filesystem::absolute(output).parent_path();
-    document.set("mesh.0.file", scene_value(seen_from(folder, mesh)));
+    document.set("mesh.0.file", scene_value(seen_from(folder_of(output), mesh)));
     return document.text();
 }
 
@@ -110,8 +117,9 @@ int new_command(const Arguments& arguments, Console& console) {
     write_text(output, text);
     if (path == "-") return exit_code::done;
     // A file that is named like a command needs a folder.
-    console.line(
-        fmt::format("{}: written; render it with: glint {}{}", path, find_command(path) ? "./" : "", path));
+    console.line(fmt::format("{}: written; render it with: glint {}{}{}", path,
+                             find_command(path) ? "./" : "", path,
+                             mesh && lies_outside(*mesh, path) ? " --allow-outside" : ""));
     return exit_code::done;
 }
 

@@ -58,7 +58,7 @@ const std::array render_options{
     Option{0, "bits", "8|16", "bits per channel", true},
     Option{0, "alpha", "", "PNG, EXR: coverage as alpha"},
     Option{0, "layers", "", "EXR: each term as a layer", true},
-    Option{0, "keep-partial", "", "render coarse first; Ctrl-C writes what there is"},
+    Option{0, "keep-partial", "", "Ctrl-C writes what there is"},
     Option{0, "stats", "FILE", "counts, rays and times as JSON", true},
     threads,
     Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
@@ -115,7 +115,7 @@ constexpr std::array info_options{
 constexpr std::array explain_options{
     Option{0, "pixel", "X,Y", "which; 0,0 is top left; html: shown first"},
     frame,
-    Option{0, "ray", "N", "text: every step of ray N, as the tree numbers it"},
+    Option{0, "ray", "N", "text: every step of ray N of the tree"},
     Option{0, "steps", "", "of all rays", true},
     Option{0, "sample", "N", "text: the rays of sample N; default: 0"},
     Option{0, "format", "text|json|svg|html", "default: by the extension of -o, else text; html: all pixels"},

@@ -361,7 +361,8 @@ struct BuildSceneOptions {
     LoadCallback progress;
 };
 
-/// Validates the description, bakes transforms and builds trees. Throws Error(input) with all errors found.
+/// Validates the description, bakes transforms and builds trees. Throws Error(input) with all errors found,
+/// and Error(resource) where there is no memory for the trees.
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options = {});
 
 /// Equivalent to build_scene(description), but faster: if the objects and their transforms are those of

@@ -256,7 +256,7 @@ class Sets {
         return i;
     }
     void unite(std::uint32_t a, std::uint32_t b) {
-        const auto [low, high] = std::minmax(find(a), find(b));
+        const auto [low, high] = std::minmax({find(a), find(b)});
         parent_[high] = low;
     }
 

@@ -67,6 +67,10 @@ GLINT_FN double way_off_edge(double weight, double floor_of) {
 /// least `margin`, though the weights given have an error.
 GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, double v, double margin,
                                            double weight_error) {
+    TriangleWeights moved;
+    moved.u = u;
+    moved.v = v;
+    if (min(min(u, v), 1.0 - u - v) >= max_edge_weight) return moved;
     dvec3 ab = dvec3(b) - dvec3(a);
     dvec3 ac = dvec3(c) - dvec3(a);
     dvec3 bc = dvec3(c) - dvec3(b);
@@ -76,7 +80,6 @@ GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, dou
                          way_off_edge(u, height * sqrt(dot(ac, ac)) + weight_error)),
                      way_off_edge(v, height * sqrt(dot(ab, ab)) + weight_error));
     double third = double(1.0f) / double(3.0f);
-    TriangleWeights moved;
     moved.u = u + (third - u) * way;
     moved.v = v + (third - v) * way;
     return moved;

@@ -65,6 +65,8 @@ const GroupLimits& own_group_limits() {
 
 GroupLimits group_limits(const std::string& root) {
     GroupLimits limits;
+    const std::string groups = root + "/sys/fs/cgroup";
+    take_limits(groups, limits);
     std::ifstream file(root + "/proc/self/cgroup");
     // "4:memory:/group/part" in version 1, "0::/group/part" in version 2. In a container the path may be that
     // outside, which cannot be seen; the root is then the container's own group.
@@ -74,7 +76,7 @@ GroupLimits group_limits(const std::string& root) {
         if (second == std::string::npos || line.find('/', second) != second + 1) continue;
         const std::string controllers = line.substr(first + 1, second - first - 1);
         std::string path = line.substr(second + 1);
-        const std::string mount = root + "/sys/fs/cgroup" + (controllers.empty() ? "" : "/" + controllers);
+        const std::string mount = groups + (controllers.empty() ? "" : "/" + controllers);
         for (; !path.empty(); path.resize(path.rfind('/'))) take_limits(mount + path, limits);
         take_limits(mount, limits);
     }

@@ -2,6 +2,7 @@
 
 #include "scene/build_scene.h"
 
+#include "glint/limits.h"
 #include "math/far_origin.h"
 #include "math/trig.h"
 #include "scene/bake.h"
@@ -251,6 +252,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
 namespace glint {
 
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options) {
+    require_memory(build_memory(description), "building the scene", "use meshes of fewer triangles");
     try {
         return Scene(scene::make_scene_data(description, options));
     } catch (const parallel::TasksCancelled&) {

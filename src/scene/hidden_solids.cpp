@@ -1,12 +1,13 @@
-// Pairs of transparent solids whose boxes touch, then sample rays.
+// Sample rays through transparent solids: what they meet inside of others is hidden.
 
 #include "scene/hidden_solids.h"
 
 #include "math/random.shared.h"
-#include "scene/box_tree.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <map>
+#include <optional>
 
 namespace glint::scene {
 
@@ -19,106 +20,47 @@ constexpr float rounding = 0x1p-20f;
 
 class HiddenSolidFinder {
   public:
-    explicit HiddenSolidFinder(const SceneData& scene) : scene_(scene), known_(scene.objects.size()) {}
+    explicit HiddenSolidFinder(const SceneData& scene) : scene_(scene), shown_(scene.objects.size()) {}
 
     std::vector<HiddenSolid> run() {
-        for (const auto& [a, b] : touching_pairs()) {
-            const bool a_is_higher = data(a).rank > data(b).rank;
-            find_hidden(a_is_higher ? b : a, a_is_higher ? a : b);
-        }
-        std::sort(found_.begin(), found_.end(),
-                  [](const HiddenSolid& a, const HiddenSolid& b) { return a.object < b.object; });
+        for (std::uint32_t id = 0; id < scene_.objects.size() && found_.size() < most_hidden_solids; ++id)
+            if (is_glass_solid(id)) probe(id);
         return std::move(found_);
     }
 
   private:
-    using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
     const ObjectData& data(std::uint32_t id) const { return scene_.objects[id]; }
-    const Object& object(std::uint32_t id) const { return scene_.description.objects[id]; }
-    bool glass_solid(std::uint32_t id) const {
-        return object(id).visible && data(id).solid && scene_.materials[data(id).material].transparency > 0;
-    }
-    bool unbounded(std::uint32_t id) const { return std::holds_alternative<PlaneShape>(object(id).shape); }
-
-    /// Grown by more than the rounding of its sides.
-    Bounds grown_box(std::uint32_t id) const {
-        Bounds box = data(id).bounds;
-        const vec3 margin(box.max_coordinate() * rounding);
-        box.lo -= margin;
-        box.hi += margin;
-        return box;
+    bool is_glass_solid(std::uint32_t id) const {
+        return scene_.description.objects[id].visible && data(id).solid &&
+               scene_.materials[data(id).material].transparency > 0;
     }
 
-    std::vector<Pair> touching_pairs() const {
-        std::vector<Pair> pairs;
-        const auto add = [&](std::uint32_t a, std::uint32_t b) { pairs.emplace_back(std::minmax(a, b)); };
-        std::vector<std::uint32_t> bounded, planes;
-        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-            if (!glass_solid(id)) continue;
-            if (unbounded(id))
-                planes.push_back(id);
-            else if (!data(id).bounds.empty())
-                bounded.push_back(id);
-        }
-        for (std::size_t i = 0; i < planes.size(); ++i) {
-            for (const std::uint32_t id : bounded) add(planes[i], id);
-            for (std::size_t k = 0; k < i; ++k) add(planes[i], planes[k]);
-        }
-        parallel::TaskPool pool(1);
-        BoxTree(
-            bounded, [&](std::uint32_t id) { return grown_box(id); }, pool)
-            .visit_pairs(add);
-        std::sort(pairs.begin(), pairs.end());
-        return pairs;
-    }
-
-    void find_hidden(std::uint32_t id, std::uint32_t owner) {
-        if (known_[id]) return;
-        const HiddenShare share = probe_inside(id, owner);
-        if (!share.hidden || share.shown) return;
-        known_[id] = true;
-        found_.push_back({id, owner});
-    }
-
-    struct HiddenShare {
-        bool hidden = false; ///< a part is inside
-        bool shown = false;  ///< a part is outside
-    };
-
-    HiddenShare probe_inside(std::uint32_t id, std::uint32_t owner) {
-        const Bounds mine = region(id), owners = region(owner);
-        HiddenShare share;
-        share.shown = !unbounded(owner) && (unbounded(id) || !contains(owners, mine));
-        const Bounds common{glm::max(mine.lo, owners.lo), glm::min(mine.hi, owners.hi)};
-        const float away = 1.5f * glm::length(owners.extent());
-        for (std::uint32_t i = 0; i < probes && !(share.hidden && share.shown); ++i) {
-            const Ray ray = line_through(common, hash_with(id, owner), i, away);
-            trace_all(ray);
-            add_share(id, owner, ray, share);
-        }
-        return share;
+    void probe(std::uint32_t id) {
+        owner_.reset();
+        const Bounds box = region(id);
+        for (std::uint32_t i = 0; i < probes && !shown_[id]; ++i) walk(line_through(box, id, i), id);
+        if (owner_ && !shown_[id]) found_.push_back({id, *owner_});
     }
 
     /// Of a plane the part that the scene's other objects and its camera are in.
     Bounds region(std::uint32_t id) const {
-        if (!unbounded(id)) return grown_box(id);
-        Bounds around = scene_.world.bounds();
-        around.grow(vec3(scene_.description.camera->eye));
-        const vec3 margin(0.5f * glm::length(around.extent()) + 1.0f);
-        return {around.lo - margin, around.hi + margin};
+        Bounds box = data(id).bounds;
+        if (!box.empty()) {
+            const vec3 margin(box.max_coordinate() * rounding);
+            return {box.lo - margin, box.hi + margin};
+        }
+        box = scene_.world.bounds();
+        box.grow(vec3(scene_.description.camera->eye));
+        const vec3 margin(0.5f * glm::length(box.extent()) + 1.0f);
+        return {box.lo - margin, box.hi + margin};
     }
 
-    static bool contains(const Bounds& outer, const Bounds& inner) {
-        return glm::all(glm::lessThanEqual(outer.lo, inner.lo)) &&
-               glm::all(glm::lessThanEqual(inner.hi, outer.hi));
-    }
-
-    /// A ray through a point of a box that starts a distance before it, not along the sides of a flat box.
-    static Ray line_through(const Bounds& box, std::uint32_t key, std::uint32_t i, float away) {
+    /// A ray through a point of a box that starts and ends outside, not along the sides of a flat box.
+    static Ray line_through(const Bounds& box, std::uint32_t key, std::uint32_t i) {
         const vec2 xy = sample_pair(key, i, 0), zx = sample_pair(key, i, 1), yz = sample_pair(key, i, 2);
         const vec3 through = box.lo + box.extent() * vec3(xy.x, xy.y, zx.x);
         const vec3 wide = box.extent() + 0.125f * glm::length(box.extent());
+        const float away = 1.5f * glm::length(box.extent());
         Ray ray;
         ray.direction = glm::normalize(wide * (vec3(zx.y, yz.x, yz.y) - 0.5f));
         ray.origin = through - ray.direction * away;
@@ -126,42 +68,41 @@ class HiddenSolidFinder {
         return ray;
     }
 
-    /// Judges the hits of one object by the crossings of the other, whose outside the ray starts on unless it
-    /// is a plane.
-    void add_share(std::uint32_t id, std::uint32_t owner, const Ray& ray, HiddenShare& share) {
-        crossings_.clear();
-        for (const Hit& hit : hits_) {
-            if (hit.object == owner) crossings_.push_back(hit.t);
-            if (hit.on_edge && (hit.object == owner || hit.object == id)) return;
-        }
-        const bool starts_inside = unbounded(owner) && is_behind(owner, ray.origin);
-        for (const Hit& hit : hits_) {
-            if (hit.object != id) continue;
-            const auto after = std::upper_bound(crossings_.begin(), crossings_.end(), hit.t);
-            const float margin = hit.t * rounding;
-            const bool near = (after != crossings_.end() && *after - hit.t <= margin) ||
-                              (after != crossings_.begin() && hit.t - *(after - 1) <= margin);
-            if (near) continue;
-            const bool odd = (after - crossings_.begin()) % 2 != 0;
-            (odd != starts_inside ? share.hidden : share.shown) = true;
-        }
-    }
-
-    bool is_behind(std::uint32_t plane, const vec3& p) const {
-        return std::any_of(scene_.half_spaces.begin(), scene_.half_spaces.end(), [&](const HalfSpace& half) {
-            return half.object == plane && glm::dot(half.plane.normal, dvec3(p)) < half.plane.offset;
-        });
-    }
-
-    void trace_all(const Ray& ray) {
-        hits_.clear();
+    /// Follows a ray: of each surface on it, is it inside a solid that outranks it? One ray judges all solids
+    /// on its way, so that nested ones are not compared pair by pair.
+    void walk(const Ray& ray, std::uint32_t id) {
         scene_.world.all_hits(ray, hits_);
+        std::erase_if(hits_, [&](const Hit& hit) { return !is_glass_solid(hit.object); });
+        // Those may be missed, or met twice.
+        if (std::any_of(hits_.begin(), hits_.end(), [](const Hit& hit) { return hit.on_edge; })) return;
+
+        std::map<std::uint32_t, std::uint32_t> around; // objects by rank
+        for (const std::uint32_t object : objects_around(scene_, ray.origin))
+            if (is_glass_solid(object)) around.emplace(data(object).rank, object);
+        for (std::size_t k = 0; k < hits_.size(); ++k) {
+            const std::uint32_t object = hits_[k].object, rank = data(object).rank;
+            if (!coincides(k)) {
+                if (around.empty() || around.rbegin()->first <= rank)
+                    shown_[object] = true;
+                else if (object == id)
+                    owner_ = around.rbegin()->second;
+            }
+            if (around.erase(rank) == 0) around.emplace(rank, object);
+        }
+    }
+
+    /// With a surface of another object; which of them comes first says nothing.
+    bool coincides(std::size_t k) const {
+        const auto near = [&](const Hit& other) {
+            return other.object != hits_[k].object && std::abs(other.t - hits_[k].t) <= hits_[k].t * rounding;
+        };
+        return (k > 0 && near(hits_[k - 1])) || (k + 1 < hits_.size() && near(hits_[k + 1]));
     }
 
     const SceneData& scene_;
-    std::vector<bool> known_; ///< to be hidden
+    std::vector<bool> shown_;            ///< a part of the surface is outside all solids that outrank it
+    std::optional<std::uint32_t> owner_; ///< of the space around a part of the solid that is probed
     std::vector<Hit> hits_;
-    std::vector<float> crossings_;
     std::vector<HiddenSolid> found_;
 };
 

@@ -3,15 +3,19 @@
 
 #include "scene/scene_data.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace glint::scene {
 
-/// A transparent solid that lies wholly in one that owns the space.
+/// More are not looked for: these are enough to mend before the next look.
+inline constexpr std::size_t most_hidden_solids = 100;
+
+/// A transparent solid of which nothing is outside those that own the space.
 struct HiddenSolid {
     std::uint32_t object;
-    std::uint32_t owner;
+    std::uint32_t owner; ///< of the space around a part of it
 };
 
 /// In the order of objects; judged by sample rays.

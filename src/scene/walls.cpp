@@ -120,7 +120,7 @@ std::optional<std::uint32_t> wall_before_camera(const SceneData& scene) {
     if (!is_wall(scene, wall) || std::ranges::any_of(seen, is_other)) return std::nullopt;
     const auto hidden =
         std::ranges::count_if(seen, [&](const Seen& s) { return something_behind(scene, s); });
-    return 2 * hidden > columns * rows ? std::optional(wall) : std::nullopt;
+    return 100 * hidden > columns * rows ? std::optional(wall) : std::nullopt;
 }
 
 std::vector<ShutLight> lights_behind_walls(const SceneData& scene) {

@@ -152,14 +152,22 @@ class WarningFinder {
         }
     }
 
+    std::ptrdiff_t outliers_of(const Mesh& mesh) {
+        const auto [known, is_new] = outliers_.try_emplace(&mesh);
+        if (is_new) {
+            const Bounds kept = geometry::cloud_without_outliers(mesh.positions);
+            known->second =
+                std::ranges::count_if(mesh.positions, [&](const glm::vec3& p) { return !kept.contains(p); });
+        }
+        return known->second;
+    }
+
     void check_framing() {
         if (scene_.has_own_camera) return;
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
             const Mesh* mesh = object(id).visible ? mesh_of(id) : nullptr;
             if (mesh == nullptr || !mesh->triangles.empty()) continue;
-            const Bounds kept = geometry::cloud_without_outliers(mesh->positions);
-            const auto outliers =
-                std::ranges::count_if(mesh->positions, [&](const glm::vec3& p) { return !kept.contains(p); });
+            const auto outliers = outliers_of(*mesh);
             if (outliers == 0) continue;
             warn(object(id).where,
                  std::to_string(outliers) + " of the " + std::to_string(mesh->positions.size()) +
@@ -256,7 +264,9 @@ class WarningFinder {
     std::vector<std::uint32_t> numbers_; ///< of the objects
     std::vector<Diagnostic> found_;
     const scene::NameIndex names_{description_};
-    std::map<const Mesh*, bool> closed_; ///< of those that were looked at
+    // Of the meshes that were looked at, each once for all objects that show it.
+    std::map<const Mesh*, bool> closed_;
+    std::map<const Mesh*, std::ptrdiff_t> outliers_;
 };
 
 } // namespace

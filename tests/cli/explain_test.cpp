@@ -114,12 +114,14 @@ TEST_F(Explain, ShowsATreeWithALineForEachRayThatMatters) {
     EXPECT_EQ(tree.exit, 0);
     const json rays = json::parse(glint(line + " --format json").out)["samples"][0]["rays"];
     EXPECT_LT(line_count(tree.out), rays.size() + 6);
-    for (const char* word :
-         {"  0  100.0 %  primary → sphere \"glass\" (cabinet.toml:34:1): (", "├─ reflected → ", "└─ + "})
+    for (const char* word : {"  0  100.0 %  primary → sphere \"glass\" (cabinet.toml:34:1) at ",
+                             "├─ reflected → background", "└─ refracted → "})
         EXPECT_NE(tree.out.find(word), std::string::npos) << word << "\n" << tree.out;
     EXPECT_NE(tree.err.find("--ray N"), std::string::npos) << tree.err;
+    const std::string faint = glint(line + " -D material.floor.reflectivity=0.001").out;
+    EXPECT_NE(faint.find("└─ + 1 ray below 0.1 %\n"), std::string::npos) << faint;
 
-    const std::string ray = glint(line + " --ray 1").out;
+    const std::string ray = glint(line + " --ray 0").out;
     EXPECT_NE(ray.find("light arriving"), std::string::npos) << ray;
     const std::string steps = glint(line + " --steps").out;
     EXPECT_GT(line_count(steps), 10 * line_count(tree.out));
@@ -386,7 +388,11 @@ TEST_F(Page, OpensAtThePixel) {
     EXPECT_EQ(first["pixel"], (json{31, 22}));
     EXPECT_EQ(first["pinned"], true);
     for (const json& place : visit["found"])
-        if (place["pixel"] == first["pixel"]) return expect_as_json(place, scene);
+        if (place["pixel"] == first["pixel"]) {
+            const std::string json_of = glint("explain " + scene + " --pixel 31,22 --format json").out;
+            EXPECT_TRUE(same(place["color"], json::parse(json_of)["color"]));
+            return;
+        }
     FAIL() << "the pixel is on no place of the page";
 }
 

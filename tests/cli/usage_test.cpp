@@ -123,7 +123,7 @@ const Case cases[] = {
     {"ExplainsNothingWithoutAPixel", "explain good.toml", 2, "--pixel X,Y"},
     {"ExplainsNoPixelOutside", "explain good.toml --pixel 16,0", 2, "the picture has 16×12 pixels"},
     {"RefusesAPixelOfOneNumber", "explain good.toml --pixel 8", 2, "X,Y such as 320,240"},
-    {"ExplainsAPixel", "explain good.toml --pixel 8,6", 0, "primary ray brings"},
+    {"ExplainsAPixel", "explain good.toml --pixel 8,6", 0, "primary → sphere.0"},
     {"SuggestsAFormatOfExplanations", "explain good.toml --pixel 8,6 --format jsn", 2,
      "did you mean \"json\""},
     {"ListsTemplates", "new --list", 0, "\n"},

@@ -114,8 +114,6 @@ const Malformed malformed[] = {
      "key \"blend\" does not belong to [[light]] with type = \"point\"", "intensity"},
     {"intensity of ambient light", "[[light]]\ntype = \"ambient\"\nintensity = 1\n", 3, 1,
      "key \"intensity\" does not belong", "color"},
-    {"name of a light", "[[light]]\ntype = \"ambient\"\nname = \"sun\"\n", 3, 1,
-     "unknown key \"name\" in [[light]]", ""},
 
     // Keys that exclude each other
     {"look_at and direction", "[camera]\neye = [0,0,0]\nlook_at = [0,1,0]\ndirection = [0,1,0]\n", 4, 13,

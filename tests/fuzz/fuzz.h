@@ -2,12 +2,16 @@
 // What the targets for libFuzzer share.
 
 #include "glint/error.h"
+#include "glint/scene.h"
+#include "glint/scene_files.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace glint::test {
 
@@ -20,6 +24,21 @@ int accept_or_refuse(const Read& read) {
         if (error.kind() != ErrorKind::input && error.kind() != ErrorKind::resource) std::abort();
     }
     return 0;
+}
+
+/// For a scene alone: meshes are not read.
+inline LoadOptions without_meshes(std::vector<Override> overrides = {}) {
+    LoadOptions options;
+    options.overrides = std::move(overrides);
+    options.load_meshes = false;
+    return options;
+}
+
+/// Builds on the calling thread.
+inline Scene built(const SceneDescription& scene) {
+    BuildSceneOptions options;
+    options.threads = 1;
+    return build_scene(scene, options);
 }
 
 inline std::span<const std::byte> bytes_of(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,7 @@
 // The GPU's pictures against the CPU's: at least 99.9 % of the pixels within 1/255, and those within 1e-5 on
 // average.
 
+#include "closed_solids.h"
 #include "gallery.h"
 #include "gpu_kit.h"
 #include "scene_kit.h"
@@ -124,6 +125,21 @@ TEST(GpuAgreement, ScenesFarFromZeroLookAsOnTheCpu) {
     for (const kit::Exhibit& exhibit : kit::gallery())
         if (exhibit.name == "instances" || exhibit.name == "spots")
             expect_agreement(kit::moved(exhibit.scene, Vec3(5e5, 5.4e6, 312)), exhibit.name);
+}
+
+TEST(GpuAgreement, NoRayLeavesAClosedSolid) {
+    GLINT_NEEDS_GPU();
+    const auto expect_all = [](const std::vector<kit::Exhibit>& scenes, float right) {
+        for (const kit::Exhibit& solid : scenes) {
+            gpu()->prepare(build_scene(solid.scene));
+            const Image image = gpu()->render().image;
+            EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), right),
+                      static_cast<std::ptrdiff_t>(image.pixels.size()))
+                << solid.name;
+        }
+    };
+    expect_all(kit::mirror_rooms(), 0);
+    expect_all(kit::invisible_solids(), 1);
 }
 
 TEST(GpuAgreement, EveryFilterLooksAsOnTheCpu) {

@@ -113,7 +113,7 @@ TEST_F(ByHand, IndicesTurnOverAtTheFarSide) {
 // Lamp 1: r = 5, n·l = 4/5, 36.87°, E = 50 · 0.8/25 = 1.6, D = 1.6 · (1, 0.5, 0.25) · 0.5.
 TEST_F(ByHand, TheFirstLampArrivesWhole) {
     const ExplainedLight& lamp = ray(2).lights.at(0);
-    EXPECT_EQ(lamp.label, "point light 1");
+    EXPECT_EQ(lamp.label, "point light.0");
     EXPECT_NEAR(lamp.distance, 5, 1e-5);
     EXPECT_NEAR(lamp.cosine, 0.8, 1e-6);
     EXPECT_NEAR(lamp.degrees, 36.8698976, 1e-4);
@@ -171,7 +171,7 @@ TEST_F(ByHand, TheFormulasAreThoseOfTheReport) {
     EXPECT_STREQ(arriving.section, "2.2");
     EXPECT_EQ(step_of(lamp.steps, "D").formula, "E ⊙ c · k_d · s");
     EXPECT_EQ(step_of(ray(2).lights.at(1).steps, "s").formula, "τ₁ · τ₂");
-    EXPECT_EQ(step_of(ray(2).steps, "ΣD").formula, "D₁ + D₂ + D₃");
+    EXPECT_EQ(step_of(ray(2).steps, "ΣD").formula, "D₀ + D₁ + D₂");
     EXPECT_EQ(step_of(ray(2).steps, "reflection").formula, "L_R · w_R");
     EXPECT_EQ(step_of(ray(0).steps, "transmission").formula, "L_T · w_T");
     EXPECT_EQ(step_of(ray(2).steps, "L").formula, "ambient + diffuse + reflection");

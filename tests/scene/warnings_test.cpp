@@ -2,6 +2,8 @@
 
 #include "scene_kit.h"
 
+#include "scene/hidden_solids.h"
+
 #include <gtest/gtest.h>
 
 namespace glint::scene {
@@ -262,6 +264,24 @@ TEST(Warnings, TellOfGlassHiddenInsideGlassThatOwnsItsSpace) {
     std::get<SphereShape>(scene.objects[0].shape).center.x = 0;
     scene.objects[0].material = "clay";
     EXPECT_EQ(warned(scene), Messages{}) << "opaque things are never hidden";
+}
+
+/// Concentric balls of glass; each owns the space of those before it, or of those behind it.
+SceneDescription nested_balls(int count, bool inner_owns) {
+    SceneDescription scene = plain();
+    add(scene, SphereShape{}, glass(1));
+    Object ball = scene.objects.back();
+    scene.objects.clear();
+    for (int i = 0; i < count; ++i) {
+        ball.shape = SphereShape{Vec3(0), 1 + (inner_owns ? count - i : i) * 0.001};
+        scene.objects.push_back(ball);
+    }
+    return scene;
+}
+
+TEST(Warnings, OfManyNestedSolidsTakeFewRays) {
+    EXPECT_EQ(warned(nested_balls(1000, true)), Messages{});
+    EXPECT_EQ(warned(nested_balls(300, false)).size(), most_hidden_solids);
 }
 
 TEST(Warnings, AreNoneForOpaqueThingsInWater) {

@@ -99,6 +99,10 @@ class EnclosedWorld {
 
     const World& world() const { return world_; }
     dvec3 inside() const { return inside_; }
+    dvec3 outside() {
+        if (kind_ != Enclosed::wide) return inside_ + random_.direction() * (8.0 * scale());
+        return middle_ + (middle_ - inside_) * 8.0 + random_.in_ball(0.5) * scale();
+    }
     double scale() const { return to_world_.scale; }
     bool is_convex() const { return kind_ != Enclosed::torus && kind_ != Enclosed::knot; }
 
@@ -254,7 +258,7 @@ void bounce_inside(EnclosedWorld& solid, Ray ray, int bounces, Random& random, T
         ++tally.hits;
         const SurfacePoint at = solid.world().surface(ray, hit);
         if (!is_grazing(at, ray.direction) && glm::dot(at.n, ray.direction) < 0)
-            return tally.fail(describe(ray) + ": began outside the solid that it was in");
+            return tally.fail(describe(ray) + ": began outside the solid that it was in; " + describe(hit));
         vec3 direction = ray.direction;
         if (!random.one_in(4)) direction = vec3(glm::normalize(solid.target() - dvec3(at.p)));
         const float out = glm::dot(direction, at.n);
@@ -275,14 +279,19 @@ Tally run_enclosed(Enclosed kind, std::uint64_t seed, std::uint32_t rays) {
                       tally);
 
         // Through the solid from outside: into it, and out for good.
-        const dvec3 outside = solid.inside() + random.direction() * (8.0 * solid.scale());
+        const dvec3 outside = solid.outside();
         const Ray first = ray_of(vec3(outside), solid.target() - outside);
         const Hit entry = solid.world().closest(first);
         ++tally.rays;
         if (!entry) continue;
         const SurfacePoint in = solid.world().surface(first, entry);
-        // Where a ray touches an edge on the outline only, the face behind may be the one that is hit.
-        if (is_grazing(in, first.direction) || glm::dot(in.n, first.direction) > 0) continue;
+        if (is_grazing(in, first.direction)) continue;
+        if (glm::dot(in.n, first.direction) > 0) {
+            // Where a ray touches an edge of two objects, the one behind may be the one that is hit.
+            if (kind == Enclosed::faces) continue;
+            tally.fail(describe(first) + ": meets a closed solid from inside; " + describe(entry));
+            continue;
+        }
         const Ray second = spawn(in, first.direction);
         const Hit exit = solid.world().closest(second);
         ++tally.rays;

@@ -138,12 +138,12 @@ class TextTree {
                  (left_out == 1 ? " ray" : " rays") + " below 0.1 %" + c_.plain);
     }
 
-    /// What a ray meets: "sphere.0 (ball.toml:3:1), from inside".
+    /// What a ray meets: "sphere.0 (ball.toml:3:1) at 2.4, from inside".
     static std::string target(const ExplainedRay& ray) {
         if (ray.end == RayEnd::absorbed) return "nothing, " + printable(ray.why);
         if (!ray.hit) return "background";
-        return printable(ray.label) + place(ray.where) + (ray.entering ? "" : ", from inside") +
-               (ray.total_reflection ? ", total reflection" : "") +
+        return printable(ray.label) + place(ray.where) + " at " + number_text(ray.distance, 4) +
+               (ray.entering ? "" : ", from inside") + (ray.total_reflection ? ", total reflection" : "") +
                (ray.end == RayEnd::depth_limit ? ", depth limit" : "");
     }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <set>
 #include <system_error>
 
@@ -26,6 +27,7 @@ fs::path resolve_links(const fs::path& path) {
     const fs::path absolute = fs::absolute(path, failed);
     if (failed) return {};
     const fs::path resolved = fs::weakly_canonical(absolute, failed);
+    if (failed == std::errc::not_enough_memory) throw std::bad_alloc();
     return failed ? fs::path() : resolved;
 }
 

@@ -53,7 +53,8 @@ std::optional<ValueFault> value_fault(std::string_view text) {
     if (text.empty()) return std::nullopt;
     const bool list = text.front() == '(' || text.front() == '{';
     if (list || (text.find(',') != std::string_view::npos && !is_letter(text.front())))
-        return ValueFault{"a list without brackets", "lists stand in brackets: [1, 2, 3]"};
+        return ValueFault{"a list without brackets",
+                          "lists stand in brackets, [1, 2, 3], and numbers have a point, 1.5"};
     if (looks_like_number(text)) return number_fault(text);
     if (!is_letter(text.front())) return std::nullopt;
     const std::string word = scene::lower_case(text);

@@ -70,6 +70,33 @@ bool repeats_earlier(const std::vector<Hit>& hits, std::size_t i) {
     return false;
 }
 
+/// Sink that keeps the first hit of each facing among those of one object at one t.
+struct FirstOfFacing {
+    const Hit& at;
+    float limit = at.t;
+    Hit of_facing[2]{};
+
+    bool add(const Hit& hit) {
+        Hit& first = of_facing[hit.positive ? 1 : 0];
+        if (hit.object == at.object && hit.t == at.t && (!first || precedes(hit, first))) first = hit;
+        return false;
+    }
+};
+
+/// Sink that keeps the closest hit of an object.
+struct ClosestOf {
+    std::uint32_t object;
+    float limit;
+    Closest closest{limit};
+
+    bool add(const Hit& hit) {
+        if (hit.object != object) return false;
+        closest.add(hit);
+        limit = closest.limit;
+        return false;
+    }
+};
+
 /// Sink that checks whether a hit was already reported by an earlier one.
 struct Repeated {
     const Hit& later;
@@ -235,6 +262,27 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
                             data.slack, data.turned);
 }
 
+/// Far enough from edges for a neighbour not to be hit at the same t.
+constexpr float off_edge_weight = 0x1p-10f;
+
+/// The hit whose face a ray meets. Where it touches an edge of a mesh's outline, it meets a face from before
+/// and one from behind at the same t, and `hit` is the one of the lower number. Of a closed mesh the right one
+/// is that which faces the other way than what the ray would have met last on its way to its origin.
+Hit hit_at_outline(const WorldData& world, const Ray& ray, const Hit& hit) {
+    if (std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) > off_edge_weight) return hit;
+    FirstOfFacing touched{hit};
+    trace(world, ray, hit.t, touched);
+    const auto& [negative, positive] = touched.of_facing;
+    if (!negative || !positive) return hit;
+    Ray back = ray;
+    back.tmin = 0;
+    back.direction = -ray.direction;
+    ClosestOf behind{hit.object, limit_below(std::numeric_limits<float>::infinity())};
+    trace(world, back, back.tmin, behind);
+    if (behind.closest.best) return behind.closest.best.positive ? negative : positive;
+    return glm::dot(triangle_point(world, ray, positive).n, ray.direction) < 0 ? positive : negative;
+}
+
 SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {
     const Quadric& quadric = world.quadrics[world.surfaces[surface_number(world, hit)].index];
     const geometry::Line line = exact_line(ray);
@@ -257,7 +305,7 @@ SurfacePoint plane_point(const WorldData& world, const Ray& ray, const Hit& hit)
 SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
     switch (hit.kind) {
     case PrimKind::triangle:
-        return triangle_point(*data_, ray, hit);
+        return triangle_point(*data_, ray, hit_at_outline(*data_, ray, hit));
     case PrimKind::quadric:
         return quadric_point(*data_, ray, hit);
     case PrimKind::plane:
