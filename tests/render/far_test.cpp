@@ -47,14 +47,17 @@ std::vector<Diagnostic> of_precision(std::vector<Diagnostic> found) {
 
 class FarGallery : public testing::TestWithParam<Exhibit> {};
 
-TEST_P(FarGallery, LooksAsNearZero) {
+TEST_P(FarGallery, LooksAsNearZeroOrWarns) {
     SceneDescription near = GetParam().scene;
     near.render.width = near.render.height = 64;
     const Image expected = rendered(near).image;
     for (const double offset : offsets) {
         const SceneDescription far = moved(near, place(offset));
+        const bool warned = !of_precision(warnings(build_scene(far))).empty();
+        // What stands on that ground is a millionth of it in size.
+        EXPECT_EQ(warned, GetParam().name == "wide_ground" && offset > 1e3) << offset;
+        if (warned) continue;
         EXPECT_LE(difference(rendered(far).image, expected), 0.002) << offset;
-        EXPECT_TRUE(of_precision(warnings(build_scene(far))).empty()) << offset;
     }
 }
 
@@ -79,16 +82,15 @@ TEST(FarScene, IsReportedInItsOwnCoordinates) {
     add_light(scene, there - Vec3(0, 20, 0), 100);
     const Scene built = build_scene(scene);
     EXPECT_EQ(built.camera().eye, scene.camera->eye);
-    EXPECT_EQ(built.stats().bounds_min, there - Vec3(2));
-    EXPECT_EQ(built.stats().bounds_max, there + Vec3(2));
+    EXPECT_LT(glm::length(built.stats().bounds_min - (there - Vec3(2))), 1e-4);
+    EXPECT_LT(glm::length(built.stats().bounds_max - (there + Vec3(2))), 1e-4);
     const auto picked = pick(built, 7.5, 7.5);
     ASSERT_TRUE(picked);
     EXPECT_LT(glm::length(picked->position - (there - Vec3(0, 2, 0))), 1e-6);
     const Explanation explanation = explain(built, 7, 7);
     const ExplainedRay& ray = explanation.samples[0].rays[0];
     EXPECT_LT(glm::length(explanation.origin + Vec3(ray.position) - picked->position), 1e-6);
-    EXPECT_NE(explanation_text(explanation).find("positions are relative to (50012"),
-              std::string::npos);
+    EXPECT_NE(explanation_text(explanation).find("positions are relative to (50012"), std::string::npos);
 
     // Other views and lights of it are what a new scene would be.
     CameraDescription camera = *scene.camera;
@@ -112,7 +114,7 @@ TEST(FarScene, WarnsWhereItSpreadsTooFar) {
     add(scene, SphereShape{}, matte());
     const auto found = of_precision(warnings(build_scene(scene)));
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].message.find("moves mesh by up to 0.15, about 0.5 pixels"), std::string::npos)
+    EXPECT_NE(found[0].message.find("moves mesh.0 by up to 0.15, about 0.48 pixels"), std::string::npos)
         << found[0].message;
 }
 

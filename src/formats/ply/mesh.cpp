@@ -156,7 +156,8 @@ class Assembler {
         double error = 0;      ///< half the distance of neighbouring floats there
 
         static constexpr double side = 1000; ///< of a picture, in pixels
-        double pixels() const { return size > 0 ? error / size * side : 0; }
+        /// Of a mesh that rounding has made smaller than its error the true size is not known.
+        double pixels() const { return error > 0 ? error / std::max(size, 2 * error) * side : 0; }
     };
     Rounding rounding(std::size_t step) const {
         const Bounds bounds = bounds_of_faces(rows_, step);
@@ -176,6 +177,7 @@ class Assembler {
 
     void warn_of_rounding() {
         constexpr double visible = 0.1; // pixels
+        if (mesh().positions.size() < 2) return;
         if (!(rounding(sparse_step(rows_)).pixels() > visible)) return;
         const Rounding found = rounding(1);
         if (!(found.pixels() > visible)) return;
