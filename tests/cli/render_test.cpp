@@ -289,7 +289,7 @@ TEST_F(Render, RefusesAPictureBeyondTheMemory) {
     if (!GLINT_EXR || memory > 96.0 * (1 << 30)) GTEST_SKIP() << "no picture is too large for this machine";
     const Outcome outcome = glint("good.toml --size 65536x16384 --layers -o a.exr");
     EXPECT_EQ(outcome.exit, 5) << outcome.err;
-    EXPECT_NE(outcome.err.find("render it in parts with --crop"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("render in parts with --crop"), std::string::npos) << outcome.err;
 }
 
 } // namespace
