@@ -35,6 +35,15 @@ dvec3 reach_of(const dvec3& point, const std::vector<dvec3>& corners) {
     return reach;
 }
 
+/// The corners of a regular polygon around the unit circle.
+std::vector<dvec2> polygon_around_circle() {
+    constexpr double step = 15; // degrees
+    std::vector<dvec2> corners;
+    for (double angle = 0; angle < 360; angle += step)
+        corners.push_back(dvec2(cos_degrees(angle), cos_degrees(angle - 90)) / cos_degrees(step / 2));
+    return corners;
+}
+
 /// Does an edge of the polygon separate it from the other, which may touch it?
 bool has_separating_edge(const FlatFace& polygon, const FlatFace& other, double rounding) {
     for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
@@ -70,12 +79,9 @@ FlatFace polygon_face(std::vector<dvec3> corners) {
 }
 
 FlatFace circle_face(const dvec3& center, const dvec3 (&across)[2]) {
-    constexpr double step = 7.5; // degrees
+    static const std::vector<dvec2> around = polygon_around_circle();
     FlatFace face{center, glm::normalize(glm::cross(across[0], across[1])), {}, dvec3(0)};
-    for (double angle = 0; angle < 360; angle += step)
-        face.corners.push_back(center +
-                               (across[0] * cos_degrees(angle) + across[1] * cos_degrees(angle - 90)) /
-                                   cos_degrees(step / 2));
+    for (const dvec2& p : around) face.corners.push_back(center + across[0] * p.x + across[1] * p.y);
     face.reach = reach_of(center, face.corners);
     return face;
 }
