@@ -8,11 +8,11 @@
 
 GLINT_SHARED_BEGIN
 
-/// Do surfaces that a ray meets coincide: are they parallel and, but for the errors of their points, no more
-/// than `apart` apart?
+/// Do surfaces that a ray meets coincide: are they parallel, and no more than `apart` apart or so near that a
+/// ray that starts on the one may start beyond the other? offset_ray_origin() raises it by at most 6 errors.
 GLINT_FN bool coincide(GLINT_IN(SurfacePoint) a, GLINT_IN(SurfacePoint) b, float apart) {
-    float error = dot(abs(a.n), a.p_error + b.p_error);
-    return abs(dot(a.n, b.n)) > 0.999f && abs(dot(a.n, b.p - a.p)) <= apart + error;
+    float error = dot(abs(a.n), max(a.p_error, b.p_error));
+    return abs(dot(a.n, b.n)) > 0.999f && abs(dot(a.n, b.p - a.p)) <= apart + 8.0f * error;
 }
 
 /// Bound of t for surfaces that coincide with one met at t. Both t are rounded, by more where the ray grazes:

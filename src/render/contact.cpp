@@ -5,6 +5,7 @@
 #include "geometry/coincidence.shared.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 namespace glint::rendering {
@@ -40,6 +41,17 @@ const Hit* seen_of(const std::vector<Hit>& hits, const InteriorList* interior, c
         if (!is_hidden(interior, hit.object, scene) && (seen == nullptr || order(*seen) < order(hit)))
             seen = &hit;
     return seen;
+}
+
+bool dims_light(const Hit& hit, const std::vector<Hit>& hits, const InteriorList* interior,
+                const SceneData& scene) {
+    if (is_hidden(interior, hit.object, scene)) return false;
+    if (!is_dielectric(hit.object, scene)) return true;
+    return std::all_of(hits.begin(), hits.end(), [&](const Hit& other) {
+        if (&other == &hit || !is_dielectric(other.object, scene)) return true;
+        const std::uint32_t rank = scene.objects[hit.object].rank, others = scene.objects[other.object].rank;
+        return others < rank || (others == rank && &other > &hit);
+    });
 }
 
 } // namespace glint::rendering

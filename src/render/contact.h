@@ -16,6 +16,7 @@ struct Contact {
     const InteriorList* beyond = nullptr; ///< the solids around the ray behind all surfaces
     float margin = 0;      ///< what start points are off the seen one to be before all or beyond all
     bool refracts = false; ///< one of them bounds a transparent solid
+    float others = 1;      ///< the share of refracted light that the surfaces beside the seen one let through
 };
 
 /// Hits of a ray in one place.
@@ -32,5 +33,10 @@ void find_coincident(const scene::SceneData& scene, const Ray& ray, const trace:
 /// highest rank; null if solids around the ray hide all.
 const trace::Hit* seen_of(const std::vector<trace::Hit>& hits, const InteriorList* interior,
                           const scene::SceneData& scene);
+
+/// Whether light that goes through coincident surfaces is multiplied by τ of this one: not if it is hidden,
+/// and of the surfaces of transparent solids only the one of the highest rank.
+bool dims_light(const trace::Hit& hit, const std::vector<trace::Hit>& hits, const InteriorList* interior,
+                const scene::SceneData& scene);
 
 } // namespace glint::rendering

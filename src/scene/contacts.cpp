@@ -124,22 +124,23 @@ class ContactFinder {
     }
 
     static FlatFace face_of(const trace::PlanePrim& plane) {
-        return {plane.plane.normal * (plane.plane.offset / plane.squared), plane.unit, {}};
+        const dvec3 point = plane.plane.normal * (plane.plane.offset / plane.squared);
+        return {point, plane.unit, {}, glm::abs(point)};
     }
 
-    template <class Place>
-    void add_triangles(std::span<const vec3> positions, std::span<const uvec3> triangles, Place&& place,
+    template <class ToWorld>
+    void add_triangles(std::span<const vec3> positions, std::span<const uvec3> triangles, ToWorld&& to_world,
                        const Bounds& within, const FlatFace* plane, std::vector<FlatFace>& out) const {
         const dvec3 reach = glm::max(glm::abs(dvec3(within.lo)), glm::abs(dvec3(within.hi)));
         const double rounding = plane != nullptr ? rounding_at(*plane, reach + glm::abs(plane->point)) : 0;
         for (const uvec3& t : triangles) {
-            const dvec3 first = place(positions[t.x]);
+            const dvec3 first = to_world(positions[t.x]);
             if (plane != nullptr && std::abs(glm::dot(plane->normal, first - plane->point)) > rounding)
                 continue;
-            std::vector<dvec3> corners{first, place(positions[t.y]), place(positions[t.z])};
+            const dvec3 second = to_world(positions[t.y]), third = to_world(positions[t.z]);
             Bounds box;
-            for (const dvec3& corner : corners) box.grow(vec3(corner));
-            if (touch(box, within)) out.push_back(polygon_face(std::move(corners)));
+            for (const dvec3& corner : {first, second, third}) box.grow(vec3(corner));
+            if (touch(box, within)) out.push_back(polygon_face({first, second, third}));
         }
     }
 
@@ -203,7 +204,7 @@ class ContactFinder {
     void add_common_side(const Quadric& one, const Quadric& other, CommonPart& where) const {
         const trace::Affine from = affine_of(one), to = affine_of(other);
         if (from.linear != to.linear || from.translation != to.translation) return;
-        const double error = 0x1p-22 * std::max(size_of_quadric(one.shape), size_of_quadric(other.shape));
+        const double error = 0x1p-20 * std::max(size_of_quadric(one.shape), size_of_quadric(other.shape));
         if (geometry::same_side(one.shape, other.shape, error))
             where.grow({common_box(one.box, other.box), error});
     }
@@ -234,7 +235,7 @@ class ContactFinder {
         for (const std::uint32_t id : {a, b}) {
             ContactZone& contact = scene_.objects[id].contact;
             contact.box.grow(grown(where.box, size * zone_margin));
-            contact.reach = std::max(contact.reach, size * 0x1p-18f);
+            contact.reach = std::max(contact.reach, size * zone_margin);
             contact.apart = std::max(contact.apart, static_cast<float>(where.apart));
         }
         scene_.any_contact = true;

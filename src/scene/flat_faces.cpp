@@ -11,11 +11,13 @@
 namespace glint::scene {
 namespace {
 
-/// The largest |coordinate| along each axis.
-dvec3 reach(const FlatFace& face) {
-    dvec3 reach = glm::abs(face.point);
-    for (const dvec3& corner : face.corners) reach = glm::max(reach, glm::abs(corner));
-    return reach;
+/// Is a face in the plane of the other? `reach` covers both.
+bool in_plane(const FlatFace& face, const FlatFace& other, const dvec3& reach) {
+    const double rounding = rounding_at(other, reach);
+    const auto on_plane = [&](const dvec3& p) {
+        return std::abs(glm::dot(other.normal, p - other.point)) <= rounding;
+    };
+    return on_plane(face.point) && std::all_of(face.corners.begin(), face.corners.end(), on_plane);
 }
 
 /// How far a face reaches out of the plane of the other.
@@ -26,9 +28,20 @@ double distance_from_plane(const FlatFace& face, const FlatFace& other) {
     return most;
 }
 
-/// Is a face in the plane of the other? `reach` covers both.
-bool in_plane(const FlatFace& face, const FlatFace& other, const dvec3& reach) {
-    return distance_from_plane(face, other) <= rounding_at(other, reach);
+/// The largest |coordinate| along each axis.
+dvec3 reach_of(const dvec3& point, const std::vector<dvec3>& corners) {
+    dvec3 reach = glm::abs(point);
+    for (const dvec3& corner : corners) reach = glm::max(reach, glm::abs(corner));
+    return reach;
+}
+
+/// The corners of a regular polygon around the unit circle.
+std::vector<dvec2> polygon_around_circle() {
+    constexpr double step = 15; // degrees
+    std::vector<dvec2> corners;
+    for (double angle = 0; angle < 360; angle += step)
+        corners.push_back(dvec2(cos_degrees(angle), cos_degrees(angle - 90)) / cos_degrees(step / 2));
+    return corners;
 }
 
 /// Does an edge of the polygon separate it from the other, which may touch it?
@@ -46,11 +59,11 @@ bool has_separating_edge(const FlatFace& polygon, const FlatFace& other, double 
 }
 
 bool coincide(const FlatFace& a, const FlatFace& b) {
-    const dvec3 both = glm::max(reach(a), reach(b));
+    const dvec3 both = glm::max(a.reach, b.reach);
     const bool whole_a = a.corners.empty(), whole_b = b.corners.empty();
     // A polygon in a plane: its corners say all.
-    if (whole_b && !whole_a) return in_plane(a, b, reach(a) + glm::abs(b.point));
-    if (whole_a && !whole_b) return in_plane(b, a, reach(b) + glm::abs(a.point));
+    if (whole_b && !whole_a) return in_plane(a, b, a.reach + b.reach);
+    if (whole_a && !whole_b) return in_plane(b, a, a.reach + b.reach);
     if (!in_plane(a, b, both) || !in_plane(b, a, both)) return false;
     if (whole_a) return glm::length(glm::cross(a.normal, b.normal)) <= 0x1p-40;
     const double rounding = 0x1p-20 * largest(both);
@@ -61,22 +74,20 @@ bool coincide(const FlatFace& a, const FlatFace& b) {
 
 FlatFace polygon_face(std::vector<dvec3> corners) {
     const dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    const dvec3 point = corners[0];
-    return {point, normal, std::move(corners)};
+    const dvec3 point = corners[0], reach = reach_of(point, corners);
+    return {point, normal, std::move(corners), reach};
 }
 
 FlatFace circle_face(const dvec3& center, const dvec3 (&across)[2]) {
-    constexpr double step = 7.5; // degrees
-    FlatFace face{center, glm::normalize(glm::cross(across[0], across[1])), {}};
-    for (double angle = 0; angle < 360; angle += step)
-        face.corners.push_back(center +
-                               (across[0] * cos_degrees(angle) + across[1] * cos_degrees(angle - 90)) /
-                                   cos_degrees(step / 2));
+    static const std::vector<dvec2> around = polygon_around_circle();
+    FlatFace face{center, glm::normalize(glm::cross(across[0], across[1])), {}, dvec3(0)};
+    for (const dvec2& p : around) face.corners.push_back(center + across[0] * p.x + across[1] * p.y);
+    face.reach = reach_of(center, face.corners);
     return face;
 }
 
 double rounding_at(const FlatFace& face, const dvec3& reach) {
-    return 0x1p-22 * glm::dot(glm::abs(face.normal), reach) + 0x1p-40 * largest(reach);
+    return 0x1p-18 * glm::dot(glm::abs(face.normal), reach) + 0x1p-40 * largest(reach);
 }
 
 Bounds box_of(const FlatFace& face) {

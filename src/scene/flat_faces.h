@@ -14,6 +14,7 @@ struct FlatFace {
     dvec3 point{0}; ///< any of its points
     dvec3 normal{0, 0, 1};
     std::vector<dvec3> corners;
+    dvec3 reach{0}; ///< the largest |coordinate| of point and corners along each axis
 };
 
 FlatFace polygon_face(std::vector<dvec3> corners);
@@ -25,7 +26,7 @@ FlatFace circle_face(const dvec3& center, const dvec3 (&across)[2]);
 Bounds box_of(const FlatFace& face);
 
 /// A distance from the plane of a face within which a point may be in it but for the rounding of single
-/// precision; `reach` has the largest |coordinate| along each axis.
+/// precision, or so near that a ray may leap the gap; `reach` has the largest |coordinate| along each axis.
 double rounding_at(const FlatFace& face, const dvec3& reach);
 
 /// A box in which surfaces coincide, and how far apart they are there at most.

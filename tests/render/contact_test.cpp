@@ -79,7 +79,7 @@ std::vector<CameraSample> rays_to(double height, double side, double distance,
                                   const SceneDescription& scene) {
     const Mat4& transform = scene.objects.back().transform;
     std::vector<CameraSample> rays;
-    for (std::uint32_t i = 0; i < 200; ++i) {
+    for (std::uint32_t i = 0; i < 50; ++i) {
         const Vec3 target(0.3 * drawn(i, 0), 0.3 * drawn(i, 1), height);
         const double angle = pi * drawn(i, 2), slope = 75 * pi / 180 * drawn(i, 3);
         const Vec3 from(std::sin(slope) * std::cos(angle), std::sin(slope) * std::sin(angle),
@@ -184,6 +184,24 @@ TEST(Contact, ShadowsCrossOneSurfaceOfGlassOnGlass) {
     };
     EXPECT_FLOAT_EQ(share(0), 0.125f);
     EXPECT_FLOAT_EQ(share(0.1), 0.0625f);
+}
+
+TEST(Contact, EveryPaneCounts) {
+    // Two panes, and a pane on a block of glass, which is left through a further surface.
+    for (const Part& pane : sheets())
+        for (const bool pane_first : {true, false}) {
+            SceneDescription scene = scene_of({{pane, glass(1, 0.5)}, {sheets()[1], glass(1, 0.25)}}, 3);
+            scene.render.background = Vec3(1);
+            for (const double side : {1.0, -1.0})
+                expect_light(scene, rays_to(0, side, 1, scene), 0.125, pane.name);
+            std::vector<std::pair<Part, Material>> objects{{pane, glass(1, 0.25)},
+                                                           {solids(-1)[0], glass(1.5, 0.5)}};
+            if (pane_first) std::swap(objects[0], objects[1]);
+            scene = scene_of(objects, 3);
+            scene.render.background = Vec3(1);
+            expect_light(scene, rays_to(0, 1, 0.5, scene), 0.0625, pane.name);
+            expect_light(scene, rays_to(-0.2, -1, 0.5, scene), 0.0625, pane.name);
+        }
 }
 
 TEST(Contact, APaneInAnOpaqueFaceIsNotSeen) {

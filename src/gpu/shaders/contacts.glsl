@@ -11,6 +11,9 @@ struct Contact {
     float margin;       // what start points are off the seen one
     uvec4 beyond;       // the solids around the ray behind all
     bool refracts;      // one of them bounds a transparent solid
+    float panes;        // the product of their τ
+    float solid;        // τ of the solid's surface of the highest rank, and its object
+    uint solid_object;
     Hit seen;           // kind_none: all are hidden
     SurfacePoint point; // of the seen one
     Hit last;
@@ -29,12 +32,24 @@ bool covers(Hit a, Hit b) {
     return opaque_a == opaque_b ? objects[a.object].rank > objects[b.object].rank : opaque_a;
 }
 
+void collect_transparency(uint object) {
+    float transparency = objects[object].material.transparency;
+    if (objects[object].interior == 0u) {
+        contact.panes *= transparency;
+    } else if (contact.solid_object == invalid_index ||
+               objects[object].rank > objects[contact.solid_object].rank) {
+        contact.solid = transparency;
+        contact.solid_object = object;
+    }
+}
+
 void collect(Hit hit, SurfacePoint point, uvec4 interiors) {
     ++met;
     contact.margin = max(contact.margin, margin_past(contact.first, point));
     contact.beyond = interiors_across(contact.beyond, hit.object, enters(point.n, ray.direction));
     contact.refracts = contact.refracts || objects[hit.object].interior != 0u;
     bool shown = !interiors_hide(interiors, hit.object);
+    if (shown) collect_transparency(hit.object);
     if (shown && (contact.seen.kind == kind_none || covers(hit, contact.seen))) {
         contact.seen = hit;
         contact.point = point;
@@ -50,13 +65,16 @@ void begin_contact(Hit hit, SurfacePoint point, uvec4 interiors) {
     contact.margin = 0.0f;
     contact.beyond = interiors;
     contact.refracts = false;
+    contact.panes = 1.0f;
+    contact.solid = 1.0f;
+    contact.solid_object = invalid_index;
     contact.seen = no_hit(0.0f);
     ray.tmax = min(ray.tmax, last_coincident_t(point.n, ray.direction, hit.t, objects[hit.object].contact_reach));
     collect(hit, point, interiors);
 }
 
-/// True if the ray goes on, for more hits in one place or behind what is hidden there. Otherwise the hit becomes what is
-/// seen there.
+/// True if the ray goes on, for more hits in one place or behind what is hidden there. Otherwise the hit becomes the one
+/// that is seen there.
 bool collects(inout Hit hit, inout SurfacePoint point, inout uvec4 interiors) {
     if (met == 0u) {
         contact.exists = false;
@@ -85,6 +103,14 @@ uvec4 interiors_behind(uvec4 interiors, Hit hit, SurfacePoint point) {
     if (contact.exists) return contact.beyond;
 #endif
     return interiors_across(interiors, hit.object, enters(point.n, ray.direction));
+}
+
+/// The share of light that goes through a hit's surface and those that coincide with it (render/contact.h).
+float transparency_at(Hit hit) {
+#if GLINT_CONTACTS
+    if (contact.exists) return contact.panes * contact.solid;
+#endif
+    return objects[hit.object].material.transparency;
 }
 
 /// The last of the hits in one place.

@@ -5,6 +5,7 @@ SurfaceRecord surface;
 MaterialRecord material;
 uvec4 beyond;  // the solids around a ray behind it
 bool refracts; // it bounds a transparent solid
+float others;  // the share of refracted light that what coincides with it lets through
 
 // The light whose share is measured.
 uint light;
@@ -32,9 +33,11 @@ void meet_surface(Hit hit, SurfacePoint point) {
     material = objects[hit.object].material;
     beyond = interiors_behind(path.interiors, hit, point);
     refracts = objects[hit.object].interior != 0u;
+    others = 1.0f;
 #if GLINT_CONTACTS
     if (contact.exists) {
         refracts = contact.refracts;
+        if (material.transparency > 0.0f) others = transparency_at(hit) / material.transparency;
         point.p_error += vec3(contact.margin);
     }
 #endif
@@ -65,7 +68,7 @@ void next_light() {
 bool ends_shadow_ray(Hit hit, SurfacePoint point) {
     if (hit.kind != kind_none) {
         if (!interiors_hide(shadow_interiors, hit.object))
-            passing *= shadow_transmittance(settings.modes, objects[hit.object].material.transparency);
+            passing *= shadow_transmittance(settings.modes, transparency_at(hit));
         if (passing > 0.0f) {
             pass_through(hit, point, shadow_interiors);
             return false;

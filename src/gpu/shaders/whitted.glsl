@@ -57,7 +57,7 @@ void bounce() {
         float index_2 = objects[interiors_owner(beyond)].material.index;
         split = split_at_solid(material, refraction_at(surface, index_1 / index_2), index_1, index_2);
     }
-    branch(from, spawn_ray(surface, split.direction), split.refracted, term_transmission, beyond);
+    branch(from, spawn_ray(surface, split.direction), split.refracted * others, term_transmission, beyond);
     branch(from, reflected_ray(surface), split.reflected, term_reflection, from.interiors);
 }
 

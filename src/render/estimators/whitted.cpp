@@ -154,8 +154,10 @@ Channels Whitted::radiance(Path&& path) {
 }
 
 Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interior) {
-    if (!scene_.any_contact && interior == nullptr) return {};
-    while (hit) {
+    const auto is_simple = [&] {
+        return interior == nullptr && scene_.objects[hit.object].contact.box.empty();
+    };
+    while (hit && !is_simple()) {
         find_coincident(scene_, ray, hit, met_);
         const Hit* seen = seen_of(met_.hits, interior, scene_);
         if (recorder_ != nullptr)
@@ -163,7 +165,7 @@ Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interi
                 if (&met != seen) recorder_->pass_over(met);
         if (seen != nullptr) {
             hit = *seen;
-            return met_.hits.size() > 1 ? contact_of_met(ray, interior) : Contact{};
+            return met_.hits.size() > 1 ? contact_of_met(ray, *seen, interior) : Contact{};
         }
         for (const Hit& met : met_.hits) cross(ray, met, interior);
         hit = scene_.world.next(ray, met_.hits.back());
@@ -172,15 +174,17 @@ Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interi
 }
 
 /// What is met in the place of `met_`.
-Contact Whitted::contact_of_met(const Ray& ray, const InteriorList* interior) {
+Contact Whitted::contact_of_met(const Ray& ray, const Hit& seen, const InteriorList* interior) {
     Contact contact;
     contact.exists = true;
     contact.margin = met_.margin;
-    for (const Hit& met : met_.hits) {
-        cross(ray, met, interior);
-        contact.refracts = contact.refracts || is_dielectric(met.object, scene_);
-    }
     contact.beyond = interior;
+    for (const Hit& met : met_.hits) {
+        cross(ray, met, contact.beyond);
+        contact.refracts = contact.refracts || is_dielectric(met.object, scene_);
+        if (&met != &seen && dims_light(met, met_.hits, interior, scene_))
+            contact.others = contact.others * transparency(met);
+    }
     return contact;
 }
 
@@ -245,11 +249,10 @@ float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     float passing = 1.0f;
     for (std::size_t i = 0; i < blockers_.size(); i += met_.hits.size()) {
         find_coincident(scene_, shadow, blockers_[i], met_);
-        const Hit* seen = seen_of(met_.hits, interior, scene_);
         for (const Hit& met : met_.hits) {
-            const float transparency = scene_.materials[scene_.objects[met.object].material].transparency;
-            if (recorder_ != nullptr) recorder_->blocker(met, transparency, &met != seen);
-            if (&met == seen) passing = passing * shadow_transmittance(modes_, transparency);
+            const bool dims = dims_light(met, met_.hits, interior, scene_);
+            if (recorder_ != nullptr) recorder_->blocker(met, transparency(met), !dims);
+            if (dims) passing = passing * shadow_transmittance(modes_, transparency(met));
         }
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
         if (!hides) continue;
@@ -292,12 +295,14 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     bounce.interior = beyond(at, path.interior);
     if (!is_dielectric(at.object, scene_) && !at.contact.refracts) {
         bounce.split = split_at_sheet(at.surface, *at.material);
+        bounce.split.refracted *= at.contact.others;
         return bounce;
     }
     const float index_before = refractive_index(path.interior, scene_);
     const float index_after = refractive_index(bounce.interior, scene_);
     const Refraction refraction = refraction_at(at.surface, index_before / index_after);
     bounce.split = split_at_solid(*at.material, refraction, index_before, index_after);
+    bounce.split.refracted *= at.contact.others;
     if (recorder_ != nullptr) recorder_->refract(refraction, index_before, index_after);
     return bounce;
 }

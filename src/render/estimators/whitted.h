@@ -96,7 +96,10 @@ class Whitted {
     bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
-    Contact contact_of_met(const Ray& ray, const InteriorList* interior);
+    Contact contact_of_met(const Ray& ray, const trace::Hit& seen, const InteriorList* interior);
+    float transparency(const trace::Hit& hit) const {
+        return scene_.materials[scene_.objects[hit.object].material].transparency;
+    }
     const InteriorList* beyond(const SurfaceInteraction& at, const InteriorList* interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
