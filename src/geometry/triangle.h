@@ -26,27 +26,20 @@
 
 namespace glint::geometry {
 
-/// The axes of the triangle test. The direction must be finite and not zero.
-struct ShearAxes {
+/// Per-ray constants of the triangle test. The direction must be finite and not zero.
+struct ShearedRay {
     /// kz is the first of the axes with the largest |direction|; kx and ky follow cyclically.
     std::size_t kx, ky, kz;
-
-    explicit ShearAxes(const vec3& direction) {
-        const vec3 a = glm::abs(direction);
-        kz = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
-        kx = kz == 2 ? 0 : kz + 1;
-        ky = kx == 2 ? 0 : kx + 1;
-    }
-};
-
-/// Per-ray constants of the triangle test.
-struct ShearedRay : ShearAxes {
     float ox, oy, oz; ///< origin[kx], origin[ky], origin[kz]
     float sx, sy, sz; ///< d[kx]/d[kz], d[ky]/d[kz], 1/d[kz]
 
-    explicit ShearedRay(const Ray& ray) : ShearAxes(ray.direction) {
+    explicit ShearedRay(const Ray& ray) {
         const std::array<float, 3> o{ray.origin.x, ray.origin.y, ray.origin.z};
         const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
+        const vec3 a = glm::abs(ray.direction);
+        kz = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
         ox = o[kx];
         oy = o[ky];
         oz = o[kz];
@@ -56,16 +49,20 @@ struct ShearedRay : ShearAxes {
     }
 };
 
-/// The same for wide triangles.
-struct DoubleShearedRay : ShearAxes {
+/// The same for wide triangles, in double.
+struct DoubleShearedRay {
+    std::size_t kx, ky, kz;
     dvec3 origin; ///< permuted
     dvec3 shear;
 
-    explicit DoubleShearedRay(const Ray& ray) : ShearAxes(ray.direction) {
-        const std::array<float, 3> o{ray.origin.x, ray.origin.y, ray.origin.z};
+    explicit DoubleShearedRay(const Ray& ray) {
+        const ShearedRay in_float(ray);
+        kx = in_float.kx;
+        ky = in_float.ky;
+        kz = in_float.kz;
         const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
         const double dz = d[kz];
-        origin = dvec3(o[kx], o[ky], o[kz]);
+        origin = dvec3(in_float.ox, in_float.oy, in_float.oz);
         shear = dvec3(d[kx] / dz, d[ky] / dz, 1.0 / dz);
     }
 };
@@ -94,8 +91,8 @@ inline dvec3 shear(const DoubleShearedRay& ray, const std::array<float, 3>& v) {
 
 inline bool intersect_triangle(const DoubleShearedRay& ray, const TriangleVertices& vertices, float tmin,
                                float limit, TriangleHit& hit) {
-    return intersect_corners(shear(ray, vertices[0]), shear(ray, vertices[1]), shear(ray, vertices[2]), tmin,
-                             limit, hit);
+    return intersect_in_double(shear(ray, vertices[0]), shear(ray, vertices[1]), shear(ray, vertices[2]),
+                               tmin, limit, hit);
 }
 
 } // namespace glint::geometry

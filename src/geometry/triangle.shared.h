@@ -44,19 +44,9 @@ GLINT_FN bool surely_outside(ShearedVertex a, ShearedVertex b, ShearedVertex c) 
     return mixed_signs(u, v, w);
 }
 
-/// The test of a triangle whose corners are given by x and y across the ray, and by z in units of its
-/// direction. Edge functions have the right sign or are 0: exactly so if x and y are floats, whose products
-/// are exact in double.
-GLINT_FN bool intersect_corners(dvec3 a, dvec3 b, dvec3 c, float tmin, float limit,
-                                GLINT_OUT(TriangleHit) hit) {
-    GLINT_PRECISE double u = c.x * b.y - c.y * b.x;
-    GLINT_PRECISE double v = a.x * c.y - a.y * c.x;
-    GLINT_PRECISE double w = b.x * a.y - b.y * a.x;
-    if (mixed_signs(u, v, w)) return false;
-    double det = u + v + w;
-    if (det == 0.0) return false;
-
-    double t = (u * a.z + v * b.z + w * c.z) / det;
+/// Completes a hit at t by its areas to the edges, if t is wanted.
+GLINT_FN bool accept_hit(double t, double u, double v, double w, double det, float tmin, float limit,
+                         GLINT_OUT(TriangleHit) hit) {
     hit.t = float(t);
     if (!(t > double(tmin) && hit.t <= limit)) return false;
     hit.u = float(v / det);
@@ -66,17 +56,37 @@ GLINT_FN bool intersect_corners(dvec3 a, dvec3 b, dvec3 c, float tmin, float lim
     return true;
 }
 
-GLINT_FN dvec3 corner_of(ShearedVertex v, float sz) {
-    return dvec3(double(v.x), double(v.y), double(sz * v.z));
-}
-
 /// The exact part of the test, for triangles that are not surely outside.
 GLINT_FN bool intersect_sheared(ShearedVertex a, ShearedVertex b, ShearedVertex c, float sz, float tmin,
                                 float limit, GLINT_OUT(TriangleHit) hit) {
-    return intersect_corners(corner_of(a, sz), corner_of(b, sz), corner_of(c, sz), tmin, limit, hit);
+    // Products of floats are exact in double, so that these signs are exact.
+    double u = double(c.x) * double(b.y) - double(c.y) * double(b.x);
+    double v = double(a.x) * double(c.y) - double(a.y) * double(c.x);
+    double w = double(b.x) * double(a.y) - double(b.y) * double(a.x);
+    if (mixed_signs(u, v, w)) return false;
+    double det = u + v + w;
+    if (det == 0.0) return false;
+
+    double az = double(sz * a.z);
+    double bz = double(sz * b.z);
+    double cz = double(sz * c.z);
+    return accept_hit((u * az + v * bz + w * cz) / det, u, v, w, det, tmin, limit, hit);
 }
 
-/// A corner of a wide triangle for intersect_corners(): `v` relative to the ray's origin, with its axes
+/// The test of a wide triangle; z of its corners is already scaled.
+GLINT_FN bool intersect_in_double(dvec3 a, dvec3 b, dvec3 c, float tmin, float limit,
+                                  GLINT_OUT(TriangleHit) hit) {
+    // Rounding is monotone: no difference of products has the wrong sign, it can only be 0.
+    GLINT_PRECISE double u = c.x * b.y - c.y * b.x;
+    GLINT_PRECISE double v = a.x * c.y - a.y * c.x;
+    GLINT_PRECISE double w = b.x * a.y - b.y * a.x;
+    if (mixed_signs(u, v, w)) return false;
+    double det = u + v + w;
+    if (det == 0.0) return false;
+    return accept_hit((u * a.z + v * b.z + w * c.z) / det, u, v, w, det, tmin, limit, hit);
+}
+
+/// A corner of a wide triangle for intersect_in_double(): `v` relative to the ray's origin, with its axes
 /// permuted; `shear` is d[kx]/d[kz], d[ky]/d[kz], 1/d[kz].
 GLINT_FN dvec3 sheared_in_double(dvec3 v, dvec3 shear) {
     GLINT_PRECISE double x = v.x - shear.x * v.z;

@@ -63,7 +63,7 @@ std::string joined(const std::string& defines, const std::function<bool(const st
 bool is_part(const std::string& path, const ProgramChoice& choice) {
     if (path == "gpu/shaders/show.glsl") return false;
     if (path == "gpu/shaders/rays.glsl") return choice.rays;
-    if (path == "gpu/shaders/loop.glsl") return !choice.rays;
+    if (path == "gpu/shaders/loop.glsl" || path == "gpu/shaders/lights.glsl") return !choice.rays;
     if (path == "gpu/shaders/first_hit.glsl") return !choice.rays && choice.first_hit;
     if (path == "gpu/shaders/whitted.glsl") return !choice.rays && !choice.first_hit;
     return true;

@@ -21,14 +21,14 @@ constexpr float near_ratio = 16;
 /// Wide meshes are traced slowly.
 constexpr std::size_t max_wide_triangles = 1024;
 
-float largest_side(const Bounds& box) {
+float max_side(const Bounds& box) {
     const vec3 d = box.extent();
     return std::max({d.x, d.y, d.z});
 }
 
 /// Triangles are wide if they exceed this.
 float allowed_beside(const Bounds& thing) {
-    return std::max(wide_ratio * largest_side(thing), near_ratio * thing.max_coordinate());
+    return std::max(wide_ratio * max_side(thing), near_ratio * thing.max_coordinate());
 }
 
 /// How large triangles may be beside the other objects.
@@ -38,9 +38,9 @@ class AllowedWidth {
         for (std::uint32_t id = 0; id < objects.size(); ++id) {
             if (objects[id].bounds.empty()) continue;
             const float allowed = allowed_beside(objects[id].bounds);
-            if (allowed < least_) {
-                second_ = least_;
-                least_ = allowed;
+            if (allowed < min_) {
+                second_ = min_;
+                min_ = allowed;
                 object_ = id;
             } else {
                 second_ = std::min(second_, allowed);
@@ -48,11 +48,11 @@ class AllowedWidth {
         }
     }
 
-    float for_object(std::uint32_t id) const { return id == object_ ? second_ : least_; }
+    float for_object(std::uint32_t id) const { return id == object_ ? second_ : min_; }
 
   private:
-    float least_ = std::numeric_limits<float>::infinity();
-    float second_ = least_;
+    float min_ = std::numeric_limits<float>::infinity();
+    float second_ = min_;
     std::uint32_t object_ = invalid_index;
 };
 
@@ -64,7 +64,7 @@ bool is_wide(std::span<const vec3> positions, std::span<const uvec3> triangles, 
         Bounds box;
         for (int i = 0; i < 3; ++i) box.grow(positions[corners[i]]);
         if (near_ratio * box.max_coordinate() > size && ++far_away > max_wide_triangles) return false;
-        widest = std::max(widest, largest_side(box));
+        widest = std::max(widest, max_side(box));
         allowed = std::min(allowed, allowed_beside(box));
     }
     return widest > allowed;
@@ -81,11 +81,11 @@ std::vector<vec3> in_world(const std::vector<vec3>& positions, const dmat4& m) {
 void mark_wide_meshes(Baked& baked) {
     const AllowedWidth allowed(baked.objects);
     for (WorldInput::Triangles& mesh : baked.input.meshes)
-        mesh.wide = is_wide(mesh.positions, mesh.triangles, largest_side(baked.objects[mesh.object].bounds),
+        mesh.wide = is_wide(mesh.positions, mesh.triangles, max_side(baked.objects[mesh.object].bounds),
                             allowed.for_object(mesh.object));
     for (WorldInput::Instance& instance : baked.input.instances) {
         const WorldInput::SharedMesh& mesh = baked.input.shared_meshes[instance.mesh];
-        const float size = largest_side(baked.objects[instance.object].bounds);
+        const float size = max_side(baked.objects[instance.object].bounds);
         const float beside = allowed.for_object(instance.object);
         if (size <= beside || mesh.triangles->size() > max_wide_triangles) continue;
         instance.wide =

@@ -236,10 +236,10 @@ SceneDescription balanced() {
     return scene;
 }
 
-/// On the corner of a box a million times as large as what stands there.
+/// On a slab a thousand times as wide as what stands there.
 SceneDescription wide_ground() {
     SceneDescription scene = studio();
-    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(-999'998, 4e5, -500'001.07), Vec3(2e6, 2e6, 1e6)},
+    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(3, 4, -2.07), Vec3(2000, 2000, 2)},
         shiny(Vec3(0.8, 0.7, 0.6), 0.2, 10, 0.3));
     add_solids(scene, tinted_glass(1.3, Vec3(0.2, 0.1, 0.4), true));
     return scene;

@@ -147,7 +147,7 @@ bool test_wide(SpaceRay ray, vec3 direction, vec3 a, vec3 b, vec3 c, float limit
     dvec3 d = dvec3(permuted(direction, ray.kz));
     dvec3 shear = dvec3(d.x / d.z, d.y / d.z, 1.0 / d.z);
     dvec3 o = dvec3(ray.sheared_origin);
-    return intersect_corners(sheared_in_double(dvec3(permuted(a, ray.kz)) - o, shear),
+    return intersect_in_double(sheared_in_double(dvec3(permuted(a, ray.kz)) - o, shear),
                              sheared_in_double(dvec3(permuted(b, ray.kz)) - o, shear),
                              sheared_in_double(dvec3(permuted(c, ray.kz)) - o, shear), 0.0f, limit, found);
 }
