@@ -57,7 +57,7 @@ const std::array render_options{
     Option{0, "bits", "8|16", "bits per channel", true},
     Option{0, "alpha", "", "PNG, EXR: coverage as alpha"},
     Option{0, "layers", "", "EXR: each term as a layer", true},
-    Option{0, "keep-partial", "", "render coarse first; Ctrl-C writes what there is"},
+    Option{0, "keep-partial", "", "Ctrl-C writes what there is"},
     Option{0, "stats", "FILE", "counts, rays and times as JSON", true},
     threads,
     Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
