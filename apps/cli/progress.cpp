@@ -32,7 +32,7 @@ ProgressMeter::ProgressMeter(Console& console, ProgressStyle style, std::string 
     : console_(console), style_(style), task_(std::move(task)) {
     if (style_ == ProgressStyle::none) return;
     try {
-        thread_ = std::thread([this] { show_until_finished(); });
+        shown_ = std::async(std::launch::async, [this] { show_until_finished(); });
     } catch (const std::system_error&) {
         // Too few threads are allowed: only the end is shown.
     }
@@ -58,7 +58,7 @@ void ProgressMeter::stop() {
         finished_ = true;
     }
     finishes_.notify_all();
-    if (thread_.joinable()) thread_.join();
+    if (shown_.valid()) shown_.wait();
 }
 
 void ProgressMeter::finish() {

@@ -7,9 +7,9 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <string>
-#include <thread>
 
 namespace glint::cli {
 
@@ -47,7 +47,7 @@ class ProgressMeter {
     std::condition_variable finishes_;
     Progress state_;
     bool finished_ = false;
-    std::thread thread_;
+    std::future<void> shown_; ///< when all but the last state are
 };
 
 } // namespace glint::cli

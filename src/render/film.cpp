@@ -308,6 +308,7 @@ void Film::show_preview(const Pass& pass, parallel::TaskPool& pool) {
 }
 
 void Film::move_to(Picture& picture) {
+    fit(images_); // black if nothing was measured
     picture.image = std::move(images_.image);
     picture.terms = std::move(images_.terms);
     picture.coverage = std::move(images_.coverage);

@@ -29,11 +29,16 @@ TEST(Cancel, BeforeTheStartLeavesNothing) {
     options.cancel = &cancel;
     options.coverage = true;
     options.terms = true;
-    const Picture picture = rendered(glowing(64), options);
-    EXPECT_FALSE(picture.complete);
-    EXPECT_TRUE(is_black(picture));
-    EXPECT_EQ(picture.stats.primary_rays, 0u);
-    EXPECT_EQ(picture.stats.threads, 0);
+    for (const bool coarse_first : {false, true}) {
+        options.coarse_first = coarse_first;
+        const Picture picture = rendered(glowing(64), options);
+        EXPECT_FALSE(picture.complete);
+        EXPECT_EQ(picture.image.pixels.size(), 3u * 64 * 64);
+        EXPECT_EQ(picture.coverage.size(), 64u * 64);
+        EXPECT_TRUE(is_black(picture));
+        EXPECT_EQ(picture.stats.primary_rays, 0u);
+        EXPECT_EQ(picture.stats.threads, 0);
+    }
 }
 
 TEST(Cancel, KeepsFinishedTilesWholeAndTheOthersBlack) {
