@@ -129,8 +129,8 @@ TEST(GpuAgreement, ScenesFarFromZeroLookAsOnTheCpu) {
 
 TEST(GpuAgreement, NoRayLeavesAClosedSolid) {
     GLINT_NEEDS_GPU();
-    const auto expect_all = [](const std::vector<kit::Exhibit>& scenes, float right) {
-        for (const kit::Exhibit& solid : scenes) {
+    const auto expect_all = [](const std::vector<kit::Exhibit>& solids, float right) {
+        for (const kit::Exhibit& solid : solids) {
             gpu()->prepare(build_scene(solid.scene));
             const Image image = gpu()->render().image;
             EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), right),
