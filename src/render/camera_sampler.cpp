@@ -16,7 +16,6 @@ CameraSampler::CameraSampler(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(settings_.filter) {}
 
 imaging::FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
-    if (settings_.spp == 1) return {};
     const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
                                static_cast<uint>(pixel.x), static_cast<uint>(pixel.y));
     const vec2 u = sample_pair(key, static_cast<uint>(index), 0);
