@@ -80,6 +80,10 @@ std::string document(const Json& json) {
 
 } // namespace
 
+double samples_per_pixel(const Picture& picture) {
+    return double(picture.stats.primary_rays) / (double(picture.image.width) * picture.image.height);
+}
+
 std::string stats_json(const RenderRecord& record, const Scene& scene, const Picture& picture) {
     const RenderStats& stats = picture.stats;
     const double total =
@@ -95,6 +99,7 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
         {"hash", record.hash},
         {"scene", scene_json(scene.stats())},
         {"settings", settings_json(scene)},
+        {"samples_per_pixel", samples_per_pixel(picture)},
         {"rays",
          {{"primary", stats.primary_rays},
           {"reflected", stats.reflected_rays},

@@ -17,12 +17,15 @@ struct RenderRecord {
     std::string output; ///< likewise
     std::string hash;
     std::optional<int> frame;
-    double fraction = 1; ///< share of the tiles rendered
+    double fraction = 1; ///< of the picture that is done
     double load_seconds = 0;
     double build_seconds = 0;
     double write_seconds = 0;
     std::string device; ///< the graphics card; empty: the CPU
 };
+
+/// Rays through the camera that a picture took.
+double samples_per_pixel(const Picture& picture);
 
 /// The document of --stats, with a line feed at its end.
 std::string stats_json(const RenderRecord& record, const Scene& scene, const Picture& picture);

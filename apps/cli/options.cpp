@@ -24,7 +24,7 @@ constexpr auto joined_names = [] {
 
 // Options of more than one command.
 constexpr Option size{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true};
-constexpr Option spp{0, "spp", "N", "samples per pixel; 1 is the pixel's centre", false, true};
+constexpr Option spp{0, "spp", "N|A..B", "samples per pixel; 1..16: 16 where neighbours differ", false, true};
 constexpr Option max_depth{0, "max-depth", "N", "bounces after the first hit"};
 constexpr Option seed{0, "seed", "N", "of the random numbers"};
 constexpr Option set{'D',   "",  "PATH=VALUE", "set one value of the scene: -D material.glass.index=1.33",

@@ -54,6 +54,13 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     return options;
 }
 
+/// "4 spp", or "1..16 spp, 2.7 on average".
+std::string samples_text(const RenderSettings& settings, const Picture& picture) {
+    if (settings.max_spp <= settings.spp) return fmt::format("{} spp", settings.spp);
+    return fmt::format("{}..{} spp, {:.1f} on average", settings.spp, settings.max_spp,
+                       samples_per_pixel(picture));
+}
+
 /// "scene.png: 640×480, 4 spp, 871,306 triangles, 1.23 s, 3.41 Mrays/s, hash …"
 std::string closing_line(const RenderRecord& record, const Scene& scene, const Picture& picture) {
     const SceneStats stats = scene.stats();
@@ -62,8 +69,9 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
     const std::string partial =
         picture.complete ? "" : fmt::format("stopped early with {:.0f} % done, ", record.fraction * 100);
     const std::string device = record.device.empty() ? "" : "on " + record.device + ", ";
-    return fmt::format("{}: {}{}×{}, {} spp, {}, {}{}, {}, hash {}", shown_name(record.output), partial,
-                       picture.image.width, picture.image.height, scene.render_settings().spp, size, device,
+    return fmt::format("{}: {}{}×{}, {}, {}, {}{}, {}, hash {}", shown_name(record.output), partial,
+                       picture.image.width, picture.image.height,
+                       samples_text(scene.render_settings(), picture), size, device,
                        duration(picture.stats.wall_seconds),
                        ray_rate(picture.stats.rays(), picture.stats.wall_seconds), record.hash);
 }

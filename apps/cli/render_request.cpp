@@ -95,6 +95,21 @@ RenderOptions render_options(const Arguments& arguments) {
     return options;
 }
 
+/// "4", or "1..16": more where neighbours differ.
+void apply_samples(const std::string& text, RenderSettings& render) {
+    const std::size_t dots = text.find("..");
+    const auto least = whole_number(text.substr(0, dots));
+    const auto most = dots == std::string::npos ? least : whole_number(text.substr(dots + 2));
+    if (!least || !most || *least < 1 || *least > *most || *most > sample_limit)
+        throw Error(
+            ErrorKind::usage, fmt::format("--spp \"{}\" is not valid", text),
+            fmt::format("expected a whole number from 1 to {}, or two of them such as 1..16: that many "
+                        "where neighbouring pixels differ",
+                        sample_limit));
+    render.spp = static_cast<int>(*least);
+    render.max_spp = *most > *least ? static_cast<int>(*most) : 0;
+}
+
 } // namespace
 
 RenderRequest read_render_request(const Arguments& arguments) {
@@ -146,7 +161,7 @@ void apply_flags(const Arguments& arguments, SceneDescription& scene) {
         scene.render.width = static_cast<int>((*size)[0]);
         scene.render.height = static_cast<int>((*size)[1]);
     }
-    if (const auto spp = arguments.integer("spp", 1, sample_limit)) scene.render.spp = static_cast<int>(*spp);
+    if (arguments.has("spp")) apply_samples(*arguments.text("spp"), scene.render);
     if (const auto seed = arguments.integer("seed", 0, INT64_MAX))
         scene.render.seed = static_cast<std::uint64_t>(*seed);
     if (const auto depth = arguments.integer("max-depth", 0, 1000))

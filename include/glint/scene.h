@@ -62,7 +62,8 @@ inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>
 struct RenderSettings {
     int width = 640;
     int height = 480;
-    int spp = 4; ///< samples per pixel; 1: through the pixel's centre
+    int spp = 4;     ///< samples per pixel; 1: through the pixel's centre
+    int max_spp = 0; ///< samples of each pixel that differs from a neighbour, if more than `spp`
     std::uint64_t seed = 0;
     Integrator integrator = Integrator::whitted;
     PixelFilter filter = PixelFilter::box;

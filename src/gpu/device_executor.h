@@ -21,6 +21,9 @@ struct GpuTile {
     Rect rect;               ///< in the grid; its sides are multiples of 8
     rendering::Pixel origin; ///< of the grid, in the area of the picture
     int step = 1;            ///< pixels from one to the next
+
+    /// Of the area; it may lie beyond.
+    rendering::Pixel pixel(std::uint32_t slot) const;
 };
 
 /// For ScheduleRun; its unit of work is a square of 64 slots. All but the constructor needs the context to be
@@ -36,6 +39,8 @@ class DeviceExecutor {
 
     /// Begins a picture of the scene that the device state holds.
     void start(const rendering::FilmLayout& layout, TileDone tile_done, PassDone pass_done = {});
+    /// Adaptive passes measure those pixels of the area only that `takes` says.
+    void measure_only(std::function<bool(const rendering::Pixel&)> takes) { takes_ = std::move(takes); }
 
     parallel::TaskPool& pool() { return pool_; }
     std::vector<std::uint32_t> begin_pass(const rendering::Pass& pass);
@@ -55,15 +60,17 @@ class DeviceExecutor {
     std::vector<GpuTile> picture_tiles() const { return tiles_of_grid({0, 0}, 1); }
     /// The film of such a tile; before it has samples, any.
     const GpuBuffer& film_of(std::size_t tile) const;
-    std::uint32_t samples_of(std::size_t tile) const; ///< that are whole in its film
-    bool is_under_way(std::size_t tile) const;        ///< are samples of it?
+    std::uint32_t samples_in_film(std::size_t tile) const; ///< that are whole
+    bool is_under_way(std::size_t tile) const;             ///< are samples of it?
 
     GpuSettings settings_of(const GpuTile& tile, const rendering::Pass& pass) const;
 
   private:
     void begin_tile();
+    void skip_pixels(const GpuTile& tile);
     std::vector<GpuTile> tiles_of_grid(const rendering::Pixel& origin, int step) const;
     bool keeps_film() const;
+    int samples_of(const rendering::Pass& pass) const;
     const GpuBuffer& film();
 
     GpuDeviceState& device_state_;
@@ -76,6 +83,7 @@ class DeviceExecutor {
     rendering::FilmLayout layout_;
     TileDone tile_done_;
     PassDone pass_done_;
+    std::function<bool(const rendering::Pixel&)> takes_;
     rendering::Pass pass_;
     std::vector<GpuTile> tiles_; ///< of the pass
     std::size_t tile_ = 0;       ///< the one under way, or the last

@@ -36,10 +36,8 @@ void read_tile(const rendering::Pass& pass, const gpu::GpuTile& tile, const gpu:
     buffer.read(0, fields.data(), fields.size() * sizeof(float));
     const Rect& area = film.layout().area;
     for (std::uint32_t slot = 0; slot < slots; ++slot) {
-        const uvec2 in_tile = pixel_of_slot(slot, static_cast<std::uint32_t>(tile.rect.width));
-        const rendering::Pixel pixel{tile.origin.x + (tile.rect.x + static_cast<int>(in_tile.x)) * tile.step,
-                                     tile.origin.y + (tile.rect.y + static_cast<int>(in_tile.y)) * tile.step};
-        if (pixel.x < area.width && pixel.y < area.height)
+        const rendering::Pixel pixel = tile.pixel(slot);
+        if (pixel.x < area.width && pixel.y < area.height && (!pass.adaptive || film.takes(pixel)))
             read_pixel(pass, pixel, fields, slot, slots, terms, film);
     }
 }
@@ -79,7 +77,11 @@ Picture GpuRenderer::render(const RenderOptions& options) {
         },
         [&](const rendering::Pass& pass) {
             if (pass.is_preview()) film.show_preview(pass, executor.pool());
+            // The next pass is adaptive.
+            else if (film.layout().samples.adaptive())
+                film.refine(executor.pool());
         });
+    executor.measure_only([&](const rendering::Pixel& pixel) { return film.takes(pixel); });
     Picture picture = rendering::render_film(executor, film, passes, options, start);
     picture.stats.device_seconds = executor.work().device_seconds();
     return picture;

@@ -70,6 +70,11 @@ void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     device_state_.budget().next_tile();
 }
 
+void TileWork::skip(std::span<const std::uint32_t> samples) {
+    work_->write(4 * (work_counters + field_sample * std::size_t{slots_}), samples.data(),
+                 samples.size_bytes());
+}
+
 void TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     device_state_.buffers().bind();
     work_->bind_storage(6);

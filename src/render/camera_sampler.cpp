@@ -22,7 +22,6 @@ CameraSampler::CameraSampler(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(settings_.filter) {}
 
 imaging::FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
-    if (settings_.spp == 1) return {};
     const vec2 u = random_pair(settings_, pixel, index, SampleDimension::film);
     return filter_.sample(u.x, u.y);
 }

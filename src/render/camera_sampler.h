@@ -27,7 +27,7 @@ class CameraSampler {
   public:
     explicit CameraSampler(const SceneDescription& scene);
 
-    /// Sample `index` of a pixel. The only sample of a pixel goes through its centre.
+    /// Sample `index` of a pixel that has several. The only sample of a pixel goes through its centre.
     CameraSample sample(const Pixel& pixel, int index) const {
         return sample_at(pixel, index, film_sample(pixel, index));
     }

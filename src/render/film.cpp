@@ -6,6 +6,7 @@
 #include "glint/limits.h"
 #include "parallel/large_pages.h"
 #include "render/aov.h"
+#include "render/contrast.h"
 #include "render/upsample.h"
 
 #include <algorithm>
@@ -38,10 +39,13 @@ void write_color(float* pixel, const vec3& value) {
     pixel[2] = value.z;
 }
 
+bool same(const Rect& a, const Rect& b) {
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
 /// The name of what two layouts differ in; null if they are equal.
 const char* difference(const FilmLayout& a, const FilmLayout& b) {
-    const Rect &r = a.area, &s = b.area;
-    if (r.x != s.x || r.y != s.y || r.width != s.width || r.height != s.height) return "area";
+    if (!same(a.area, b.area) || !same(a.kept, b.kept)) return "area";
     if (a.tile_size != b.tile_size) return "tile size";
     if (a.samples != b.samples) return "samples per pixel";
     if (a.show != b.show) return "quantity";
@@ -62,15 +66,35 @@ Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& cro
                     std::to_string(settings.height));
 }
 
+/// The pixels of an area and those around it, as far as the picture has them.
+Rect with_neighbours(const Rect& area, const RenderSettings& settings) {
+    const int x = std::max(0, area.x - 1), y = std::max(0, area.y - 1);
+    return {x, y, std::min(settings.width, area.x + area.width + 1) - x,
+            std::min(settings.height, area.y + area.height + 1) - y};
+}
+
+/// Keeps only a part of an image.
+void cut(std::vector<float>& values, const Layout& layout, const Rect& part) {
+    const std::size_t row = static_cast<std::size_t>(part.width) * static_cast<std::size_t>(layout.channels);
+    for (int y = 0; y < part.height && !values.empty(); ++y)
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(layout.at(part.x, part.y + y)), row,
+                    values.begin() + static_cast<std::ptrdiff_t>(row) * y);
+    values.resize(std::min(values.size(), row * static_cast<std::size_t>(part.height)));
+}
+
 } // namespace
 
 FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& options) {
     FilmLayout layout;
-    layout.area = picture_area(settings, options.crop);
+    layout.area = layout.kept = picture_area(settings, options.crop);
     layout.tile_size = std::clamp(options.tile_size, 1, picture_side_limit);
     layout.show = options.show;
     if (!is_light(options.show)) return layout;
-    layout.samples = settings.spp;
+    layout.samples.all = settings.spp;
+    if (settings.max_spp > settings.spp) {
+        layout.samples.differing = settings.max_spp;
+        layout.area = with_neighbours(layout.kept, settings);
+    }
     layout.term = term_of(options.show);
     layout.terms = options.terms;
     if (settings.integrator != Integrator::whitted && (layout.term || layout.terms))
@@ -86,6 +110,7 @@ void Film::start(const FilmLayout& layout) {
     layout_ = layout;
     grid_ = TileGrid(layout.area.width, layout.area.height, layout.tile_size);
     samples_.resize(grid_.count());
+    refined_.clear();
     for (TileSamples& tile : samples_) {
         if (!tile.blocks.empty()) tile.spare.swap(tile.blocks.front().states);
         tile.blocks.clear();
@@ -103,7 +128,17 @@ void Film::fit(FilmImages& images) const {
 
 // ── Samples ──
 
+void Film::refine(parallel::TaskPool& pool) {
+    if (is_refined()) return;
+    Rect kept = layout_.kept;
+    kept.x -= layout_.area.x;
+    kept.y -= layout_.area.y;
+    refined_ = pixels_that_differ(images_.image, images_.coverage, kept, pool);
+    for (TileSamples& tile : samples_) tile.blocks.clear();
+}
+
 Pass Film::missing(std::size_t tile, const Pass& pass) const {
+    if (is_refined() && !pass.adaptive) return {};
     int first = pass.first;
     int end = pass.first + pass.count;
     for (const SampleBlock& block : samples_[tile].blocks) {
@@ -120,7 +155,7 @@ Pass Film::missing(std::size_t tile, const Pass& pass) const {
     if (visit.count == 0 || continues(tile, visit)) return visit;
     // With sums of its own, it must be a tree of the whole sum.
     if (first > 0) visit.count = std::min(visit.count, alignment(first));
-    if (first + visit.count < layout_.samples)
+    if (first + visit.count < samples())
         visit.count = static_cast<int>(std::bit_floor(static_cast<unsigned>(visit.count)));
     return visit;
 }
@@ -129,7 +164,7 @@ bool Film::continues(std::size_t tile, const Pass& visit) const {
     const auto& blocks = samples_[tile].blocks;
     const int end = visit.first + visit.count;
     return !blocks.empty() && blocks.front().first == 0 && blocks.front().count == visit.first &&
-           (end == layout_.samples || is_power_of_two(end));
+           (end == samples() || is_power_of_two(end));
 }
 
 template <class T>
@@ -141,25 +176,27 @@ PixelState<T> Film::state(std::size_t tile, std::size_t pixel) const {
 
 bool Film::keeps_states(std::size_t tile, const Pass& visit) const {
     const bool starts = visit.first == 0 || continues(tile, visit);
-    return !starts || visit.first + visit.count < layout_.samples;
+    return !starts || visit.first + visit.count < samples();
 }
 
 bool Film::is_complete(const TileSamples& tile) const {
-    return !tile.blocks.empty() && tile.blocks.front().count == layout_.samples;
+    return !tile.blocks.empty() && tile.blocks.front().count == samples();
 }
 
 bool Film::has_samples() const {
-    return std::any_of(samples_.begin(), samples_.end(),
-                       [](const TileSamples& tile) { return !tile.blocks.empty(); });
+    return is_refined() || std::any_of(samples_.begin(), samples_.end(),
+                                       [](const TileSamples& tile) { return !tile.blocks.empty(); });
 }
 
-bool Film::is_complete() const {
+bool Film::is_complete() const { return has_all_samples() && is_refined() == layout_.samples.adaptive(); }
+
+bool Film::has_all_samples() const {
     return std::all_of(samples_.begin(), samples_.end(),
                        [this](const TileSamples& tile) { return is_complete(tile); });
 }
 
 std::size_t Film::state_bytes(std::size_t tile) const {
-    return pixels_of(tile) * (layout_.sums_terms() ? sizeof(PixelState<Terms>) : sizeof(PixelState<vec3>));
+    return pixels_of(tile) * (sums_terms() ? sizeof(PixelState<Terms>) : sizeof(PixelState<vec3>));
 }
 
 std::size_t Film::pixels_of(std::size_t tile) const {
@@ -194,7 +231,7 @@ void Film::insert(TileSamples& tile, SampleBlock block) const {
 // ── Blocks of samples with sums of their own ──
 
 void Film::merge_blocks(std::size_t tile) {
-    layout_.sums_terms() ? merge_and_show<Terms>(tile) : merge_and_show<vec3>(tile);
+    sums_terms() ? merge_and_show<Terms>(tile) : merge_and_show<vec3>(tile);
 }
 
 /// Joins neighbours that make a larger tree, as carries run through a binary counter.
@@ -239,6 +276,9 @@ void Film::show_blocks(std::size_t tile) {
     for (const SampleBlock& block : blocks) count += block.count;
     const Rect r = grid_.tile(tile);
     for (std::size_t i = 0; i < pixels_of(tile); ++i) {
+        const auto width = static_cast<std::size_t>(r.width);
+        const Pixel pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)};
+        if (!takes(pixel)) continue;
         const std::size_t at = i * sizeof(PixelState<T>);
         PixelState<T> all;
         std::memcpy(&all, &blocks.back().states[at], sizeof all);
@@ -250,12 +290,10 @@ void Film::show_blocks(std::size_t tile) {
         }
         const imaging::SignedSums<T> sums{all.sum.positive, all.sum.negative,
                                           static_cast<std::uint32_t>(count), all.sum.positives};
-        const auto width = static_cast<std::size_t>(r.width);
-        show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)},
-             imaging::pixel_value(sums), imaging::pixel_coverage(all.covered, sums.count, sums.positives),
-             images_);
+        show(pixel, imaging::pixel_value(sums),
+             imaging::pixel_coverage(all.covered, sums.count, sums.positives), images_);
     }
-    if (count == layout_.samples) {
+    if (count == samples()) {
         blocks.resize(1);
         blocks.front().count = count;
     }
@@ -309,6 +347,19 @@ void Film::show_preview(const Pass& pass, parallel::TaskPool& pool) {
 
 void Film::move_to(Picture& picture) {
     fit(images_); // black if nothing was measured
+    if (!same(layout_.area, layout_.kept)) {
+        const Rect &area = layout_.area, &kept = layout_.kept;
+        const Rect part{kept.x - area.x, kept.y - area.y, kept.width, kept.height};
+        const auto cut_image = [&](Image& image) {
+            if (image.pixels.empty()) return;
+            cut(image.pixels, {area.width, area.height, 3}, part);
+            image.width = part.width;
+            image.height = part.height;
+        };
+        cut_image(images_.image);
+        for (Image& term : images_.terms) cut_image(term);
+        cut(images_.coverage, {area.width, area.height, 1}, part);
+    }
     picture.image = std::move(images_.image);
     picture.terms = std::move(images_.terms);
     picture.coverage = std::move(images_.coverage);
@@ -319,6 +370,9 @@ void Film::move_to(Picture& picture) {
 void Film::join(const Film& other) {
     if (const char* name = difference(layout_, other.layout_))
         throw Error(ErrorKind::usage, std::string("the films differ in their ") + name);
+    if (refined_ != other.refined_)
+        throw Error(ErrorKind::usage, "the films differ in the pixels that they refine",
+                    "join films before their adaptive samples, or all of the same picture after");
     for (std::size_t tile = 0; tile < samples_.size(); ++tile)
         for (const SampleBlock& a : samples_[tile].blocks)
             for (const SampleBlock& b : other.samples_[tile].blocks)

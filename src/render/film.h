@@ -18,16 +18,14 @@ namespace glint::rendering {
 
 /// What a film measures and stores.
 struct FilmLayout {
-    Rect area;                ///< pixels of the whole picture
+    Rect area;                ///< pixels of the whole picture: those that are measured
+    Rect kept;                ///< those of them that the picture shows; the others are only compared
     int tile_size = 16;       ///< pixels
-    int samples = 1;          ///< of a finished pixel
+    SampleCounts samples;     ///< of a finished pixel
     Aov show = Aov::final;    ///< what is measured
     std::optional<Term> term; ///< shown by the image instead of the radiance
     bool terms = false;       ///< keep an image of each term
     bool coverage = false;    ///< keep the share of samples that hit something
-
-    /// True if each term is summed; otherwise one channel is: the radiance, a single term or an AOV.
-    bool sums_terms() const { return terms || (samples > 1 && !term); }
 };
 
 /// The layout of a picture. AOVs of first hits have one sample, no terms and no coverage. Throws Error(usage)
@@ -80,6 +78,18 @@ class Film {
     const FilmLayout& layout() const { return layout_; }
     const TileGrid& tiles() const { return grid_; }
 
+    /// Samples of a finished pixel; after refine(), of one that is refined.
+    int samples() const { return is_refined() ? layout_.samples.differing : layout_.samples.all; }
+    /// True if each term is summed; otherwise one channel is: the radiance, a single term or an AOV.
+    bool sums_terms() const { return layout_.terms || (samples() > 1 && !layout_.term); }
+
+    /// Begins the adaptive passes, if they have not begun: the pixels that differ from a neighbour get new
+    /// samples, the others are finished. All must have those of the passes before.
+    void refine(parallel::TaskPool& pool);
+    bool is_refined() const { return !refined_.empty(); }
+    /// True if this pixel of the area is measured: after refine(), if it is refined.
+    bool takes(const Pixel& pixel) const { return !is_refined() || refined_[index(pixel)] != 0; }
+
     /// The samples of a pass that a tile lacks, as far as the next visit takes them: none if their count is
     /// 0. After its commit() there may be more.
     Pass missing(std::size_t tile, const Pass& pass) const;
@@ -93,7 +103,7 @@ class Film {
     bool keeps_states(std::size_t tile, const Pass& visit) const;
     std::size_t state_bytes(std::size_t tile) const; ///< of all pixels of a tile
 
-    /// Stores a visit from missing(), which measured every pixel of the tile.
+    /// Stores a visit from missing(), which measured every pixel of the tile that the film takes.
     void commit(std::size_t tile, const Pass& visit, FilmTile& values);
     /// Stores centres of a preview pass.
     void commit_preview(const Pass& pass, const FilmTile& values);
@@ -109,6 +119,8 @@ class Film {
     void move_to(Picture& picture);
     /// True if any tile has samples, which previews would overwrite.
     bool has_samples() const;
+    /// True if every pixel that takes() accepts has samples() samples.
+    bool has_all_samples() const;
     /// True if every pixel has all its samples.
     bool is_complete() const;
 
@@ -166,7 +178,8 @@ class Film {
 
     FilmLayout layout_;
     TileGrid grid_;
-    std::vector<TileSamples> samples_; ///< by tile
+    std::vector<TileSamples> samples_;  ///< by tile
+    std::vector<std::uint8_t> refined_; ///< by pixel: gets new samples; empty before refine()
     FilmImages images_;
     FilmImages preview_; ///< centres, at the pixels that were measured
 };

@@ -80,6 +80,18 @@ TEST_F(Render, ClosesWithOneLineThatSaysWhatWasDone) {
     EXPECT_EQ(measured.rfind("a.png: 16×12, 4 spp, 1 object, ", 0), 0u) << outcome.err;
 }
 
+TEST_F(Render, TakesMoreSamplesWhereNeighboursDiffer) {
+    const Outcome outcome = glint("good.toml --spp 1..16 --stats s.json -o a.pfm");
+    EXPECT_NE(outcome.err.find("a.pfm: 16×12, 1..16 spp, "), std::string::npos) << outcome.err;
+    const auto stats = nlohmann::json::parse(content("s.json"));
+    EXPECT_GT(stats["samples_per_pixel"], 1.0);
+    EXPECT_LT(stats["samples_per_pixel"], 16.0);
+    ASSERT_EQ(glint("good.toml --spp 16 -o b.pfm -D render.max_spp=64").exit, 0);
+    EXPECT_EQ(hash_of(glint("good.toml --spp 16 -o c.pfm")),
+              hash_of(glint("good.toml --spp 16..16 -o d.pfm")));
+    EXPECT_EQ(content("b.pfm"), content("c.pfm")) << "a fixed number ends adaptive samples";
+}
+
 TEST_F(Render, ShowsMoreThanTheLight) {
     const std::string light = hash_of(glint("good.toml -o a.png"));
     EXPECT_EQ(hash_of(glint("good.toml --show final -o a.png")), light);

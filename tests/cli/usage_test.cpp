@@ -67,6 +67,8 @@ const Case cases[] = {
     {"RefusesWordsForNumbers", "good.toml --spp many", 2, "--spp \"many\""},
     {"RefusesNoSamples", "good.toml --spp 0", 2, "from 1 to 1048576"},
     {"RefusesAFractionOfASample", "good.toml --spp 1.5", 2, "a whole number"},
+    {"RefusesFewerSamplesThanTheFewest", "good.toml --spp 16..4", 2, "such as 1..16"},
+    {"RefusesSamplesWithoutAnEnd", "good.toml --spp 16..", 2, "such as 1..16"},
     {"RefusesANegativeDepth", "good.toml --max-depth -1", 2, "from 0 to 1000"},
     {"RefusesANegativeSeed", "good.toml --seed -1", 2, "at least 0"},
     {"RefusesTooManyThreads", "good.toml -t 5000", 2, "from 0 to 1024"},

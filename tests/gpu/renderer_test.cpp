@@ -190,6 +190,25 @@ TEST(GpuRenderer, MoreThanEightSolidsAroundARayAreRefused) {
         std::string::npos);
 }
 
+TEST(GpuRenderer, TakesMoreSamplesWhereNeighboursDifferAsTheCpuDoes) {
+    GLINT_NEEDS_GPU();
+    for (const int samples : {1, 2}) {
+        SceneDescription description = exhibit("mirrors", samples);
+        description.render.max_spp = 8;
+        expect_agreement(description, "adaptive");
+        const Scene scene = build_scene(description);
+        gpu()->prepare(scene);
+        RenderOptions options;
+        options.terms = true;
+        options.coverage = true;
+        options.crop = Rect{7, 3, 21, 13};
+        const Picture ours = gpu()->render(options);
+        const Picture theirs = render(scene, options);
+        expect_agreement(ours.image, theirs.image, "part of an adaptive picture");
+        EXPECT_NEAR(double(ours.stats.primary_rays), double(theirs.stats.primary_rays), 8 * 2);
+    }
+}
+
 TEST(GpuRenderer, ADeviceThatIsNotThereIsRefused) {
     GLINT_NEEDS_GPU();
     EXPECT_NE(refusal([] { GpuRenderer(1000); }).find("there is no device 1000"), std::string::npos);

@@ -23,6 +23,7 @@ Scene exhibit_scene(int samples) {
     scene.render.width = 21;
     scene.render.height = 13;
     scene.render.spp = samples;
+    scene.render.filter = PixelFilter::mitchell; // has samples of negative weight
     return build_scene(scene);
 }
 
@@ -67,7 +68,7 @@ TEST(Film, ShardsOfTilesJoinToTheWhole) {
         Film whole(film_layout(scene.render_settings(), options));
         for (const int i : {2, 0, 1}) {
             EXPECT_FALSE(whole.is_complete());
-            whole.join(film_of(scene, options, one_pass(samples), {i, 3}));
+            whole.join(film_of(scene, options, picture_passes({samples}, {}), {i, 3}));
         }
         EXPECT_TRUE(whole.is_complete());
         expect_same(whole, render(scene, options), std::to_string(samples) + " samples");
@@ -104,9 +105,10 @@ TEST(Film, RandomCancelsSavesAndLoadsChangeNoBit) {
             film = Film::load(film.save());
             CancelFlag cancel{false};
             int tiles = static_cast<int>(random() % 8);
-            run(scene, film, one_pass(samples), {}, &cancel, [&](const Progress&) { cancel = --tiles <= 0; });
+            run(scene, film, picture_passes({samples}, {}), {}, &cancel,
+                [&](const Progress&) { cancel = --tiles <= 0; });
         }
-        run(scene, film, one_pass(samples));
+        run(scene, film, picture_passes({samples}, {}));
         EXPECT_TRUE(film.is_complete());
         film = Film::load(film.save());
         expect_same(film, render(scene, options), std::to_string(samples) + " samples");
@@ -118,7 +120,7 @@ TEST(Film, PassesThatDoubleGoOnAfterALoad) {
     RenderOptions options;
     options.show = Aov::diffuse;
     Film film(film_layout(scene.render_settings(), options));
-    for (const Pass& pass : refining_passes(1, 11)) {
+    for (const Pass& pass : refining_passes(1, {11})) {
         run(scene, film, {pass});
         film = Film::load(film.save());
     }
@@ -128,17 +130,17 @@ TEST(Film, PassesThatDoubleGoOnAfterALoad) {
 TEST(Film, WhatIsDoneIsNotMeasuredAgain) {
     const Scene scene = exhibit_scene(4);
     const RenderOptions options = in_tiles(4);
-    Film film = film_of(scene, options, one_pass(4), {0, 2});
+    Film film = film_of(scene, options, picture_passes({4}, {}), {0, 2});
     Film odd(film_layout(scene.render_settings(), options));
-    EXPECT_EQ(run(scene, film, one_pass(4)), run(scene, odd, one_pass(4), {1, 2}));
+    EXPECT_EQ(run(scene, film, picture_passes({4}, {})), run(scene, odd, picture_passes({4}, {}), {1, 2}));
     EXPECT_TRUE(film.is_complete());
 }
 
 TEST(Film, RefinesWhatWasRenderedInPart) {
     const Scene scene = exhibit_scene(6);
     const RenderOptions options = in_tiles(4);
-    Film film = film_of(scene, options, one_pass(6), {1, 3});
-    run(scene, film, refining_passes(8, 6));
+    Film film = film_of(scene, options, picture_passes({6}, {}), {1, 3});
+    run(scene, film, refining_passes(8, {6}));
     EXPECT_TRUE(film.is_complete());
     expect_same(film, render(scene, options), "refined");
 }
@@ -158,7 +160,7 @@ TEST(Film, ManyBlocksWithGapsCanBeSaved) {
 
 TEST(Film, APlainPictureKeepsNoSums) {
     const Scene scene = exhibit_scene(16);
-    const Film film = film_of(scene, {}, one_pass(16));
+    const Film film = film_of(scene, {}, picture_passes({16}, {}));
     const std::size_t image = film.image().pixels.size() * sizeof(float);
     EXPECT_LT(film.save().size(), image + 200);
 }
@@ -177,7 +179,7 @@ TEST(Film, RefusesToJoinWhatDoesNotFit) {
     const RenderOptions options = in_tiles(4);
     Film film = film_of(scene, options, {{1, false, 0, 2}}, {0, 2});
     const std::vector<std::byte> before = film.save();
-    EXPECT_EQ(refusal([&] { film.join(film_of(scene, options, one_pass(4))); }),
+    EXPECT_EQ(refusal([&] { film.join(film_of(scene, options, picture_passes({4}, {}))); }),
               "both films have the same samples");
     EXPECT_EQ(refusal([&] { film.join(Film(film_layout(exhibit_scene(5).render_settings(), options))); }),
               "the films differ in their samples per pixel");
@@ -206,7 +208,8 @@ void set_check_sum(std::vector<std::byte>& film) {
 }
 
 TEST(Film, TakesNoMemoryForWhatOnlyItsHeaderClaims) {
-    std::vector<std::byte> film = film_of(exhibit_scene(4), in_tiles(8), one_pass(4), {0, 2}).save();
+    std::vector<std::byte> film =
+        film_of(exhibit_scene(4), in_tiles(8), picture_passes({4}, {}), {0, 2}).save();
     set_check_sum(film);
     EXPECT_NO_THROW(Film::load(film));
     const std::int32_t width_height_and_tile[] = {30000, 30000, 1};

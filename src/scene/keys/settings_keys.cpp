@@ -64,6 +64,10 @@ TableSpec render_table() {
                 .range(between(1, sample_limit))
                 .typical(1, 64)
                 .help("samples per pixel; 1 is the pixel's centre"),
+            integer<&R::max_spp>("max_spp")
+                .range(between(0, sample_limit))
+                .typical(0, 64)
+                .help("samples of each pixel that differs from a neighbour, if more than `spp`"),
             integer<&R::seed>("seed").range(at_least_0).help("of the random numbers"),
             choice<&R::integrator>("integrator").help("the light model"),
             choice<&R::filter>("filter").help(
