@@ -23,7 +23,7 @@ class HiddenSolidFinder {
     explicit HiddenSolidFinder(const SceneData& scene) : scene_(scene), shown_(scene.objects.size()) {}
 
     std::vector<HiddenSolid> run() {
-        for (std::uint32_t id = 0; id < scene_.objects.size() && found_.size() < most_hidden_solids; ++id)
+        for (std::uint32_t id = 0; id < scene_.objects.size() && found_.size() < max_hidden_solids; ++id)
             if (is_glass_solid(id)) probe(id);
         return std::move(found_);
     }
