@@ -23,7 +23,7 @@ class HiddenSolidFinder {
     explicit HiddenSolidFinder(const SceneData& scene) : scene_(scene), shown_(scene.objects.size()) {}
 
     std::vector<HiddenSolid> run() {
-        for (std::uint32_t id = 0; id < scene_.objects.size() && found_.size() < most_hidden_solids; ++id)
+        for (std::uint32_t id = 0; id < scene_.objects.size() && found_.size() < max_hidden_solids; ++id)
             if (is_glass_solid(id)) probe(id);
         return std::move(found_);
     }
@@ -75,6 +75,7 @@ class HiddenSolidFinder {
         std::erase_if(hits_, [&](const Hit& hit) { return !is_glass_solid(hit.object); });
         // Those may be missed, or met twice.
         if (std::any_of(hits_.begin(), hits_.end(), [](const Hit& hit) { return hit.on_edge; })) return;
+        if (!says_anything()) return;
 
         std::map<std::uint32_t, std::uint32_t> around; // objects by rank
         for (const std::uint32_t object : objects_around(scene_, ray.origin))
@@ -89,6 +90,13 @@ class HiddenSolidFinder {
             }
             if (around.erase(rank) == 0) around.emplace(rank, object);
         }
+    }
+
+    /// About a solid that is not known to be shown.
+    bool says_anything() const {
+        for (std::size_t k = 0; k < hits_.size(); ++k)
+            if (!shown_[hits_[k].object] && !coincides(k)) return true;
+        return false;
     }
 
     /// With a surface of another object; which of them comes first says nothing.

@@ -10,7 +10,7 @@
 namespace glint::scene {
 
 /// More are not looked for: these are enough to mend before the next look.
-inline constexpr std::size_t most_hidden_solids = 100;
+inline constexpr std::size_t max_hidden_solids = 100;
 
 /// A transparent solid of which nothing is outside those that own the space.
 struct HiddenSolid {

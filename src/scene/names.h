@@ -3,9 +3,9 @@
 
 #include "glint/scene.h"
 
+#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 namespace glint::scene {
 
@@ -31,7 +31,7 @@ class NameIndex {
 
   private:
     template <class T>
-    using ByName = std::unordered_map<std::string_view, const T*>;
+    using ByName = std::map<std::string_view, const T*>;
 
     template <class T>
     static const T* find(const ByName<T>& all, const std::string& name) {

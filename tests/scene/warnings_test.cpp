@@ -281,7 +281,7 @@ SceneDescription nested_balls(int count, bool inner_owns) {
 
 TEST(Warnings, OfManyNestedSolidsTakeFewRays) {
     EXPECT_EQ(warned(nested_balls(1000, true)), Messages{});
-    EXPECT_EQ(warned(nested_balls(300, false)).size(), most_hidden_solids);
+    EXPECT_EQ(warned(nested_balls(300, false)).size(), max_hidden_solids);
 }
 
 TEST(Warnings, AreNoneForOpaqueThingsInWater) {

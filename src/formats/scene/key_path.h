@@ -9,7 +9,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 namespace glint::formats {
 
@@ -25,7 +24,7 @@ struct KeyTarget {
 };
 
 /// The places of a table's parts by name: in the list, or among the entries.
-using PartNames = std::unordered_map<std::string, std::size_t>;
+using PartNames = std::map<std::string, std::size_t>;
 
 /// Finds and sets what paths name in the tree of a scene. Names are gathered once, so that many paths are
 /// found about as fast as the tree is read.
