@@ -130,7 +130,9 @@ TEST(GpuAgreement, ScenesFarFromZeroLookAsOnTheCpu) {
 TEST(GpuAgreement, NoRayLeavesAClosedSolid) {
     GLINT_NEEDS_GPU();
     const auto expect_all = [](const std::vector<kit::Exhibit>& solids, float right) {
-        for (const kit::Exhibit& solid : solids) {
+        for (kit::Exhibit solid : solids) {
+            solid.scene.render.width = 32;
+            solid.scene.render.height = 24;
             gpu()->prepare(build_scene(solid.scene));
             const Image image = gpu()->render().image;
             EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), right),
