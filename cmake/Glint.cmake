@@ -3,8 +3,9 @@
 #   glint_room(NAME [SOURCES …] [DEPS room…] [LIBS target…])   a static library `glint_NAME` of src/NAME
 #   glint_test(NAME SOURCES … [DEPS room…] [LIBS target…])     a GoogleTest program, one CTest entry a TEST,
 #                                                              labelled NAME
-#   glint_embed(OUT VARIABLE "TYPE NAME" HEADER file FILES file… [WITHOUT_DIRECTIVES name|name])
-#                                                              sets OUT to a source with the text of files of src/
+#   glint_embed(OUT VARIABLE "TYPE NAME" HEADER file [ROOT folder] FILES file… [WITHOUT_DIRECTIVES name|name])
+#                                                              sets OUT to a source with the text of files below
+#                                                              ROOT, src unless it is given
 #   glint_find_openexr()                                       imports OpenEXR::OpenEXR
 
 # Of all this an installed glint passes only C++20 and its folder of headers on.
@@ -41,6 +42,9 @@ function(glint_room name)
     list(TRANSFORM ROOM_DEPS PREPEND glint_)
     if(ROOM_SOURCES)
         add_library(glint_${name} STATIC ${ROOM_SOURCES})
+        # For shared libraries that contain glint, as plug-ins do: these export nothing of it.
+        set_target_properties(glint_${name} PROPERTIES
+            POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
         target_link_libraries(glint_${name} PUBLIC glint_flags ${ROOM_DEPS} PRIVATE ${ROOM_LIBS})
     else()
         add_library(glint_${name} INTERFACE)
@@ -59,12 +63,16 @@ function(glint_test name)
 endfunction()
 
 function(glint_embed out)
-    cmake_parse_arguments(EMBED "" "VARIABLE;HEADER;WITHOUT_DIRECTIVES" "FILES" ${ARGN})
+    cmake_parse_arguments(EMBED "" "VARIABLE;HEADER;ROOT;WITHOUT_DIRECTIVES" "FILES" ${ARGN})
+    if(NOT EMBED_ROOT)
+        set(EMBED_ROOT src)
+    endif()
+    set(root ${PROJECT_SOURCE_DIR}/${EMBED_ROOT})
     set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
     set(text ${CMAKE_CURRENT_BINARY_DIR}/${out}.cpp)
-    list(TRANSFORM EMBED_FILES PREPEND ${PROJECT_SOURCE_DIR}/src/ OUTPUT_VARIABLE paths)
+    list(TRANSFORM EMBED_FILES PREPEND ${root}/ OUTPUT_VARIABLE paths)
     add_custom_command(OUTPUT ${text}
-        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${text} -DROOT=${PROJECT_SOURCE_DIR}/src "-DFILES=${EMBED_FILES}"
+        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${text} -DROOT=${root} "-DFILES=${EMBED_FILES}"
             "-DVARIABLE=${EMBED_VARIABLE}" -DHEADER=${EMBED_HEADER} "-DWITHOUT=${EMBED_WITHOUT_DIRECTIVES}" -P ${script}
         DEPENDS ${script} ${paths} VERBATIM)
     set(${out} ${text} PARENT_SCOPE)

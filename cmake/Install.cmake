@@ -22,6 +22,19 @@ install(EXPORT glint-glint NAMESPACE glint:: DESTINATION ${package} COMPONENT gl
 install(DIRECTORY include/glint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT glint PATTERN kernels.h EXCLUDE
     PATTERN trace.h EXCLUDE)
 
+# The pages, in which links to sources become plain text.
+file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} docs/*.md)
+foreach(page IN LISTS pages ITEMS README.md CHANGELOG.md)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
+    file(READ ${page} text)
+    string(REGEX REPLACE "\\[([^]]*)\\]\\((\\.\\./)?(apps|bench|examples|include|scenes|src|tests|tools)(/[^)]*)?\\)" "\\1"
+        text "${text}")
+    file(WRITE ${PROJECT_BINARY_DIR}/pages/${page} "${text}")
+endforeach()
+install(DIRECTORY ${PROJECT_BINARY_DIR}/pages/ TYPE DOC)
+install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES LICENSE TYPE DOC)
+
 configure_package_config_file(cmake/glint-config.cmake.in glint-config.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(glint-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/glint-config.cmake ${PROJECT_BINARY_DIR}/glint-config-version.cmake

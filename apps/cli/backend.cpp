@@ -3,6 +3,8 @@
 
 #include "text.h"
 
+#include "glint/limits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,7 +83,7 @@ std::string devices_text() {
                                               : "no: " + d.fault);
         if (!d.driver.empty()) {
             text += row("driver", d.driver);
-            text += row("largest buffer", bytes(static_cast<double>(d.max_buffer)));
+            text += row("largest buffer", bytes_text(static_cast<double>(d.max_buffer)));
             text += row("buffers", with_commas(d.buffers));
             text += row("largest group", with_commas(d.max_group));
         }

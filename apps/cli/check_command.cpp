@@ -1,45 +1,54 @@
 // glint check: validates scenes.
 #include "commands.h"
 #include "frames.h"
+#include "json_output.h"
 #include "scene_input.h"
 #include "text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace glint::cli {
 namespace {
 
 /// "cat.toml: ok (5 objects, 7,000 triangles, 2 lights, 3 materials; 1 warning)"
-std::string verdict(const std::string& file, const SceneDescription& description, const SceneStats& stats,
-                    std::size_t warning_count) {
+std::string verdict(const CheckedFile& checked) {
+    const SceneStats& stats = *checked.stats;
     std::string counts = counted(stats.objects, "object");
     if (stats.triangles > 0) counts += ", " + counted(stats.triangles, "triangle");
-    counts +=
-        ", " + counted(stats.lights, "light") + ", " + counted(description.materials.size(), "material");
-    if (warning_count > 0) counts += "; " + counted(warning_count, "warning");
-    return fmt::format("{}: ok ({})\n", printable(file), counts);
+    counts += ", " + counted(stats.lights, "light") + ", " + counted(checked.materials, "material");
+    if (!checked.warnings.empty()) counts += "; " + counted(checked.warnings.size(), "warning");
+    return fmt::format("{}: ok ({})\n", printable(checked.file), counts);
 }
 
-/// Prints all errors of a file; true if there are none.
-bool check_file(const std::string& file, const LoadOptions& options, const FrameRange& frames,
-                Console& console) {
+/// All errors and warnings of a file. Its errors do not stop the check of others.
+CheckedFile check_file(const std::string& file, const LoadOptions& options, const FrameRange& frames) {
+    CheckedFile checked;
+    checked.file = file;
     try {
         const LoadedScene loaded = read_scene(file, options);
-        report(loaded, console);
+        checked.warnings = loaded.warnings;
+        checked.notes = loaded.notes;
+        checked.materials = loaded.description.materials.size();
         if (!loaded.animation.keys.empty())
             for (const int frame : frames.of(loaded.animation)) scene_at(loaded, frame);
         const Scene scene = build_scene(loaded.description);
-        const std::vector<Diagnostic> scene_warnings = warnings(scene);
-        console.warnings(scene_warnings);
-        const std::size_t warning_count = loaded.warnings.size() + scene_warnings.size();
-        if (!console.quiet()) print_data(verdict(file, loaded.description, scene.stats(), warning_count));
-        return true;
+        const std::vector<Diagnostic> found = warnings(scene);
+        checked.warnings.insert(checked.warnings.end(), found.begin(), found.end());
+        checked.stats = scene.stats();
     } catch (const Error& error) {
-        // Errors of a file do not stop the check of others.
         if (error.kind() != ErrorKind::input) throw;
-        for (const Diagnostic& diagnostic : error.diagnostics()) console.error(diagnostic);
-        return false;
+        checked.errors = error.diagnostics();
     }
+    return checked;
+}
+
+void print(const CheckedFile& checked, Console& console) {
+    for (const std::string& note : checked.notes) console.note(note);
+    console.warnings(checked.warnings);
+    for (const Diagnostic& error : checked.errors) console.error(error);
+    if (checked.stats && !console.quiet()) print_data(verdict(checked));
 }
 
 } // namespace
@@ -47,12 +56,18 @@ bool check_file(const std::string& file, const LoadOptions& options, const Frame
 int check_command(const Arguments& arguments, Console& console) {
     const LoadOptions options = load_options(arguments);
     const FrameRange frames = frame_range(arguments).value_or(FrameRange{.all = true});
-    std::size_t bad = 0;
-    for (const std::string& file : arguments.operands())
-        if (!check_file(file, options, frames, console)) ++bad;
-
-    const std::size_t count = arguments.operands().size();
-    if (bad > 0 && count > 1) console.line(fmt::format("{} of {} files have errors", bad, count));
+    const bool json = arguments.has("json");
+    std::vector<CheckedFile> files;
+    for (const std::string& file : arguments.operands()) {
+        files.push_back(check_file(file, options, frames));
+        if (!json) print(files.back(), console);
+    }
+    const auto bad = static_cast<std::size_t>(
+        std::ranges::count_if(files, [](const CheckedFile& f) { return !f.errors.empty(); }));
+    if (json)
+        print_data(check_json(files));
+    else if (bad > 0 && files.size() > 1)
+        console.line(fmt::format("{} of {} files have errors", bad, files.size()));
     return bad > 0 ? exit_code::input : exit_code::done;
 }
 

@@ -1,22 +1,12 @@
 #pragma once
-// The commands. Each takes a checked command line and returns the exit code; run() prints thrown Errors.
+// The commands. Each takes a checked command line and returns the exit code, which is 128 + a signal's number
+// if one stopped it; run() prints thrown Errors.
 
+#include "../common/exit_code.h"
 #include "arguments.h"
 #include "console.h"
 
 namespace glint::cli {
-
-/// Exit codes; a run stopped by a signal returns 128 + its number.
-namespace exit_code {
-inline constexpr int done = 0;
-inline constexpr int differ = 1;   ///< pictures differ
-inline constexpr int usage = 2;    ///< wrong command line
-inline constexpr int input = 3;    ///< input invalid or unreadable
-inline constexpr int output = 4;   ///< output cannot be written
-inline constexpr int resource = 5; ///< out of memory or beyond a size limit
-inline constexpr int device = 7;   ///< a device is missing or lost
-inline constexpr int internal = 70;
-} // namespace exit_code
 
 int render_command(const Arguments& arguments, Console& console);
 int view_command(const Arguments& arguments, Console& console);

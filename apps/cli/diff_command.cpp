@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "outputs.h"
 
+#include "glint/limits.h"
 #include "glint/picture_files.h"
 
 #include <fmt/format.h>
@@ -55,12 +56,12 @@ std::string table(const Measures& measures) {
 }
 
 /// Scaled to 1 for white, so that pictures of 8 and 16 bits can be compared.
-Image relative_to_white(const LoadedPicture& picture) {
-    Image image = picture.image;
-    if (picture.bits == 32) return image;
+LoadedPicture relative_to_white(LoadedPicture picture) {
+    if (picture.bits == 32) return picture;
     const float white = picture.bits == 16 ? 65535.0f : 255.0f;
-    for (float& value : image.pixels) value /= white;
-    return image;
+    for (float& value : picture.image.pixels) value /= white;
+    for (float& value : picture.alpha) value /= white;
+    return picture;
 }
 
 void write_heat(const std::string& path, const LoadedPicture& a, const LoadedPicture& b,
@@ -68,9 +69,12 @@ void write_heat(const std::string& path, const LoadedPicture& a, const LoadedPic
     const double max_difference = measures.comparison.max / (measures.eight_bit ? 255 : 1);
     // Equal pictures, and infinite differences, need a finite scale above 0.
     const double full_scale = max_difference > 0 && std::isfinite(max_difference) ? max_difference : 1;
+    require_memory(3.0 * sizeof(float) * static_cast<double>(a.image.pixels.size()), "a heat map",
+                   "leave -o away");
     PictureOptions options;
     options.view = View::raw;
-    const Image heat = difference_heat(relative_to_white(a), relative_to_white(b), full_scale);
+    const LoadedPicture one = relative_to_white(a), other = relative_to_white(b);
+    const Image heat = difference_heat(one.image, other.image, full_scale, one.alpha, other.alpha);
     write_output({"-o", path}, [&] { write_picture(path, heat, options); });
 }
 

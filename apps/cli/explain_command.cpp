@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -23,7 +24,22 @@
 namespace glint::cli {
 namespace {
 
-constexpr const char* pixel_example = "X,Y such as 320,240";
+/// --format, or what the extension of -o says; text otherwise.
+std::string format(const Arguments& arguments) {
+    if (const auto given = arguments.text("format")) return *given;
+    const std::string extension =
+        std::filesystem::path(arguments.text("output").value_or("")).extension().string();
+    for (const char* name : {"json", "svg", "html"})
+        if (extension == std::string(".") + name) return name;
+    return "text";
+}
+
+/// --pixel.
+std::optional<PixelCoord> pixel(const Arguments& arguments) {
+    const auto xy = arguments.integers("pixel", 2, ',', 0, picture_side_limit, "X,Y such as 320,240");
+    if (!xy) return std::nullopt;
+    return PixelCoord{static_cast<int>((*xy)[0]), static_cast<int>((*xy)[1])};
+}
 
 /// --format html: the whole picture, and explanations of a grid of pixels.
 std::string page_text(const Scene& scene, const Arguments& arguments, const std::string& title,
@@ -34,6 +50,9 @@ std::string page_text(const Scene& scene, const Arguments& arguments, const std:
         page.columns = static_cast<int>((*grid)[0]);
         page.rows = static_cast<int>((*grid)[1]);
     }
+    page.pixel = pixel(arguments);
+    // Throws for a pixel outside the picture, before the whole picture is rendered.
+    if (page.pixel) Explainer(scene).pixel(page.pixel->x, page.pixel->y, {0});
     RenderOptions options;
     options.threads = threads(arguments);
     options.terms = true;
@@ -63,39 +82,53 @@ std::string page_text(const Scene& scene, const Arguments& arguments, const std:
 }
 
 /// The pixel as the graphics card renders it, if --backend selects one.
-std::optional<OtherPixel> pixel_on_card(const Scene& scene, int x, int y, Backend& backend) {
+std::optional<OtherPixel> pixel_on_card(const Scene& scene, const PixelCoord& at, Backend& backend) {
     RenderOptions options;
-    options.crop = Rect{x, y, 1, 1};
+    options.crop = Rect{at.x, at.y, 1, 1};
     const std::optional<RenderedPicture> card = backend.render_on_card(scene, options);
     if (!card) return std::nullopt;
     const float* color = card->picture.image.at(0, 0);
     return OtherPixel{card->device, {color[0], color[1], color[2]}};
 }
 
-std::string pixel_text(const Scene& scene, const Arguments& arguments, const std::string& title, bool color,
-                       Backend& backend) {
-    const auto pixel = *arguments.integers("pixel", 2, ',', 0, picture_side_limit, pixel_example);
-    const auto x = static_cast<int>(pixel[0]);
-    const auto y = static_cast<int>(pixel[1]);
-    Explanation explanation = explain(scene, x, y);
-    explanation.scene = title;
-    explanation.gpu = pixel_on_card(scene, x, y, backend);
-    const std::string format = arguments.text("format").value_or("text");
-    if (format == "json") return explanation_json(explanation);
-    if (format == "svg") return explanation_svg(explanation);
-    return explanation_text(explanation, color);
+/// What of the explanation the text shows.
+ExplanationTextOptions text_options(const Arguments& arguments, bool color) {
+    ExplanationTextOptions options;
+    options.color = color;
+    options.sample = static_cast<int>(arguments.integer("sample", 0, sample_limit).value_or(0));
+    if (const auto ray = arguments.integer("ray", 0, INT_MAX)) options.ray = static_cast<int>(*ray);
+    options.steps = arguments.has("steps");
+    return options;
 }
 
-/// --format html shows the whole picture, all other formats need a pixel.
-void check_pixel_options(const Arguments& arguments) {
-    const bool page = arguments.text("format") == "html";
-    const auto pixel = arguments.integers("pixel", 2, ',', 0, picture_side_limit, pixel_example);
-    if (!page && !pixel)
+std::string pixel_text(const Scene& scene, const Arguments& arguments, const std::string& title, bool color,
+                       Backend& backend, Console& console) {
+    const PixelCoord at = *pixel(arguments);
+    Explanation explanation = explain(scene, at.x, at.y);
+    explanation.scene = title;
+    explanation.gpu = pixel_on_card(scene, at, backend);
+    const std::string kind = format(arguments);
+    if (kind == "json") return explanation_json(explanation);
+    if (kind == "svg") return explanation_svg(explanation);
+    const ExplanationTextOptions options = text_options(arguments, color);
+    std::string text = explanation_text(explanation, options);
+    if (!options.ray && !options.steps)
+        console.note("--ray N shows every step of ray N, --steps of all rays" +
+                     std::string(explanation.samples.size() > 1 ? "; --sample N the rays of sample N" : ""));
+    return text;
+}
+
+/// All formats but html need a pixel; some options are for one format alone.
+void check_formats(const Arguments& arguments) {
+    const std::string kind = format(arguments);
+    if (kind != "html" && !pixel(arguments))
         throw Error(ErrorKind::usage, "no pixel given",
                     "--pixel X,Y; 0,0 is top left; --format html shows the whole picture");
-    if (page && pixel)
-        throw Error(ErrorKind::usage, "--pixel is for one pixel, and --format html shows the whole picture");
-    if (!page && arguments.has("grid")) throw Error(ErrorKind::usage, "--grid is for --format html");
+    if (kind != "html" && arguments.has("grid")) throw Error(ErrorKind::usage, "--grid is for --format html");
+    for (const char* option : {"sample", "ray", "steps"})
+        if (kind != "text" && arguments.has(option))
+            throw Error(ErrorKind::usage, fmt::format("--{} is for --format text", option),
+                        "JSON and pages have every step");
 }
 
 } // namespace
@@ -103,7 +136,7 @@ void check_pixel_options(const Arguments& arguments) {
 int explain_command(const Arguments& arguments, Console& console) {
     const std::string& file = arguments.operands().front();
     const Output output{"-o", arguments.text("output").value_or("-")};
-    check_pixel_options(arguments);
+    check_formats(arguments);
     require_outputs({file}, {output});
 
     const LoadedScene loaded = read_scene(file, load_options(arguments));
@@ -117,10 +150,10 @@ int explain_command(const Arguments& arguments, Console& console) {
     console.warnings(warnings(scene));
     const std::string title = file == "-" ? "stdin" : std::filesystem::path(file).filename().string();
     const bool color = output.path == "-" && wants_color_on_stdout(arguments.text("color").value_or("auto"));
-    const bool page = arguments.text("format") == "html";
     Backend backend(arguments, console);
-    write_text(output, page ? page_text(scene, arguments, title, backend, console)
-                            : pixel_text(scene, arguments, title, color, backend));
+    write_text(output, format(arguments) == "html"
+                           ? page_text(scene, arguments, title, backend, console)
+                           : pixel_text(scene, arguments, title, color, backend, console));
     return exit_code::done;
 }
 

@@ -1,29 +1,17 @@
 #include "failures.h"
 
+#include "../common/out_of_memory.h"
 #include "commands.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
-#include <unistd.h>
 
 namespace glint::cli {
 namespace {
-
-/// Nothing is cancelled in a way that ends here.
-int code_of(ErrorKind kind) {
-    return kind == ErrorKind::usage      ? exit_code::usage
-           : kind == ErrorKind::input    ? exit_code::input
-           : kind == ErrorKind::output   ? exit_code::output
-           : kind == ErrorKind::resource ? exit_code::resource
-           : kind == ErrorKind::device   ? exit_code::device
-                                         : exit_code::internal;
-}
 
 int report_defect(Console& console, const std::exception& defect) {
     console.error(fmt::format("internal error: {}", defect.what()),
@@ -31,18 +19,12 @@ int report_defect(Console& console, const std::exception& defect) {
     return exit_code::internal;
 }
 
-/// Uses no memory. Not by stdio, whose buffer may have to be allocated.
-void report_out_of_memory() {
-    constexpr std::string_view text = "glint: error: out of memory\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
-}
-
 int report_and_classify(Console& console) {
     try {
         throw;
     } catch (const Error& error) {
         for (const Diagnostic& diagnostic : error.diagnostics()) console.error(diagnostic);
-        return code_of(error.kind());
+        return exit_code::of(error.kind());
     } catch (const std::bad_alloc&) {
         console.error("out of memory");
         return exit_code::resource;
@@ -70,20 +52,6 @@ int report_failure(Console& console) noexcept {
         report_out_of_memory();
         return exit_code::resource;
     }
-}
-
-void end_without_memory_if_uncaught() {
-    std::set_terminate([] {
-        // What a destructor, a thread or a function that must not throw let go.
-        try {
-            if (std::current_exception()) throw;
-        } catch (const std::bad_alloc&) {
-            report_out_of_memory();
-            std::_Exit(exit_code::resource);
-        } catch (...) {
-        }
-        std::abort();
-    });
 }
 
 } // namespace glint::cli

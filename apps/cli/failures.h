@@ -9,7 +9,4 @@ namespace glint::cli {
 /// block. Also if no memory is left for the message.
 int report_failure(Console& console) noexcept;
 
-/// From here on a std::bad_alloc that nothing catches ends the program like one that is caught.
-void end_without_memory_if_uncaught();
-
 } // namespace glint::cli

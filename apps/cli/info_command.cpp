@@ -6,12 +6,14 @@
 #include "text.h"
 
 #include "glint/keys.h"
+#include "glint/limits.h"
 #include "glint/render.h"
 #include "glint/scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +24,20 @@ std::string row(const char* label, const std::string& text) {
     return fmt::format("  {:<11}{}\n", label, text);
 }
 
-std::string point(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string point(const Vec3& v, int digits = 6) {
+    return fmt::format("({0:.{3}g}, {1:.{3}g}, {2:.{3}g})", v.x, v.y, v.z, digits);
+}
+
+double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Digits of positions: six of the scene's size, and those that the scene lies farther out.
+int position_digits(const SceneStats& stats) {
+    const double size = largest(stats.bounds_max - stats.bounds_min);
+    int digits = 6;
+    for (double far = largest(stats.bounds_max); size > 0 && far > 10 * size && digits < 15; far /= 10)
+        ++digits;
+    return digits;
+}
 
 /// "2 planes, 1 mesh": how many items there are of each kind. `kind_of` gives the index of an item's kind.
 template <class Item, class Names>
@@ -65,10 +80,11 @@ std::string properties(const Material& material) {
 std::string geometry_rows(const SceneStats& stats) {
     const bool bounded = stats.bounds_min.x <= stats.bounds_max.x;
     std::string text = row("triangles", with_commas(stats.triangles));
-    text += row("bounds",
-                bounded ? point(stats.bounds_min) + " to " + point(stats.bounds_max) : "nothing finite");
+    const int digits = position_digits(stats);
+    text += row("bounds", bounded ? point(stats.bounds_min, digits) + " to " + point(stats.bounds_max, digits)
+                                  : "nothing finite");
     text += row("tree", fmt::format("{}, depth {}", counted(stats.tree_nodes, "node"), stats.tree_depth));
-    return text + row("memory", bytes(static_cast<double>(stats.bytes)));
+    return text + row("memory", bytes_text(static_cast<double>(stats.bytes)));
 }
 
 std::string info_text(const std::string& file, const SceneDescription& description, const Scene& scene) {
@@ -77,9 +93,10 @@ std::string info_text(const std::string& file, const SceneDescription& descripti
     text += row("lights", counts_text(description.lights, light_index, light_names, light_names));
     text += geometry_rows(scene.stats());
     const CameraDescription& camera = scene.camera();
-    text += row("camera",
-                fmt::format("eye {}, direction {}, fov {:.6g}°{}", point(camera.eye), point(camera.direction),
-                            camera.fov, description.camera ? "" : " (framed)"));
+    text +=
+        row("camera", fmt::format("eye {}, direction {}, fov {:.6g}°{}",
+                                  point(camera.eye, position_digits(scene.stats())), point(camera.direction),
+                                  camera.fov, description.camera ? "" : " (framed)"));
     text += "materials\n";
     for (const Material& material : description.materials)
         text += fmt::format("  {:<11}{}\n", printable(material.name), " " + properties(material));

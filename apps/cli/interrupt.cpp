@@ -1,11 +1,15 @@
 // Signal handlers.
 #include "interrupt.h"
 
+#include "glint/write_file.h"
+
 #include <csignal>
 #include <unistd.h>
 
 namespace glint::cli {
 namespace {
+
+constexpr unsigned seconds_to_stop = 1;
 
 // Signal handlers can only reach globals, and may only access lock-free atomics.
 CancelFlag cancelled{false};
@@ -15,8 +19,14 @@ static_assert(CancelFlag::is_always_lock_free && std::atomic<int>::is_always_loc
 
 void on_signal(int number) {
     const bool first = !cancelled.exchange(true);
-    last_signal = number;
-    if (!gentle || !first) _exit(128 + number);
+    // The alarm only tells that the time after another signal is over.
+    if (number != SIGALRM || first) last_signal = number;
+    if (gentle && first) {
+        alarm(seconds_to_stop);
+        return;
+    }
+    remove_temporary_files();
+    _exit(stopped_by());
 }
 
 } // namespace
@@ -31,17 +41,17 @@ void watch_signals() {
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
-    for (const int number : {SIGINT, SIGTERM}) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) {
         // Signals that the parent ignores (nohup, background jobs of scripts) stay ignored.
         struct sigaction before {};
         sigaction(number, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);
+        if (before.sa_handler != SIG_IGN || number == SIGALRM) sigaction(number, &action, nullptr);
     }
 }
 
 void stop_gently() { gentle = true; }
 
-void stop_at_once() { gentle = false; }
+void take_time() { alarm(0); }
 
 const CancelFlag& cancel_flag() { return cancelled; }
 

@@ -31,26 +31,46 @@ Json scene_json(const SceneStats& stats) {
     return json;
 }
 
+/// Numbers, booleans and lists as such, everything else as text.
+Json value_json(const KeySpec& key, const KeyValue& value) {
+    return std::visit(
+        [&]<class T>(const T& held) -> Json {
+            if constexpr (std::is_arithmetic_v<T>) return held;
+            if constexpr (std::is_same_v<T, Vec3>) return vector_json(held);
+            if constexpr (std::is_same_v<T, std::array<int, 2>>) return held;
+            return plain_text(key, value);
+        },
+        value);
+}
+
+/// The settings that decide a picture.
 Json settings_json(const Scene& scene) {
-    Json json = Json::object();
-    for (const auto& setting : picture_settings(scene)) json[setting_name(setting.first)] = setting.second;
+    Json json{{"version", version()}};
+    const auto add = [&](const char* table, const KeyOwner& owner) {
+        for (const KeySpec& key : description_table(table).keys)
+            if (key.in_metadata) json[std::string(key.key)] = value_json(key, key.get(owner));
+    };
+    add("render", KeyOwner(scene.description().render));
+    add("whitted", KeyOwner(scene.description().whitted));
     return json;
 }
 
 Json material_json(const Material& material) {
     Json json{{"name", material.name}};
-    for (const KeySpec& key : description_table("material").keys) {
-        const KeyValue value = key.get(KeyOwner(material));
-        if (const auto* number = std::get_if<double>(&value))
-            json[std::string(key.key)] = *number;
-        else if (const auto* vector = std::get_if<Vec3>(&value))
-            json[std::string(key.key)] = vector_json(*vector);
-        else if (const auto* flag = std::get_if<bool>(&value))
-            json[std::string(key.key)] = *flag;
-        else
-            json[std::string(key.key)] = plain_text(key, value);
-    }
+    for (const KeySpec& key : description_table("material").keys)
+        json[std::string(key.key)] = value_json(key, key.get(KeyOwner(material)));
     return json;
+}
+
+Json diagnostics_json(const std::vector<Diagnostic>& diagnostics) {
+    Json list = Json::array();
+    for (const Diagnostic& d : diagnostics) {
+        Json json{{"message", d.message}, {"hint", d.hint}, {"file", d.location.file}};
+        if (d.location.line > 0) json.update({{"line", d.location.line}, {"column", d.location.column}});
+        if (d.location.byte) json["byte"] = *d.location.byte;
+        list.push_back(std::move(json));
+    }
+    return list;
 }
 
 /// Names of files may hold any bytes; those that are not UTF-8 are replaced.
@@ -59,6 +79,10 @@ std::string document(const Json& json) {
 }
 
 } // namespace
+
+double samples_per_pixel(const Picture& picture) {
+    return double(picture.stats.primary_rays) / (double(picture.image.width) * picture.image.height);
+}
 
 std::string stats_json(const RenderRecord& record, const Scene& scene, const Picture& picture) {
     const RenderStats& stats = picture.stats;
@@ -75,12 +99,14 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
         {"hash", record.hash},
         {"scene", scene_json(scene.stats())},
         {"settings", settings_json(scene)},
+        {"samples_per_pixel", samples_per_pixel(picture)},
         {"rays",
          {{"primary", stats.primary_rays},
           {"reflected", stats.reflected_rays},
           {"refracted", stats.refracted_rays},
           {"shadow", stats.shadow_rays},
           {"total", stats.rays()}}},
+        {"left_out", {{"rays", stats.left_out_rays}, {"share", left_out_share(stats, scene)}}},
         {"seconds",
          {{"load", record.load_seconds},
           {"build", record.build_seconds},
@@ -94,10 +120,36 @@ std::string stats_json(const RenderRecord& record, const Scene& scene, const Pic
     return document(json);
 }
 
+std::string picture_event_json(const RenderRecord& record, const Picture& picture) {
+    const Json json{{"event", "picture"},
+                    {"output", record.output},
+                    {"complete", picture.complete},
+                    {"width", picture.image.width},
+                    {"height", picture.image.height},
+                    {"rays", picture.stats.rays()},
+                    {"seconds", picture.stats.wall_seconds},
+                    {"hash", record.hash}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string stats_list_json(const std::vector<std::string>& documents) {
     Json list = Json::array();
     for (const std::string& each : documents) list.push_back(Json::parse(each));
     return document(list);
+}
+
+std::string check_json(const std::vector<CheckedFile>& files) {
+    Json list = Json::array();
+    for (const CheckedFile& each : files) {
+        Json json{{"file", each.file},
+                  {"ok", each.errors.empty()},
+                  {"errors", diagnostics_json(each.errors)},
+                  {"warnings", diagnostics_json(each.warnings)},
+                  {"notes", each.notes}};
+        if (each.stats) json["scene"] = scene_json(*each.stats);
+        list.push_back(std::move(json));
+    }
+    return document({{"glint", version()}, {"files", list}});
 }
 
 std::string devices_json() {

@@ -1,4 +1,5 @@
 // The program `glint`: from the words of the command line to the exit code.
+#include "../common/out_of_memory.h"
 #include "commands.h"
 #include "failures.h"
 #include "help.h"
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 
 namespace glint::cli {
 namespace {
@@ -17,7 +19,8 @@ namespace {
 void refuse_unknown_command(const std::string& word) {
     const bool like_a_file =
         word.empty() || word.find_first_of("./") != std::string::npos || word.front() == '-';
-    if (like_a_file || std::filesystem::exists(word)) return;
+    std::error_code none;
+    if (like_a_file || std::filesystem::exists(word, none)) return;
     const auto near = nearest_name(word, command_names());
     throw Error(ErrorKind::usage, fmt::format("\"{}\" is neither a command nor a file", word),
                 near ? fmt::format("did you mean \"{}\"?", *near) : "glint --help lists the commands");
@@ -70,11 +73,20 @@ int dispatch(const std::vector<std::string>& words) {
     return guarded(console, [&] { return call(arguments, console); });
 }
 
+/// Before the static objects of other sources are made, which takes memory.
+struct EndsWhereMemoryIsLacking {
+    EndsWhereMemoryIsLacking() {
+        end_where_memory_is_lacking();
+        end_if_bad_alloc_is_uncaught();
+    }
+};
+[[gnu::init_priority(101)]] const EndsWhereMemoryIsLacking ends_where_memory_is_lacking;
+
 /// Throws nothing.
 int run(int argc, char** argv) noexcept {
-    end_without_memory_if_uncaught();
     reserve_standard_streams();
     report_failing_writes();
+    watch_signals();
     // Faults of the command line itself come before --color is known.
     Console console(Verbosity::normal, wants_color("auto"));
     return guarded(console, [&] { return dispatch({argv + 1, argv + argc}); });

@@ -24,13 +24,13 @@ constexpr auto joined_names = [] {
 
 // Options of more than one command.
 constexpr Option size{0, "size", "WxH", "pixels, such as 1280x720; default: the scene's", false, true};
-constexpr Option spp{0, "spp", "N", "samples per pixel; 1 is the pixel's centre", false, true};
+constexpr Option spp{0, "spp", "N|A..B", "samples per pixel; 1..16: 16 where neighbours differ", false, true};
 constexpr Option max_depth{0, "max-depth", "N", "bounces after the first hit"};
 constexpr Option seed{0, "seed", "N", "of the random numbers"};
 constexpr Option set{'D',   "",  "PATH=VALUE", "set one value of the scene: -D material.glass.index=1.33",
                      false, true};
 constexpr Option frame{0, "frame", "N", "of an animated scene: as it is at this frame"};
-constexpr Option up{0, "up", "y|z|auto", "the axis of a bare mesh that points up"};
+constexpr Option up{0, "up", "x|y|z|-x|-y|-z|auto", "the axis of a bare mesh that points up"};
 constexpr Option allow_outside{0, "allow-outside", "", "let a scene read files outside its own folder"};
 constexpr Option threads{'t',   "threads", "N", "default: one for each processor that may be used",
                          false, true};
@@ -47,6 +47,7 @@ const std::array render_options{
     max_depth,
     Option{0, "integrator", joined_names<enum_names<Integrator>>.data(), "the light model"},
     seed,
+    Option{0, "dry-run", "", "check only, print the memory needed", true},
     Option{0, "crop", "X,Y,W,H", "only this part, pixels from the top left"},
     Option{0, "frames", "A..B[:STEP]", "or all, of what moves: one file each, -o frame-%04d.png"},
     up,
@@ -57,7 +58,7 @@ const std::array render_options{
     Option{0, "bits", "8|16", "bits per channel", true},
     Option{0, "alpha", "", "PNG, EXR: coverage as alpha"},
     Option{0, "layers", "", "EXR: each term as a layer", true},
-    Option{0, "keep-partial", "", "Ctrl-C writes what is done"},
+    Option{0, "keep-partial", "", "Ctrl-C writes what there is"},
     Option{0, "stats", "FILE", "counts, rays and times as JSON", true},
     threads,
     Option{0, "tile-size", "N", "pixels; changes the order of the work, never the picture"},
@@ -90,6 +91,7 @@ constexpr std::array view_options{
 
 constexpr std::array check_options{
     Option{0, "frames", "A..B[:STEP]", "check these frames of animated scenes; default: all"},
+    Option{0, "json", "", "for programs"},
     set,
     up,
     allow_outside,
@@ -111,9 +113,12 @@ constexpr std::array info_options{
 };
 
 constexpr std::array explain_options{
-    Option{0, "pixel", "X,Y", "which; 0,0 is top left"},
+    Option{0, "pixel", "X,Y", "which; 0,0 is top left; html: shown first"},
     frame,
-    Option{0, "format", "text|json|svg|html", "default: text; html shows the whole picture"},
+    Option{0, "ray", "N", "text: every step of ray N of the tree"},
+    Option{0, "steps", "", "of all rays", true},
+    Option{0, "sample", "N", "text: the rays of sample N; default: 0"},
+    Option{0, "format", "text|json|svg|html", "default: by the extension of -o, else text; html: all pixels"},
     Option{0, "grid", "WxH", "html: pixels that can be asked; default: 160x90"},
     Option{0, "backend", "cpu|gpu|auto", "gpu: tell how far a card's pixel is from the CPU's"},
     Option{'o', "output", "FILE", "where to; default: stdout"},
@@ -142,6 +147,8 @@ constexpr std::array diff_options{
 
 constexpr std::array new_options{
     Option{'o', "output", "FILE", "where to; default: stdout"},
+    Option{0, "from", "MESH", "a scene around this mesh; TEMPLATE mesh: on a turntable"},
+    up,
     Option{0, "force", "", "overwrite FILE"},
     Option{0, "list", "", "list the templates"},
     color,

@@ -12,7 +12,6 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -20,34 +19,25 @@ namespace glint::cli {
 namespace fs = std::filesystem;
 namespace {
 
-bool find(const std::string& path, int stream, struct stat& info) {
-    return (path == "-" ? fstat(stream, &info) : stat(path.c_str(), &info)) == 0;
+/// The name of a file, or of what a standard stream is.
+std::string named(const std::string& path, int stream) {
+    return path == "-" ? fmt::format("/dev/fd/{}", stream) : path;
 }
 
-/// The same text for all names of a file: device and inode, or the path of a file that does not exist yet.
-/// Devices such as /dev/null take any number of outputs. `stream`: what "-" is.
-std::string identity(const std::string& path, int stream) {
-    struct stat info = {};
-    if (find(path, stream, info))
-        return S_ISCHR(info.st_mode) ? path : fmt::format("{}:{}", info.st_dev, info.st_ino);
-    constexpr int max_links = 40;
-    fs::path file = path;
-    std::error_code none;
-    for (int i = 0; i < max_links && fs::is_symlink(file, none); ++i)
-        file = file.parent_path() / fs::read_symlink(file, none);
-    return fs::weakly_canonical(fs::absolute(file, none), none).string();
-}
-
-/// Two results in one file would destroy each other, or what they were made of.
+/// Two results in one file would destroy each other, or what they were made of. Devices take any number.
 void require_apart(const std::vector<std::string>& inputs, const std::vector<Output>& outputs) {
     std::map<std::string, std::string> read;
     std::map<std::string, std::string> written;
-    struct stat info = {};
+    std::error_code none;
     for (const std::string& input : inputs)
-        if (find(input, STDIN_FILENO, info) && S_ISREG(info.st_mode))
-            read[identity(input, STDIN_FILENO)] = input == "-" ? "the file that stdin reads" : input;
-    for (const auto& [option, path] : outputs) {
-        const std::string file = identity(path, STDOUT_FILENO);
+        if (const std::string name = named(input, STDIN_FILENO); fs::is_regular_file(name, none))
+            read[file_identity(name)] = input == "-" ? "the file that stdin reads" : input;
+    for (const Output& output : outputs) {
+        const auto& [option, path] = output;
+        const std::string name = named(path, STDOUT_FILENO);
+        if (fs::is_character_file(name, none) || (path == "-" && !fs::exists(name, none))) continue;
+        std::string file;
+        write_output(output, [&] { file = file_identity(name); });
         const std::string cure = "name another file with " + option;
         if (const auto found = read.find(file); found != read.end())
             throw Error(ErrorKind::usage, fmt::format("{} would overwrite {}", option, found->second), cure);

@@ -44,10 +44,9 @@ void check_value(const Command& command, const Option& option, const std::string
                     value.empty() ? "" : fmt::format("\"{}\" after it is an option", value));
     const std::vector<std::string> allowed = choices(option);
     if (allowed.empty() || std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return;
-    const auto near = nearest_name(value, allowed);
+    const std::string near = did_you_mean(value, allowed);
     throw Error(ErrorKind::usage, fmt::format("{} \"{}\" is not valid", spelling(option), value),
-                fmt::format("expected {}", fmt::join(allowed, ", ")) +
-                    (near ? fmt::format("; did you mean \"{}\"?", *near) : ""));
+                fmt::format("expected {}", fmt::join(allowed, ", ")) + (near.empty() ? "" : "; " + near));
 }
 
 void check_operands(const Command& command, const std::vector<std::string>& operands) {

@@ -11,7 +11,8 @@
 
 #include <algorithm>
 #include <cstdint>
-
+#include <filesystem>
+#include <system_error>
 #include <unistd.h>
 
 namespace glint::cli {
@@ -65,10 +66,8 @@ Aov aov(const Arguments& arguments) {
         names.emplace_back(aov_name(static_cast<Aov>(i)));
         if (name == names.back()) return static_cast<Aov>(i);
     }
-    const auto near = nearest_name(name, names);
     throw Error(ErrorKind::usage, fmt::format("--show knows no \"{}\"", name),
-                near ? fmt::format("did you mean \"{}\"?", *near)
-                     : fmt::format("expected one of {}", fmt::join(names, ", ")));
+                did_you_mean(name, names, fmt::format("expected one of {}", fmt::join(names, ", "))));
 }
 
 /// Layers and alpha belong to the light.
@@ -96,30 +95,19 @@ RenderOptions render_options(const Arguments& arguments) {
     return options;
 }
 
-/// The part must be a part.
-void require_crop_inside(const RenderSettings& settings, const std::optional<Rect>& crop) {
-    if (!crop) return;
-    const std::string given = fmt::format("--crop {},{},{},{}", crop->x, crop->y, crop->width, crop->height);
-    if (crop->width == 0 || crop->height == 0)
-        throw Error(ErrorKind::usage, given + " holds no pixel", "expected X,Y,W,H with W and H at least 1");
-    if (crop->x + crop->width > settings.width || crop->y + crop->height > settings.height)
-        throw Error(ErrorKind::usage, given + " reaches beyond the picture",
-                    fmt::format("the picture has {}×{} pixels", settings.width, settings.height));
-}
-
-/// A picture that the machine cannot hold is refused at once: Linux would promise the memory and then kill.
-void require_memory(const RenderSettings& settings, const RenderOptions& options) {
-    const double pixels = options.crop ? double(options.crop->width) * options.crop->height
-                                       : double(settings.width) * settings.height;
-    const double floats = 3 + (options.terms ? 3 * term_count : 0) + (options.coverage ? 1 : 0);
-    const double needed = pixels * floats * sizeof(float);
-    const double present =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    if (needed > present)
+/// "4", or "1..16": more where neighbours differ.
+void apply_samples(const std::string& text, RenderSettings& render) {
+    const std::size_t dots = text.find("..");
+    const auto least = whole_number(text.substr(0, dots));
+    const auto most = dots == std::string::npos ? least : whole_number(text.substr(dots + 2));
+    if (!least || !most || *least < 1 || *least > *most || *most > sample_limit)
         throw Error(
-            ErrorKind::resource,
-            fmt::format("the picture takes {} of memory, this machine has {}", bytes(needed), bytes(present)),
-            "render it in parts with --crop");
+            ErrorKind::usage, fmt::format("--spp \"{}\" is not valid", text),
+            fmt::format("expected a whole number from 1 to {}, or two of them such as 1..16: that many "
+                        "where neighbouring pixels differ",
+                        sample_limit));
+    render.spp = static_cast<int>(*least);
+    render.max_spp = *most > *least ? static_cast<int>(*most) : 0;
 }
 
 } // namespace
@@ -128,8 +116,8 @@ RenderRequest read_render_request(const Arguments& arguments) {
     RenderRequest request;
     request.scene = arguments.operands().front();
     request.frames = frame_range(arguments);
-    request.output = arguments.text("output").value_or(
-        default_output(request.scene, request.frames && !request.frames->single()));
+    request.output =
+        arguments.text("output").value_or(default_output(request.scene, request.frames.has_value()));
     request.stats = arguments.text("stats");
     require_format(arguments, request.output);
     if (request.frames) require_frame_names(request);
@@ -140,9 +128,15 @@ RenderRequest read_render_request(const Arguments& arguments) {
     request.view = static_cast<View>(arguments.choice("view"));
     request.bits = arguments.text("bits") == "16" ? 16 : 8;
     request.keep_partial = arguments.has("keep-partial");
+    request.render.coarse_first = request.keep_partial;
+    request.dry_run = arguments.has("dry-run");
     // Wrong flags are told before a large scene is read.
     SceneDescription unused;
     apply_flags(arguments, unused);
+    // A scene that is not there is told when it is read, not by the name that it would give to a picture.
+    std::error_code none;
+    if (!arguments.has("output") && request.scene != "-" && !std::filesystem::exists(request.scene, none))
+        return request;
     // Which frames are "all" is known once the scene is read.
     const bool known = request.frames && !request.frames->all;
     require_outputs({request.scene},
@@ -167,7 +161,7 @@ void apply_flags(const Arguments& arguments, SceneDescription& scene) {
         scene.render.width = static_cast<int>((*size)[0]);
         scene.render.height = static_cast<int>((*size)[1]);
     }
-    if (const auto spp = arguments.integer("spp", 1, sample_limit)) scene.render.spp = static_cast<int>(*spp);
+    if (arguments.has("spp")) apply_samples(*arguments.text("spp"), scene.render);
     if (const auto seed = arguments.integer("seed", 0, INT64_MAX))
         scene.render.seed = static_cast<std::uint64_t>(*seed);
     if (const auto depth = arguments.integer("max-depth", 0, 1000))
@@ -176,9 +170,37 @@ void apply_flags(const Arguments& arguments, SceneDescription& scene) {
         scene.render.integrator = static_cast<Integrator>(arguments.choice("integrator"));
 }
 
-void require_possible(const RenderRequest& request, const RenderSettings& settings) {
-    require_crop_inside(settings, request.render.crop);
-    require_memory(settings, request.render);
+void require_crop_inside(const RenderSettings& settings, const std::optional<Rect>& crop) {
+    if (!crop) return;
+    const std::string given = fmt::format("--crop {},{},{},{}", crop->x, crop->y, crop->width, crop->height);
+    if (crop->width == 0 || crop->height == 0)
+        throw Error(ErrorKind::usage, given + " holds no pixel", "expected X,Y,W,H with W and H at least 1");
+    if (crop->x + crop->width > settings.width || crop->y + crop->height > settings.height)
+        throw Error(ErrorKind::usage, given + " reaches beyond the picture",
+                    fmt::format("the picture has {}×{} pixels", settings.width, settings.height));
+}
+
+MemoryNeeds memory_needs(const RenderRequest& request, const SceneDescription& scene) {
+    const RenderOptions& options = request.render;
+    const double pixels = options.crop ? double(options.crop->width) * options.crop->height
+                                       : double(scene.render.width) * scene.render.height;
+    const double floats = 3 + (options.terms ? 3 * term_count : 0) + (options.coverage ? 1 : 0);
+    const double channels = options.coverage ? 4 : 3;
+    const bool shows_numbers = options.show != Aov::final;
+    MemoryNeeds needs;
+    needs.scene = build_memory(scene);
+    needs.picture = pixels * floats * sizeof(float);
+    switch (output_format(request.output)) {
+    case PictureFormat::png: // is encoded in memory, numbers from a picture of their own
+        needs.writing = pixels * (channels * request.bits / 8 + (shows_numbers ? 3 * sizeof(float) : 0));
+        break;
+    case PictureFormat::exr:
+        needs.writing = needs.picture;
+        break;
+    case PictureFormat::pfm: // is written from the picture
+        break;
+    }
+    return needs;
 }
 
 } // namespace glint::cli

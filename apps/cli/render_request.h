@@ -26,6 +26,7 @@ struct RenderRequest {
     View view = View::srgb;
     int bits = 8;
     bool keep_partial = false;
+    bool dry_run = false;
 };
 
 /// Throws Error(usage) for all that can be told to be wrong without the scene, and Error(output) where a
@@ -38,8 +39,16 @@ std::vector<Output> outputs(const RenderRequest& request, const std::vector<int>
 /// --size, --spp and their like override what the scene says. Throws Error(usage).
 void apply_flags(const Arguments& arguments, SceneDescription& scene);
 
-/// Throws Error(usage) where --crop leaves the picture, and Error(resource) where the picture is larger than
-/// the machine's memory.
-void require_possible(const RenderRequest& request, const RenderSettings& settings);
+/// Throws Error(usage) where --crop holds no pixel or leaves the picture.
+void require_crop_inside(const RenderSettings& settings, const std::optional<Rect>& crop);
+
+/// Bytes that a render takes beside the description of its scene, estimated.
+struct MemoryNeeds {
+    double scene = 0; ///< at most, while its trees are built
+    double picture = 0;
+    double writing = 0;
+    double total() const { return scene + picture + writing; }
+};
+MemoryNeeds memory_needs(const RenderRequest& request, const SceneDescription& scene);
 
 } // namespace glint::cli

@@ -13,9 +13,7 @@ LoadOptions load_options(const Arguments& arguments) {
     options.allow_outside = arguments.has("allow-outside");
     // Alpha is for what stands alone.
     options.floor = !arguments.has("alpha");
-    const std::string up = arguments.text("up").value_or("auto");
-    if (up == "y") options.up = Axis::y;
-    if (up == "z") options.up = Axis::z;
+    options.up = value_named<Axis>(arguments.text("up").value_or("auto"));
     return options;
 }
 

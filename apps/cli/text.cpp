@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace glint::cli {
@@ -30,13 +29,6 @@ std::string whole_duration(double seconds) {
     if (whole < 60) return fmt::format("{} s", whole);
     if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
     return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
-}
-
-std::string bytes(double count) {
-    constexpr std::array units{"B", "KiB", "MiB", "GiB", "TiB"};
-    std::size_t unit = 0;
-    for (; count >= 1024 && unit + 1 < units.size(); ++unit) count /= 1024;
-    return fmt::format("{:.{}f} {}", count, unit == 0 || count >= 99.95 ? 0 : 1, units[unit]);
 }
 
 double mega_rays(std::uint64_t rays, double seconds) {

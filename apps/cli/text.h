@@ -14,8 +14,6 @@ std::string counted(std::uint64_t number, const std::string& noun);
 std::string duration(double seconds);
 /// In whole seconds, rounded up: "31 s".
 std::string whole_duration(double seconds);
-/// Bytes: "512 B", "1.5 MiB".
-std::string bytes(double count);
 /// "3.41 Mrays/s".
 std::string ray_rate(std::uint64_t rays, double seconds);
 /// Millions of rays per second; 0 if no time has passed.

@@ -47,7 +47,7 @@ void switch_backend(App& app) {
 }
 
 void clear_pixel(App& app) {
-    if (!app.messages.close_help()) app.inspector.clear();
+    if (!app.messages.close_help() && !app.open_box.close()) app.inspector.clear();
 }
 
 constexpr KeyPress key(int code) { return {code, 0, false, false}; }
@@ -100,12 +100,15 @@ constexpr std::array table{
     Shortcut{{GLFW_KEY_Z, 0, true, true}, "", "", false, redo},
     Shortcut{key(GLFW_KEY_F5), "F5", "read the file again", false,
              [](App& a) { a.editor.session().reload(); }},
+    Shortcut{ctrl(GLFW_KEY_O), "Ctrl + O", "open another file, or an example", false,
+             [](App& a) { a.open_box.toggle(); }},
     Shortcut{ctrl(GLFW_KEY_S), "Ctrl + S", "save the scene", true, save_scene},
     Shortcut{ctrl(GLFW_KEY_P), "Ctrl + P", "save the picture", true, save_picture},
     Shortcut{ctrl(GLFW_KEY_C), "Ctrl + C", "copy the camera as TOML", true, copy_camera},
     Shortcut{key(GLFW_KEY_F12), "F12", "save what the window shows", false,
              [](App& a) { a.saver.save_window(); }},
-    Shortcut{key(GLFW_KEY_ESCAPE), "Esc", "let go of the pixel; close this list", false, clear_pixel},
+    Shortcut{key(GLFW_KEY_ESCAPE), "Esc", "let go of the pixel; close this list or the list of files", false,
+             clear_pixel},
     Shortcut{ctrl(GLFW_KEY_Q), "Ctrl + Q", "close the window", false, [](App& a) { a.window.close(); }},
 };
 

@@ -44,7 +44,10 @@ App::App(const Arguments& given)
 void App::run() {
     while (!window.is_closed()) {
         const double start = now();
-        if (editor.update()) pacing.add_news();
+        const SceneEditor::News news = editor.update();
+        if (news != SceneEditor::News::none) pacing.add_news();
+        // A new box is laid out in one frame and drawn in the next.
+        if (news == SceneEditor::News::file) pacing.add_input();
         if (take_input()) pacing.add_input();
         if (pacing.is_due(start, is_animating(), editor.last_move())) {
             draw_frame(pacing.begin_frame(start));
@@ -150,6 +153,9 @@ void App::draw_over_picture(const WindowSize& size) {
         presenter.draw_comparison(ui);
         inspector.draw_rays(ui);
     }
+    const bool is_empty =
+        editor.description() == nullptr && editor.problems().empty() && !editor.status().busy;
+    if (const auto file = open_box.draw(ui, layout_.space, is_empty)) open(*file);
     messages.draw(ui, layout_.space, size, editor);
 }
 

@@ -10,6 +10,7 @@
 #include "layout.h"
 #include "messages.h"
 #include "navigation.h"
+#include "open_box.h"
 #include "pixel_inspector.h"
 #include "playback.h"
 #include "presenter.h"
@@ -39,6 +40,7 @@ class App {
     Ui ui;
     ViewState state;
     Messages messages;
+    OpenBox open_box;
     SceneEditor editor;
     Presenter presenter;
     PixelInspector inspector;

@@ -55,7 +55,7 @@ void add_options(CLI::App& app, Arguments& a, Choices& choices) {
         ->type_name("PATH=VALUE")
         ->check(override_fault);
     app.add_option("--up", choices.up, "the axis of a bare mesh that points up")
-        ->check(CLI::IsMember({"y", "z", "auto"}));
+        ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z", "auto"}));
     add_flag(app, "--allow-outside", a.load.allow_outside, "let a scene read files outside its own folder");
     app.add_option("-t,--threads", a.threads, "default: one for each processor that may be used")
         ->check(CLI::Range(0, 1024));
@@ -93,7 +93,7 @@ std::optional<Arguments> parse_arguments(const std::vector<std::string>& words, 
         throw Error(ErrorKind::usage, "--scale is not a number from 0.5 to 4");
     if (a.file == "-")
         throw Error(ErrorKind::usage, "a window shows files, not standard input", "name a file");
-    if (choices.up != "auto") a.load.up = choices.up == "y" ? Axis::y : Axis::z;
+    a.load.up = value_named<Axis>(choices.up);
     if (choices.theme == "light") a.theme = ThemeChoice::light;
     if (choices.backend != "auto")
         a.backend = choices.backend == "gpu" ? BackendChoice::gpu : BackendChoice::cpu;

@@ -17,7 +17,9 @@ namespace {
 /// "picture.png", or the first of "picture-2.png", "picture-3.png" … that does not exist.
 std::string free_name(const std::string& stem, const std::string& extension) {
     std::string name = stem + extension;
-    for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}{}", stem, i, extension);
+    std::error_code none;
+    for (int i = 2; std::filesystem::exists(name, none); ++i)
+        name = fmt::format("{}-{}{}", stem, i, extension);
     return name;
 }
 

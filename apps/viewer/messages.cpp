@@ -95,14 +95,6 @@ bool draw_loading(Ui& ui, const Area& space, const std::string& activity, double
     return cancelled;
 }
 
-/// A line in the middle of an empty space.
-void draw_hint(Ui& ui, const Area& space, const std::string& text) {
-    center_next_box(space);
-    ImGui::Begin("hint", nullptr, passive_box | ImGuiWindowFlags_NoBackground);
-    quiet_text(ui, text);
-    ImGui::End();
-}
-
 /// A line at the bottom of the picture.
 void draw_notice(Ui& ui, const Area& space, const std::string& text, float opacity) {
     ImGui::SetNextWindowPos({space.x + space.width / 2, space.y + space.height - 18 * ui.theme.scale},
@@ -169,8 +161,6 @@ bool Messages::close_help() { return std::exchange(help_, false); }
 
 void Messages::draw(Ui& ui, const Area& space, const WindowSize& window, SceneEditor& editor) {
     const bool has_scene = editor.description() != nullptr;
-    if (!has_scene && editor.problems().empty() && !editor.status().busy)
-        draw_hint(ui, space, "Drop a scene (.toml) or a mesh (.ply) here.");
     draw_errors(ui, space, editor.problems(),
                 has_scene ? "The picture shows the scene as it was before." : "");
     draw_progress(ui, space, editor);

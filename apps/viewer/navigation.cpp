@@ -24,9 +24,8 @@ constexpr double turns_per_minute = 4;
 void move_camera(SceneEditor& editor, const Movement& m) {
     constexpr double radians = two_pi / heights_per_turn;
     const bool orbits = m.turn_right != 0 || m.turn_up != 0;
-    if (orbits) editor.session().pick_orbit_target();
+    if (orbits) editor.orbit(-m.turn_right * radians, -m.turn_up * radians);
     editor.move([&](CameraControl& c) {
-        if (orbits) c.orbit(-m.turn_right * radians, -m.turn_up * radians);
         if (m.move_right != 0 || m.move_up != 0) c.pan(-m.move_right, -m.move_up);
         if (m.nearer != 0) c.zoom(m.nearer);
         if (m.fly_right != 0 || m.fly_up != 0 || m.fly_ahead != 0)
@@ -35,8 +34,7 @@ void move_camera(SceneEditor& editor, const Movement& m) {
 }
 
 void turn_camera(SceneEditor& editor, double seconds) {
-    editor.session().pick_orbit_target();
-    editor.move([&](CameraControl& c) { c.turn(seconds, turns_per_minute); });
+    editor.orbit(seconds * turns_per_minute * two_pi / 60, 0);
 }
 
 /// 1, 0 or −1 from two opposite keys.

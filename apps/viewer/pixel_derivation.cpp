@@ -76,11 +76,18 @@ void refraction(Ui& ui, const ExplainedRay& ray) {
         quiet_text(ui, fmt::format("total reflection from {:.4g}\u00b0 on", ray.critical_degrees));
 }
 
-void surface(Ui& ui, const ExplainedRay& ray) {
+/// Far from zero a position has more digits.
+std::string position_text(const glm::vec3& position, const glm::dvec3& origin) {
+    if (origin == glm::dvec3(0)) return number_text(position);
+    const glm::dvec3 p = origin + glm::dvec3(position);
+    return fmt::format("({:.12g}, {:.12g}, {:.12g})", p.x, p.y, p.z);
+}
+
+void surface(Ui& ui, const ExplainedRay& ray, const glm::dvec3& origin) {
     value_row(ui, "meets", fmt::format("{}, {}", ray.label, ray.entering ? "from outside" : "from inside"));
     value_row(ui, "material", ray.material);
     value_row(ui, "after", fmt::format("{:.5g}", ray.distance));
-    value_row(ui, "at", number_text(ray.position));
+    value_row(ui, "at", position_text(ray.position, origin));
     value_row(ui, "normal", number_text(ray.shading_normal));
     if (ray.shading_normal != ray.geometric_normal)
         value_row(ui, "true normal", number_text(ray.geometric_normal));
@@ -102,23 +109,23 @@ void draw_swatch(const ImVec2& corner, const ImVec2& size, const glm::vec3& ligh
     draw.AddRect(corner, end, ImGui::GetColorU32(ImGuiCol_Border), 0.15f * size.y);
 }
 
-void draw_ray(Ui& ui, const ExplainedRay& ray) {
+void draw_ray(Ui& ui, const ExplainedRay& ray, const glm::dvec3& origin) {
     heading(ui, fmt::format("{} ray, weight {}", ray_kind_name(ray.kind), number_text(ray.weight)).c_str());
     quiet_text(ui, ray.why);
-    value_row(ui, "from", number_text(ray.origin));
-    if (ray.hit) surface(ui, ray);
+    value_row(ui, "from", position_text(ray.origin, origin));
+    if (ray.hit) surface(ui, ray, origin);
     if (ray.hit && ray.crosses) refraction(ui, ray);
     steps(ui, ray.given, ray);
     steps(ui, ray.steps, ray);
 }
 
-void draw_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light) {
+void draw_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light, const glm::dvec3& origin) {
     heading(ui, light.label.c_str());
     value_row(ui, "distance", fmt::format("{:.5g}", light.distance));
     value_row(ui, "n \u00b7 l", fmt::format("{:.5g}  ({:.4g}\u00b0)", light.cosine, light.degrees));
     value_row(ui, "attenuation", fmt::format("{:.5g}", light.attenuation));
     if (light.asked)
-        value_row(ui, "shadow ray", "from " + number_text(light.shadow_origin));
+        value_row(ui, "shadow ray", "from " + position_text(light.shadow_origin, origin));
     else
         quiet_text(ui, "no shadow ray: nothing arrives, or nothing of it would be seen");
     for (const Blocker& blocker : light.blockers)

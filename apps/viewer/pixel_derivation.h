@@ -9,9 +9,10 @@ struct ImVec2;
 
 namespace glint::viewer {
 
-void draw_ray(Ui& ui, const ExplainedRay& ray);
+/// Positions of the ray are relative to `origin`.
+void draw_ray(Ui& ui, const ExplainedRay& ray, const glm::dvec3& origin);
 /// Of one light at the ray's hit.
-void draw_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light);
+void draw_light(Ui& ui, const ExplainedRay& ray, const ExplainedLight& light, const glm::dvec3& origin);
 
 /// "(0.1, 0.2, 0.3)".
 std::string number_text(const glm::vec3& values);

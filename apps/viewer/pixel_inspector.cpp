@@ -93,7 +93,8 @@ void PixelInspector::update_picked() {
     const SceneDescription& scene = *editor_.description();
     Picked hit;
     // The reference view may have had other objects.
-    if (ray.hit && ray.object < scene.objects.size() && object_label(scene, ray.object) == ray.label)
+    if (ray.hit && ray.object < scene.objects.size() &&
+        object_label(scene.objects[ray.object], ray.number) == ray.label)
         hit = {ray.material, ray.object, true};
     if (hit.material == picked_.material && hit.object == picked_.object) return;
     picked_ = hit;
@@ -183,8 +184,9 @@ void PixelInspector::draw_tab(Ui& ui) {
 
 void PixelInspector::update_lines() {
     if (inspected_->lines_sample == inspected_->choice.sample) return;
-    const ExplainedSample& sample = selected_sample(inspected_->answer->explanation, inspected_->choice);
-    inspected_->lines = ray_lines(sample, editor_.extent());
+    const Explanation& explanation = inspected_->answer->explanation;
+    const ExplainedSample& sample = selected_sample(explanation, inspected_->choice);
+    inspected_->lines = ray_lines(sample, explanation.origin, editor_.extent());
     inspected_->lines_sample = inspected_->choice.sample;
 }
 
@@ -207,7 +209,7 @@ void PixelInspector::draw_rays(Ui& ui) {
     const ExplainedRay& first = selected_sample(explanation, inspected_->choice).rays.front();
     const Vec3 clicked =
         first.hit ? Vec3(first.position) : Vec3(first.origin) + Vec3(first.direction) * editor_.extent();
-    if (const auto at = projection.point(clicked))
+    if (const auto at = projection.point(explanation.origin + clicked))
         draw_mark(ui, {area.x + static_cast<float>(at->x / width) * area.width,
                        area.y + static_cast<float>(at->y / height) * area.height});
     draw.PopClipRect();

@@ -162,9 +162,9 @@ PixelRequest pixel_panel(Ui& ui, const Explanation& explanation, PixelChoice& ch
     ImGui::BeginChild("working", {0, 0});
     const ExplainedRay& ray = sample.rays[static_cast<std::size_t>(choice.selected.ray)];
     if (choice.selected.light >= 0 && choice.selected.light < static_cast<int>(ray.lights.size()))
-        draw_light(ui, ray, ray.lights[static_cast<std::size_t>(choice.selected.light)]);
+        draw_light(ui, ray, ray.lights[static_cast<std::size_t>(choice.selected.light)], explanation.origin);
     else
-        draw_ray(ui, ray);
+        draw_ray(ui, ray, explanation.origin);
     ImGui::EndChild();
     return request;
 }

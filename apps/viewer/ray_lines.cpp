@@ -60,13 +60,13 @@ LineKind kind_of(const ExplainedLight& light) {
 
 const LineStyle& style_of(LineKind kind) { return styles[static_cast<std::size_t>(kind)]; }
 
-std::vector<RayLine> ray_lines(const ExplainedSample& sample, double open_length) {
+std::vector<RayLine> ray_lines(const ExplainedSample& sample, const Vec3& origin, double open_length) {
     std::vector<RayLine> lines;
     for (std::size_t i = 0; i < sample.rays.size(); ++i) {
         const ExplainedRay& ray = sample.rays[i];
         const int number = static_cast<int>(i);
-        const Vec3 from(ray.origin);
-        const Vec3 to = ray.hit ? Vec3(ray.position) : from + Vec3(ray.direction) * open_length;
+        const Vec3 from = origin + Vec3(ray.origin);
+        const Vec3 to = ray.hit ? origin + Vec3(ray.position) : from + Vec3(ray.direction) * open_length;
         lines.push_back({kind_of(ray), {number, -1}, from, to, !ray.hit});
         for (std::size_t j = 0; j < ray.lights.size(); ++j) {
             const ExplainedLight& light = ray.lights[j];
@@ -76,7 +76,7 @@ std::vector<RayLine> ray_lines(const ExplainedSample& sample, double open_length
             for (const Blocker& blocker : light.blockers)
                 if (blocker.share <= 0) length = std::min<double>(length, blocker.distance);
             const bool open = !std::isfinite(length);
-            const Vec3 start(ray.position);
+            const Vec3 start = origin + Vec3(ray.position);
             const Vec3 end = start + Vec3(light.direction) * (open ? open_length : length);
             lines.push_back({kind_of(light), {number, static_cast<int>(j)}, start, end, open});
         }

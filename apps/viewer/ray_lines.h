@@ -30,8 +30,8 @@ struct RayLine {
     bool open = false; ///< continues beyond `to`: it hit nothing, or its light is infinitely far away
 };
 
-/// The lines of one sample. Open ones are `open_length` long.
-std::vector<RayLine> ray_lines(const ExplainedSample& sample, double open_length);
+/// The lines of one sample, whose positions are relative to `origin`. Open ones are `open_length` long.
+std::vector<RayLine> ray_lines(const ExplainedSample& sample, const Vec3& origin, double open_length);
 
 LineKind kind_of(const ExplainedRay& ray);
 LineKind kind_of(const ExplainedLight& light);

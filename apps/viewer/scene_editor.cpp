@@ -50,16 +50,26 @@ SceneEditor::SceneEditor(const Arguments& arguments, std::function<void()> wake)
     shown_.load = arguments.load;
 }
 
-bool SceneEditor::update() {
+SceneEditor::News SceneEditor::update() {
     const bool has_news = has_news_.exchange(false);
-    if (const auto scene = session_->scene(); scene && (!loaded_ || scene->loads != loaded_->loads))
+    bool is_about_file = false;
+    if (const auto scene = session_->scene(); scene && (!loaded_ || scene->loads != loaded_->loads)) {
         take_scene(*scene);
-    status_ = session_->load_status();
+        is_about_file = true;
+    }
+    LoadStatus status = session_->load_status();
+    is_about_file = is_about_file || status.changes != status_.changes;
+    status_ = std::move(status);
     for (const ViewSlot slot : view_slots) frames_[slot] = session_->frame(slot);
     // In this order: an answer that arrives in between is taken the next time.
     explaining_ = session_->is_explaining();
     explained_ = session_->explained();
-    return has_news;
+    return is_about_file ? News::file : has_news ? News::picture : News::none;
+}
+
+void SceneEditor::orbit(double right, double up) {
+    session_->orbit(right, up);
+    last_change_ = last_move_ = now();
 }
 
 void SceneEditor::move(const std::function<void(CameraControl&)>& change) {
@@ -204,7 +214,8 @@ std::string SceneEditor::save() {
     if (is_scene_file(shown_.file)) {
         shown_.document->save();
     } else {
-        if (std::filesystem::exists(name))
+        std::error_code none;
+        if (std::filesystem::exists(name, none))
             throw Error(ErrorKind::output,
                         name + " exists already: move it away, or open it instead of the mesh");
         shown_.document->save_as(name);

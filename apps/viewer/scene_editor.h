@@ -27,8 +27,10 @@ class SceneEditor {
     SceneEditor(const Arguments& arguments, std::function<void()> wake);
 
     void open(const std::string& file) { session_->open(file); }
-    /// Takes over the session's news since the last call; true if there is anything new to show.
-    bool update();
+    /// What is new since the last update(): nothing, a picture, or something about the file.
+    enum class News { none, picture, file };
+    /// Takes over the session's news.
+    News update();
 
     Session& session() { return *session_; }
     const Session& session() const { return *session_; }
@@ -52,8 +54,9 @@ class SceneEditor {
     /// that scene.
     const std::string& file() const { return loaded_ ? shown_.file : status_.path; }
 
-    /// Changes the camera, as Session::move().
+    /// Changes the camera, as Session::move() and Session::orbit().
     void move(const std::function<void(CameraControl&)>& change);
+    void orbit(double right, double up);
     /// Call when something has changed that the pictures show, or how they are rendered; done by itself after
     /// edits and movements.
     void note_change() { last_change_ = now(); }

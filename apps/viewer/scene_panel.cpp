@@ -75,7 +75,7 @@ void lights(Ui& ui, const SceneEditor& editor, std::vector<Edit>& edits) {
         if (!section(ui, table, light_label(scene, i), scene.lights.size() == 1, &color)) continue;
         Rows rows(ui, edits, table, spec, KeyOwner(light), step_of(editor), editor.keys());
         for (const KeySpec& key : spec.keys)
-            if (key.key != spec.selector) rows.row(key);
+            if (key.key != spec.selector && key.key != "name") rows.row(key);
         ImGui::Spacing();
     }
 }
@@ -125,14 +125,15 @@ const Vec3* color_of_material(const SceneDescription& scene, const std::string& 
 void objects(Ui& ui, const SceneEditor& editor, const Picked& picked, std::vector<Edit>& edits) {
     const SceneDescription& scene = *editor.description();
     heading(ui, "Objects");
-    std::array<std::size_t, std::variant_size_v<Shape>> counts{};
+    std::array<std::uint32_t, std::variant_size_v<Shape>> counts{};
     // A thousand headings would cost more than the picture.
     constexpr std::size_t max_sections = 300;
     for (std::size_t i = 0; i < std::min(scene.objects.size(), max_sections); ++i) {
         const Object& object = scene.objects[i];
-        const std::string table = table_of(object, counts[object.shape.index()]++);
+        const std::uint32_t number = counts[object.shape.index()]++;
+        const std::string table = table_of(object, number);
         const Mark mark(ui, table, picked.object == i, picked.is_new);
-        const std::string label = object_label(scene, i) + (object.visible ? "" : "  (hidden)");
+        const std::string label = object_label(object, number) + (object.visible ? "" : "  (hidden)");
         if (!section(ui, table, label, false, color_of_material(scene, object.material))) continue;
         object_rows(ui, editor, object, table, edits);
         ImGui::Spacing();

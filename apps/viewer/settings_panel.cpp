@@ -83,10 +83,12 @@ void camera_rows(Ui& ui, SceneEditor& editor, ViewState& state, std::vector<Acti
     bool touched = ImGui::SliderScalar("##fov", ImGuiDataType_Double, &camera.fov, &usual.low, &usual.high,
                                        "%.3g\u00b0");
     ui.map.item("camera.fov");
-    const float step = static_cast<float>(std::max(glm::length(camera.eye) / 500, 1e-6));
+    const float step = static_cast<float>(std::max(editor.extent() / 500, 1e-6));
+    // What is shown is also what dragging rounds to.
+    const bool far = glm::length(camera.eye) > 64 * editor.extent();
     label_row(ui, "eye");
-    touched |=
-        ImGui::DragScalarN("##eye", ImGuiDataType_Double, &camera.eye.x, 3, step, nullptr, nullptr, "%.4g");
+    touched |= ImGui::DragScalarN("##eye", ImGuiDataType_Double, &camera.eye.x, 3, step, nullptr, nullptr,
+                                  far ? "%.10g" : "%.4g");
     ui.map.item("camera.eye");
     camera.fov = std::clamp(camera.fov, usual.low, usual.high);
     if (touched) editor.move([&](CameraControl& c) { c.set_camera(camera, c.target_distance()); });
@@ -122,7 +124,9 @@ void settings_panel(Ui& ui, SceneEditor& editor, const std::string& why_cpu, Vie
     quantity(ui, state);
     backend(ui, why_cpu, state);
     heading(ui, "Light model");
-    settings_rows(ui, "whitted", scene.whitted, edits);
+    if (scene.render.integrator == Integrator::whitted) settings_rows(ui, "whitted", scene.whitted, edits);
+    if (scene.render.integrator == Integrator::ambient_occlusion)
+        settings_rows(ui, "ambient_occlusion", scene.ambient_occlusion, edits);
     heading(ui, "Picture");
     settings_rows(ui, "render", scene.render, edits);
     kernel(ui, state);

@@ -90,7 +90,10 @@ bool draw_status(Ui& ui, const Area& area, const SceneEditor& editor, Kernel ker
     const float gap = 24 * ui.theme.scale;
     const float hint_x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(hint).x;
     const float device_x = hint_x - gap - ImGui::CalcTextSize(device.c_str()).x;
-    if (frame) draw_picture_text(ui, *frame, editor.description()->render.spp, padding, device_x - gap);
+    if (frame) {
+        const RenderSettings& render = editor.description()->render;
+        draw_picture_text(ui, *frame, std::max(render.spp, render.max_spp), padding, device_x - gap);
+    }
     ImGui::SameLine(device_x);
     ImGui::SetCursorPosY(padding);
     ImGui::TextDisabled("%s", device.c_str());

@@ -73,4 +73,8 @@ class Error : public std::exception {
 /// The candidate with the smallest edit distance to `word`, if it is close enough to be meant.
 std::optional<std::string> nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
+/// "did you mean "glass"?", or `otherwise` where no candidate is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates,
+                         std::string otherwise = {});
+
 } // namespace glint

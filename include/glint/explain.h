@@ -4,11 +4,9 @@
 #include "glint/explanation.h"
 #include "glint/scene.h"
 
-#include <cstddef>
 #include <limits>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace glint {
@@ -17,11 +15,6 @@ namespace glint {
 /// along them. Uses the functions that compute the picture, so the sum equals its pixel bit for bit. (0, 0)
 /// is top left. Throws Error(usage) for a pixel outside the picture.
 Explanation explain(const Scene& scene, int x, int y);
-
-/// Label of an object in explanations: sphere "ball", or sphere #3 for the third object of the file.
-std::string object_label(const SceneDescription& scene, std::size_t object);
-/// Label of a light: point light 2 is the second light of the file.
-std::string light_label(const SceneDescription& scene, std::size_t light);
 
 /// Limits on the detail of an explanation.
 struct ExplainLimits {

@@ -3,6 +3,7 @@
 // light model with its formula, operands and result. Made by explain() (glint/explain.h); written as text,
 // JSON, SVG and HTML by glint/formats.h. docs/explain.md describes the numbers.
 
+#include "glint/error.h"
 #include "glint/term.h"
 
 #include <glm/vec3.hpp>
@@ -33,10 +34,11 @@ enum class RayEnd {
     depth_limit, ///< maximum depth reached
     background,  ///< nothing was hit
     absorbed,    ///< nothing was hit from inside a solid: no light returns
+    min_weight,  ///< its branches carry too little light to be followed
 };
 template <>
-inline constexpr NamesUpTo<RayEnd::absorbed> enum_names<RayEnd>{"bounced", "matte", "depth_limit",
-                                                                "background", "absorbed"};
+inline constexpr NamesUpTo<RayEnd::min_weight> enum_names<RayEnd>{"bounced",    "matte",    "depth_limit",
+                                                                  "background", "absorbed", "min_weight"};
 
 inline const char* ray_kind_name(RayKind kind) { return name_of(kind).data(); }
 inline const char* ray_end_name(RayEnd end) { return name_of(end).data(); }
@@ -68,7 +70,8 @@ struct Step {
 /// A surface crossed by a shadow ray.
 struct Blocker {
     std::uint32_t object = 0; ///< index in SceneDescription::objects
-    std::string label;        ///< sphere "ball"
+    std::uint32_t number = 0; ///< within its type of table
+    std::string label;        ///< object_label()
     std::string material;     ///< name
     float distance = 0;       ///< from the shaded point
     float transparency = 0;   ///< τ of its material
@@ -92,9 +95,10 @@ struct TracedLight {
 
 struct ExplainedLight : TracedLight {
     std::uint32_t light = 0; ///< index in SceneDescription::lights
-    std::string label;       ///< such as point light 1 (counting all lights from 1)
-    float degrees = 0;       ///< angle between normal and light
-    float attenuation = 1;   ///< 1/r², times the spot's falloff; 1 for directional lights
+    std::string label;       ///< light_label()
+    Location where;
+    float degrees = 0;     ///< angle between normal and light
+    float attenuation = 1; ///< 1/r², times the spot's falloff; 1 for directional lights
     std::vector<Step> steps;
 };
 
@@ -105,7 +109,8 @@ struct TracedRay {
     int parent = -1;
     int reflected = -1;
     int refracted = -1;
-    int depth = 0; ///< number of bounces before it
+    int left_out = 0; ///< branches below min_weight, which were not followed
+    int depth = 0;    ///< number of bounces before it
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f};     ///< unit
     glm::vec3 transmittance{1.0f}; ///< of the path to the hit
@@ -128,9 +133,11 @@ struct ExplainedRay : TracedRay {
     std::string why;        ///< `end` as a sentence
     glm::vec3 weight{1.0f}; ///< contribution to the sample of unit radiance along the ray
 
-    bool hit = false; ///< the following fields up to `lights` are valid only if something was hit
-    std::uint32_t object = 0;
-    std::string label;    ///< sphere "ball", or sphere #3 (counting all objects from 1)
+    bool hit = false;         ///< the following fields up to `lights` are valid only if something was hit
+    std::uint32_t object = 0; ///< index in SceneDescription::objects
+    std::uint32_t number = 0; ///< within its type of table
+    std::string label;        ///< object_label()
+    Location where;
     std::string material; ///< name
     float distance = std::numeric_limits<float>::infinity();
     float gain = 0; ///< (1 − τ) · max(c) · k_d + ρ + τ: above 1, more light leaves than arrives
@@ -174,6 +181,9 @@ struct Explanation {
     int y = 0; ///< from the top
     int width = 0;
     int height = 0;
+    /// What must be added to positions here for those of the scene: zero, unless that lies far from zero
+    /// compared with its size and is traced about a point of its own.
+    glm::dvec3 origin{0};
     std::string scene;  ///< name of the scene, such as its file; empty unless set by the caller
     std::string filter; ///< such as "mitchell"; unused with one sample, which is at the pixel's centre
     std::string rule;   ///< how samples are combined, as a sentence

@@ -7,14 +7,25 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace glint {
 
-/// A text tree with 6 digits, in UTF-8; `color` adds terminal escape sequences.
-std::string explanation_text(const Explanation& explanation, bool color = false);
+/// What explanation_text() shows.
+struct ExplanationTextOptions {
+    int sample = 0;         ///< the sample whose rays are shown
+    std::optional<int> ray; ///< only this one of its rays, with every step
+    bool steps = false;     ///< all its rays with every step
+    bool color = false;     ///< adds terminal escape sequences
+};
+
+/// UTF-8 text: the pixel, its samples, and the ray tree of one sample with a line for each ray. Branches that
+/// bring less than a thousandth of the sample's light are counted. Steps have 6 digits. Throws Error(usage)
+/// for a sample or a ray that does not exist.
+std::string explanation_text(const Explanation& explanation, const ExplanationTextOptions& options = {});
 
 /// "0.5", or "(1, 0, 0.25)".
 std::string quantity_text(const Quantity& q, int digits = 6);
@@ -43,6 +54,8 @@ struct ExplanationPage {
     Image gpu_image;                     ///< the picture of the graphics card, for comparison
     int columns = 160; ///< the page contains explanations of a grid of pixels, at most one per pixel:
     int rows = 90;     ///< at the centres of the cells of an even grid
+    /// The pixel that is shown first, in place of the centre of its cell; none: the middle of the picture.
+    std::optional<PixelCoord> pixel;
     /// Called for the pixels of one row after another; the rays of the first sample of each pixel are shown.
     std::function<std::vector<Explanation>(std::span<const PixelCoord> row)> explain;
     std::size_t max_bytes = 9'900'000; ///< size limit: rays with the smallest contribution are omitted

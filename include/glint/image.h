@@ -49,7 +49,9 @@ struct Comparison {
 Comparison compare(const Image& a, const Image& b, double tolerance, double peak,
                    std::span<const float> alpha_of_a = {}, std::span<const float> alpha_of_b = {});
 
-/// A heat map of |a − b|: black for equal, through blue and yellow to white at `full_scale` and beyond.
-Image difference_heat(const Image& a, const Image& b, double full_scale);
+/// A heat map of |a − b|: black for equal, through blue and yellow to white at `full_scale` and beyond. Alpha
+/// as in compare(), opaque at 1.
+Image difference_heat(const Image& a, const Image& b, double full_scale,
+                      std::span<const float> alpha_of_a = {}, std::span<const float> alpha_of_b = {});
 
 } // namespace glint

@@ -144,6 +144,14 @@ const std::vector<TableSpec>& description_tables();
 /// One of them; throws std::out_of_range if there is none of that name.
 const TableSpec& description_table(std::string_view name);
 
+/// Calls use(name of the table, struct) for the tables of settings that a description always has.
+template <class Description, class Use>
+void for_settings(Description& description, const Use& use) {
+    use("render", description.render);
+    use("whitted", description.whitted);
+    use("ambient_occlusion", description.ambient_occlusion);
+}
+
 /// The key of a table of that type; an empty type finds the keys of any. Null if there is none.
 const KeySpec* find_key(const TableSpec& table, std::string_view key, std::string_view type);
 

@@ -17,7 +17,9 @@ struct LoadedMesh {
     std::vector<Diagnostic> warnings;
 };
 
-/// Reads a PLY file: ASCII, binary little or big endian. Uses only `cancel` and `progress` of the options.
+/// Reads a PLY file: ASCII, binary little or big endian. A mesh far from zero compared with its size gets an
+/// origin of its own, which is subtracted from its coordinates in double precision. Uses only `cancel` and
+/// `progress` of the options.
 LoadedMesh load_mesh(const std::string& path, const LoadOptions& options = {});
 
 /// Reads a PLY file from memory; `name` is the file name for messages.
@@ -30,7 +32,7 @@ inline constexpr NamesUpTo<PlyFormat::binary_big_endian> enum_names<PlyFormat>{
     "ascii", "binary_little_endian", "binary_big_endian"};
 
 /// Writes positions, normals, colours, texture coordinates and triangles as PLY; reading returns the same
-/// bits.
+/// bits. The coordinates of a mesh with an origin of its own are written in double precision.
 void write_ply(const std::string& path, const Mesh& mesh, PlyFormat format = PlyFormat::binary_little_endian);
 
 } // namespace glint

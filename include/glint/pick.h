@@ -15,6 +15,7 @@ struct Pick {
     Vec3 position{0};
     Vec3 normal{0}; ///< geometric, unit, toward the viewer
     double distance = 0;
+    bool from_inside = false; ///< the surface is met from inside the object, or from behind
 };
 
 /// The first visible hit of the ray through a position, skipping surfaces hidden in glass that owns their

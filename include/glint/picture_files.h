@@ -29,6 +29,9 @@ struct PictureOptions {
     /// Empty: no alpha.
     std::vector<float> alpha;
     std::vector<Layer> layers; ///< EXR
+    /// EXR: where the image stands in a larger picture, as with --crop: its first pixel, and the size of the
+    /// whole; a size of 0: the image is the whole.
+    int x = 0, y = 0, full_width = 0, full_height = 0;
     /// settings that determine the picture, as PNG text or EXR attributes
     std::vector<std::pair<std::string, std::string>> metadata;
 };
@@ -40,7 +43,8 @@ enum class PictureFormat { png, exr, pfm };
 template <>
 inline constexpr NamesUpTo<PictureFormat::pfm> enum_names<PictureFormat>{"png", "exr", "pfm"};
 
-/// By the extension of a name, in any case; "-" (stdout) is PNG. None for any other.
+/// By the extension of a name, in any case; "-" (stdout) is PNG, and so are pipes and devices without an
+/// extension. None for any other.
 std::optional<PictureFormat> picture_format(const std::string& path);
 
 /// Writes .png, .exr or .pfm, chosen by the extension; "-" writes PNG to stdout.

@@ -26,7 +26,8 @@ struct Rect {
 
 struct Progress {
     std::uint64_t tiles_done = 0;
-    std::uint64_t tiles = 0;
+    std::uint64_t tiles = 0; ///< of the passes so far; a picture that is coarse first has several
+    double fraction = 0;     ///< of all samples that are done
     std::uint64_t rays = 0;
     double seconds = 0; ///< wall time since the start of rendering
 };
@@ -70,7 +71,11 @@ struct RenderOptions {
     /// Return the fraction of samples that hit something, and leave out the background: the image is then
     /// premultiplied by this fraction.
     bool coverage = false;
-    std::function<void(const Progress&)> progress; ///< called by rendering threads, one at a time
+    /// Measure a coarse picture first, which unfinished tiles show if rendering is cancelled. It takes some
+    /// time, and changes no finished picture.
+    bool coarse_first = false;
+    std::function<void(const Progress&)>
+        progress; ///< called at the start, then by rendering threads, one at a time
     const CancelFlag* cancel = nullptr;
 };
 
@@ -82,10 +87,15 @@ struct RenderStats {
     std::uint64_t reflected_rays = 0;
     std::uint64_t refracted_rays = 0;
     std::uint64_t shadow_rays = 0;
-    int threads = 0; ///< threads that rendered at least one tile
+    std::uint64_t left_out_rays = 0; ///< not traced: their weight was below WhittedSettings::min_weight
+    int threads = 0;                 ///< threads that rendered at least one tile
 
     std::uint64_t rays() const { return primary_rays + reflected_rays + refracted_rays + shadow_rays; }
 };
+
+/// Bound on the mean share of a sample's light that the rays left out would have brought: their number times
+/// min_weight. The picture is darker by at most this share of the brightest light along any ray.
+double left_out_share(const RenderStats& stats, const Scene& scene);
 
 struct Picture {
     Image image;
@@ -94,7 +104,7 @@ struct Picture {
     std::vector<float>
         coverage; ///< width · height: fraction of samples that hit something, filtered; or empty
     RenderStats stats;
-    bool complete = true; ///< false if cancelled; pixels of unfinished tiles are 0
+    bool complete = true; ///< false if cancelled; unfinished tiles are coarse (coarse_first) or 0
 };
 
 /// Renders the scene with its own settings. The picture depends only on scene and settings, not on threads or

@@ -27,16 +27,22 @@ namespace glint {
 using Vec3 = glm::dvec3;
 using Mat4 = glm::dmat4; ///< column-major: m[column][row]
 
-/// A triangle mesh, or a point cloud if `triangles` is empty.
+/// A triangle mesh, or a point cloud if `triangles` is empty. Vertex i is at origin + positions[i], in scene
+/// units before MeshShape::scale. Readers choose an origin near meshes that lie far from zero compared with
+/// their size, since positions in single precision could not resolve them.
 struct Mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals; ///< per vertex, or empty
-    std::vector<glm::vec3> colors;  ///< per vertex, linear RGB, or empty
-    std::vector<glm::vec2> uvs;     ///< per vertex, or empty
+    std::vector<glm::vec3> positions; ///< relative to `origin`
+    std::vector<glm::vec3> normals;   ///< per vertex, or empty
+    std::vector<glm::vec3> colors;    ///< per vertex, linear RGB, or empty
+    std::vector<glm::vec2> uvs;       ///< per vertex, or empty
     std::vector<glm::uvec3> triangles;
+    Vec3 origin{0};
 };
 
-enum class Axis { x, y, z };
+/// A direction along an axis.
+enum class Axis { x, y, z, minus_x, minus_y, minus_z };
+template <>
+inline constexpr NamesUpTo<Axis::minus_z> enum_names<Axis>{"x", "y", "z", "-x", "-y", "-z"};
 
 /// A pinhole camera, right-handed.
 struct CameraDescription {
@@ -48,17 +54,19 @@ struct CameraDescription {
     Location where;
 };
 
-enum class Integrator { whitted };
+enum class Integrator { whitted, ambient_occlusion };
 template <>
-inline constexpr NamesUpTo<Integrator::whitted> enum_names<Integrator>{"whitted"};
+inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>{"whitted",
+                                                                                 "ambient-occlusion"};
 
 struct RenderSettings {
     int width = 640;
     int height = 480;
-    int spp = 4; ///< samples per pixel; 1: through the pixel's centre
+    int spp = 4;     ///< samples per pixel; 1: through the pixel's centre
+    int max_spp = 0; ///< samples of each pixel that differs from a neighbour, if more than `spp`
     std::uint64_t seed = 0;
     Integrator integrator = Integrator::whitted;
-    PixelFilter filter = PixelFilter::mitchell;
+    PixelFilter filter = PixelFilter::box;
     Vec3 background{0}; ///< linear RGB
 };
 
@@ -73,12 +81,19 @@ template <>
 inline constexpr NamesUpTo<HighlightModel::phong> enum_names<HighlightModel>{"blinn", "phong"};
 
 struct WhittedSettings {
-    int max_depth = 8; ///< bounces after the first hit
+    int max_depth = 8;        ///< bounces after the first hit
+    double min_weight = 1e-5; ///< share of a sample's light below which no ray is followed
     Shadows shadows = Shadows::transmissive;
     bool clamp = false;
     Energy energy = Energy::report;
+    bool energy_chosen = false; ///< written down: materials that give more light than they get are meant
     HighlightModel highlight_model = HighlightModel::blinn;
     double index = 1.0; ///< index of refraction of the surroundings
+};
+
+struct AmbientOcclusionSettings {
+    std::optional<double> distance; ///< scene units; none: a tenth of the diagonal of everything finite
+    bool colored = false;           ///< times the colour of the surface
 };
 
 struct Material {
@@ -175,6 +190,7 @@ struct MeshShape {
     std::string file; ///< as written in the scene file; empty for a mesh made in memory
     Vec3 scale{1};    ///< applied before the object's transform
     NormalsMode normals = NormalsMode::automatic;
+    double crease_angle = 180; ///< degrees: with smooth normals, faces that meet at more have an edge
     Facing facing = Facing::viewer;
     VertexColors vertex_colors = VertexColors::automatic;
     std::optional<double> point_radius; ///< radius for point clouds; none: chosen by density
@@ -241,6 +257,7 @@ struct SpotLight {
 struct Light {
     std::variant<AmbientLight, PointLight, DirectionalLight, SpotLight> kind;
     Location where;
+    std::string name = {}; ///< unique among lights, or empty
 };
 
 /// The types of [[light]].
@@ -272,10 +289,18 @@ struct SceneDescription {
     Framing framing;
     RenderSettings render;
     WhittedSettings whitted;
+    AmbientOcclusionSettings ambient_occlusion;
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<Light> lights;
 };
+
+/// The number of each object within its type of table: 1 for the second [[sphere]], which -D calls sphere.1.
+std::vector<std::uint32_t> object_numbers(const SceneDescription& scene);
+/// How messages call an object: sphere "ball", or sphere.1 for one without a name; number: object_numbers().
+std::string object_label(const Object& object, std::uint32_t number);
+/// Of a light: point light "key", or point light.1 for the second [[light]] of the file.
+std::string light_label(const SceneDescription& scene, std::size_t light);
 
 /// How many primitives of one kind there are: "spheres", 3.
 struct PrimitiveCount {
@@ -337,7 +362,8 @@ struct BuildSceneOptions {
     LoadCallback progress;
 };
 
-/// Validates the description, bakes transforms and builds trees. Throws Error(input) with all errors found.
+/// Validates the description, bakes transforms and builds trees. Throws Error(input) with all errors found,
+/// and Error(resource) where there is no memory for the trees.
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options = {});
 
 /// Equivalent to build_scene(description), but faster: if the objects and their transforms are those of
@@ -359,8 +385,11 @@ std::vector<Diagnostic> warnings(const Scene& scene);
 Axis guess_up_axis(const Mesh& mesh);
 
 /// A preview scene of a mesh: framed, lit, on a floor if wanted, rotated so that `up` points along +z.
+/// Throws Error(input) for a mesh without anything to show.
 SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up,
                                bool floor = true);
+/// The same around an object with a mesh as it stands.
+SceneDescription preview_scene(Object mesh, bool floor = true);
 
 /// The camera that shows everything finite in the scene, for a picture of its size.
 CameraDescription fit_camera(const SceneDescription& description);

@@ -1,5 +1,6 @@
 #pragma once
-// Four floats in one register (vector extension of g++ and clang++), and boxes made of them, for builders.
+// Two or four floats in one register (vector extension of g++ and clang++), and boxes made of four, for
+// builders.
 
 #include "math/bounds.h"
 
@@ -8,6 +9,7 @@
 
 namespace glint::bvh {
 
+using float2 = float __attribute__((vector_size(8)));
 using float4 = float __attribute__((vector_size(16)));
 using int4 = std::int32_t __attribute__((vector_size(16)));
 

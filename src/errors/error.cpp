@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -117,6 +118,12 @@ std::optional<std::string> nearest_name(const std::string& word, const std::vect
         }
     }
     return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates,
+                         std::string otherwise) {
+    const auto nearest = nearest_name(word, candidates);
+    return nearest ? "did you mean \"" + printable(*nearest) + "\"?" : std::move(otherwise);
 }
 
 } // namespace glint

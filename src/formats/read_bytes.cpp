@@ -3,6 +3,7 @@
 #include "formats/read_bytes.h"
 
 #include "glint/error.h"
+#include "glint/limits.h"
 #include "parallel/large_pages.h"
 
 #include <fcntl.h>
@@ -107,15 +108,25 @@ const char* special_file(const std::filesystem::file_status& status) {
     }
 }
 
+void require_memory_to_grow(std::size_t bytes, const std::string& name) {
+    require_memory(2 * static_cast<double>(bytes), "reading on", "give it a smaller input", {.file = name});
+}
+
 FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
     // Pipes have no size, and files may grow: the size is only an initial guess. Reading one byte more
     // detects the end.
     constexpr std::size_t least = 1U << 16U;
     constexpr std::size_t at_once = 1U << 24U;
+    if (file.size())
+        require_memory(static_cast<double>(*file.size()), "the file", "close other programs",
+                       {.file = file.path()});
     FileBytes bytes(file.size() ? *file.size() + 1 : least);
     std::size_t used = 0;
     for (;;) {
-        if (used == bytes.size()) bytes.grow(2 * used, used);
+        if (used == bytes.size()) {
+            require_memory_to_grow(used, file.path());
+            bytes.grow(2 * used, used);
+        }
         watch.at(0, 1);
         const std::size_t count = file.read({bytes.data() + used, std::min(bytes.size() - used, at_once)});
         if (count == 0) break;

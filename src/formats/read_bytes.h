@@ -24,6 +24,7 @@ class InputFile {
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
+    const std::string& path() const { return path_; }
     /// Size reported by the system; none for pipes and the like.
     std::optional<std::size_t> size() const { return size_; }
     /// Reads some of the next bytes; returns their number, 0 at the end.
@@ -61,6 +62,10 @@ void refuse_compressed(std::string_view bytes, const std::string& name);
 
 /// "a FIFO", "a socket" or "a device": what a file is that is neither regular nor a folder; null for others.
 const char* special_file(const std::filesystem::file_status& status);
+
+/// Throws Error(resource) where twice as many bytes as were read do not fit into memory: files that have no
+/// size, such as pipes, may never end.
+void require_memory_to_grow(std::size_t bytes, const std::string& name);
 
 /// Reads the rest of a file.
 FileBytes read_bytes(InputFile& file, const LoadWatch& watch = {});

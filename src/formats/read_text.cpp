@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_scene = std::size_t{256} << 20;
 
-// Reads to the end, or one byte beyond the limit.
-std::string read_all(InputFile&& file) {
+// Reads to the end: of a scene to one byte beyond the limit, of a mesh as far as there is memory.
+std::string read_all(InputFile&& file, const std::string& name) {
     std::string text;
     std::string block(1 << 16, '\0');
-    while (text.size() <= longest_scene) {
+    while (text.size() <= longest_scene || looks_like_ply(text)) {
         const std::size_t count = file.read(std::as_writable_bytes(std::span(block)));
         if (count == 0) break;
+        if (text.size() + count > text.capacity()) require_memory_to_grow(text.capacity(), name);
         text.append(block, 0, count);
     }
     return text;
@@ -39,15 +40,16 @@ std::string read_file(const std::string& path) {
     const fs::file_status status = fs::status(path, failed);
     if (status.type() == fs::file_type::not_found) refuse("the file does not exist", expected);
     if (fs::is_directory(status)) refuse("this is a folder", expected);
-    return read_all(InputFile(path));
+    return read_all(InputFile(path), path);
 }
 
 } // namespace
 
 std::string read_text(const std::string& path) {
-    std::string text = path == "-" ? read_all(InputFile(::dup(STDIN_FILENO), stdin_name)) : read_file(path);
+    std::string text =
+        path == "-" ? read_all(InputFile(::dup(STDIN_FILENO), stdin_name), stdin_name) : read_file(path);
     const std::string name = path == "-" ? stdin_name : path;
-    require_scene_size(text, name);
+    if (!looks_like_ply(text)) require_scene_size(text, name);
     refuse_compressed(text, name);
     return text;
 }

@@ -9,8 +9,8 @@ namespace glint::formats {
 /// Name of stdin in messages.
 inline constexpr const char* stdin_name = "<stdin>";
 
-/// Reads a scene file, or stdin for "-". Throws Error(input) if it cannot be read and Error(resource) if it
-/// is too large.
+/// Reads a scene or a mesh from a file, or from stdin for "-". Throws Error(input) if it cannot be read and
+/// Error(resource) if it is too large.
 std::string read_text(const std::string& path);
 
 /// Throws Error(resource) if a text is too large for a scene file.

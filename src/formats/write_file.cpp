@@ -13,7 +13,9 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -48,6 +50,8 @@ std::string cure(const fs::path& path, int code) {
         return "write to a place where you have permission to";
     case ENAMETOOLONG:
         return "choose a shorter name";
+    case EBUSY:
+        return "the file is mounted by itself and cannot be replaced: mount its folder, or write elsewhere";
     case EPIPE:
         return "the program that reads the output has ended; look for its message";
     default:
@@ -78,11 +82,47 @@ class Descriptor {
     int fd_;
 };
 
-/// Opens a new file with a unique name in a folder.
-int open_temporary(const fs::path& folder, fs::path& name) {
+/// The name of a temporary file, where a signal handler finds it: in static memory and without a lock.
+struct NameSlot {
+    std::atomic<bool> taken{false};
+    std::atomic<bool> filled{false};
+    std::array<char, PATH_MAX> name{};
+};
+constinit std::array<NameSlot, 4> name_slots; // of as many threads that write at a time
+
+/// Takes a slot while it lives, if one is free.
+class PublishedName {
+  public:
+    PublishedName() {
+        for (NameSlot& slot : name_slots)
+            if (!slot_ && !slot.taken.exchange(true)) slot_ = &slot;
+    }
+    ~PublishedName() {
+        if (!slot_) return;
+        slot_->filled = false;
+        slot_->taken = false;
+    }
+    PublishedName(const PublishedName&) = delete;
+    PublishedName& operator=(const PublishedName&) = delete;
+
+    void set(const char* name) {
+        // No file has a longer name.
+        if (!slot_ || std::strlen(name) >= slot_->name.size()) return;
+        slot_->filled = false;
+        std::strcpy(slot_->name.data(), name);
+        slot_->filled = true;
+    }
+
+  private:
+    NameSlot* slot_ = nullptr;
+};
+
+/// Opens a new file with a unique name in a folder. Its name is published first: a signal may come at once.
+int open_temporary(const fs::path& folder, fs::path& name, PublishedName& published) {
     static std::atomic<unsigned> counter{0};
     for (;;) {
         name = folder / (".glint-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+        published.set(name.c_str());
         const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (fd >= 0 || errno != EEXIST) return fd;
     }
@@ -92,7 +132,7 @@ int open_temporary(const fs::path& folder, fs::path& name) {
 /// errno has the reason.
 class Temporary {
   public:
-    explicit Temporary(const fs::path& folder) : file_(open_temporary(folder, path_)) {}
+    explicit Temporary(const fs::path& folder) : file_(open_temporary(folder, path_, published_)) {}
     ~Temporary() {
         if (!kept_) ::unlink(path_.c_str());
     }
@@ -103,6 +143,7 @@ class Temporary {
     void keep() { kept_ = true; }
 
   private:
+    PublishedName published_;
     fs::path path_; ///< set by the initializer of file_
     Descriptor file_;
     bool kept_ = false;
@@ -139,6 +180,13 @@ fs::path follow_links(const fs::path& path) {
     return target_path;
 }
 
+/// A file that is mounted by itself, as containers do, cannot be replaced.
+bool is_mount_point(const fs::path& file) {
+    struct statx info = {};
+    return ::statx(AT_FDCWD, file.c_str(), 0, 0, &info) == 0 &&
+           (info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+}
+
 struct Target {
     fs::path target_path;
     bool exists = false;
@@ -170,6 +218,7 @@ Target find_target(const fs::path& path) {
     if (S_ISSOCK(info.st_mode)) fail(ENXIO);
     if (::access(path.c_str(), W_OK) != 0) fail(errno);
     if (target.regular && !may_be_replaced(folder_of(target.target_path), info)) fail(EPERM);
+    if (target.regular && is_mount_point(target.target_path)) fail(EBUSY);
     return target;
 }
 
@@ -222,6 +271,22 @@ void check_writable(const std::string& path) {
     // Permissions, read-only disks and odd file systems show themselves only by trying.
     formats::Temporary probe(formats::folder_of(target.target_path));
     if (probe.file().fd() < 0) formats::fail_at(path, target.target_path, errno);
+}
+
+std::string file_identity(const std::string& path) {
+    const auto text = [](const struct stat& info) {
+        return std::to_string(info.st_dev) + ":" + std::to_string(info.st_ino);
+    };
+    struct stat info = {};
+    if (::stat(path.c_str(), &info) == 0) return text(info);
+    const std::filesystem::path target = formats::follow_links(path);
+    if (::stat(formats::folder_of(target).c_str(), &info) != 0) formats::fail_at(path, target, errno);
+    return text(info) + "/" + target.filename().string();
+}
+
+void remove_temporary_files() noexcept {
+    for (const formats::NameSlot& slot : formats::name_slots)
+        if (slot.filled) ::unlink(slot.name.data());
 }
 
 void write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -5,6 +5,8 @@
 #include "math/vec.h"
 
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace glint::geometry {
 
@@ -80,6 +82,28 @@ inline Interval extent(const QuadricShape& shape, const dvec3& g) {
     Interval values;
     extent_of_quadric(shape, g, values.low, values.high);
     return values;
+}
+
+/// Where flat parts of the surface are: circles of the shape's radius at these heights along its axis.
+inline std::vector<double> flat_heights(const QuadricShape& shape) {
+    if (shape.kind == quadric_sphere) return {};
+    if (shape.kind == quadric_cylinder) return {0, shape.height};
+    return {0};
+}
+
+inline bool has_round_side(const QuadricShape& shape) { return shape.kind != quadric_disk; }
+
+/// Do the round sides of two quadrics coincide if they are long enough, to within `error` in length?
+inline bool same_side(const QuadricShape& a, const QuadricShape& b, double error) {
+    const auto none = [&](const dvec3& difference) { return glm::length(difference) <= error; };
+    if (a.kind != b.kind || !has_round_side(a)) return false;
+    if (a.kind == quadric_cone)
+        return none(a.base + a.axis * a.height - (b.base + b.axis * b.height)) &&
+               none(a.radius * (a.axis - b.axis)) &&
+               std::abs(a.radius - a.height * (b.radius / b.height)) <= error;
+    if (std::abs(a.radius - b.radius) > error) return false;
+    if (a.kind == quadric_sphere) return none(a.base - b.base);
+    return none(a.radius * glm::cross(a.axis, b.axis)) && none(perpendicular_to(a.axis, b.base - a.base));
 }
 
 } // namespace glint::geometry

@@ -264,10 +264,12 @@ GLINT_FN void point_of_cone(dvec3 base, dvec3 axis, double height, double radius
 
 /// The point of one part of a quadric's surface nearest to p, and the outward normal there. Of the points
 /// less than `margin` from the part's rim or apex none is taken: see "Away from edges" in
-/// geometry/surface.shared.h.
+/// geometry/surface.shared.h. Cones with a sharper rim or apex than 15° keep more.
 GLINT_FN void point_of_quadric(GLINT_IN(QuadricShape) shape, integer part, dvec3 p, double margin,
                                GLINT_OUT(dvec3) on, GLINT_OUT(dvec3) n) {
-    double kept = min(margin, min(shape.height, shape.radius) / 16.0);
+    double slenderness = max(shape.height / shape.radius, shape.radius / shape.height);
+    double sharpness = shape.kind == quadric_cone ? min(max(slenderness / 4.0, 1.0), 16.0) : 1.0;
+    double kept = min(margin * sharpness, min(shape.height, shape.radius) / 16.0);
     if (shape.kind == quadric_cylinder)
         point_of_cylinder(shape.base, shape.axis, shape.height, shape.radius, part, p, kept, on, n);
     else if (shape.kind == quadric_cone)

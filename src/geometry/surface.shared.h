@@ -41,7 +41,8 @@ GLINT_FN SurfacePoint rounded_point(dvec3 p, dvec3 n, double slack) {
 // the edge: a ray that starts there leaves a closed solid without crossing it. So start points keep
 // `edge_margin` times their error from the edges of their face. Where two faces meet at the inner angle θ, a
 // point at the distance d from the edge, then raised by e, is d sin θ − e cos θ within the other face, and
-// offset_ray_origin() raises it by at most 6 errors: enough down to 15°.
+// offset_ray_origin() raises it by at most 6 errors: enough down to 15°. Faces with sharper edges have a
+// larger margin: `off_edges` below, in errors.
 
 /// Bound of the weight that is required of each vertex, for faces hardly larger than the errors of their
 /// points.
@@ -53,26 +54,33 @@ struct TriangleWeights {
     double v;
 };
 
-/// How far to go to the middle, as a share, for a weight to become at least `floor_of`. Weights were rounded
-/// to float: 2^-22 on top.
+/// More than the error of weights that were rounded to float: 2^-22.
+const double float_weight_error = 1.0 / 4194304.0;
+
+/// How far to go to the middle, as a share, for a weight to become at least `floor_of`.
 GLINT_FN double way_off_edge(double weight, double floor_of) {
-    double least = min(floor_of + 1.0 / 4194304.0, max_edge_weight);
+    double least = min(floor_of, max_edge_weight);
     return weight < least ? (least - weight) / (double(1.0f) / double(3.0f) - weight) : double(0.0f);
 }
 
 /// The weights of the nearest point on the way to the triangle's middle whose distance from each edge is at
-/// least `margin`.
-GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, double v, double margin) {
+/// least `margin`, though the weights given have an error.
+GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, double v, double margin,
+                                           double weight_error) {
+    TriangleWeights moved;
+    moved.u = u;
+    moved.v = v;
+    // None can be required to be larger.
+    if (min(min(u, v), 1.0 - u - v) >= max_edge_weight) return moved;
     dvec3 ab = dvec3(b) - dvec3(a);
     dvec3 ac = dvec3(c) - dvec3(a);
     dvec3 bc = dvec3(c) - dvec3(b);
     dvec3 normal = cross(ab, ac);
     double height = margin / sqrt(dot(normal, normal)); // over an edge of unit length
-    double way = max(max(way_off_edge(1.0 - u - v, height * sqrt(dot(bc, bc))),
-                         way_off_edge(u, height * sqrt(dot(ac, ac)))),
-                     way_off_edge(v, height * sqrt(dot(ab, ab))));
+    double way = max(max(way_off_edge(1.0 - u - v, height * sqrt(dot(bc, bc)) + weight_error),
+                         way_off_edge(u, height * sqrt(dot(ac, ac)) + weight_error)),
+                     way_off_edge(v, height * sqrt(dot(ab, ab)) + weight_error));
     double third = double(1.0f) / double(3.0f);
-    TriangleWeights moved;
     moved.u = u + (third - u) * way;
     moved.v = v + (third - v) * way;
     return moved;
@@ -80,19 +88,42 @@ GLINT_FN TriangleWeights weights_off_edges(vec3 a, vec3 b, vec3 c, double u, dou
 
 /// A point of a triangle in world space, with weights u and v of vertices b and c, off the edges.
 /// `seen_along` as in point_of_triangle(); `reversed`: the normal is turned against the winding.
-GLINT_FN SurfacePoint triangle_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
-                                       bool reversed) {
+GLINT_FN SurfacePoint triangle_surface(vec3 a, vec3 b, vec3 c, double u, double v, double off_edges,
+                                       dvec3 seen_along, bool reversed) {
     dvec3 p;
     dvec3 n;
     point_of_triangle(a, b, c, u, v, seen_along, p, n);
-    vec3 error = error_of_triangle(a, b, c, vec3(p));
-    TriangleWeights moved = weights_off_edges(a, b, c, u, v, edge_margin * max_abs(dvec3(error)));
-    point_of_triangle(a, b, c, moved.u, moved.v, seen_along, p, n);
     SurfacePoint point;
     point.p = vec3(p);
     point.p_error = error_of_triangle(a, b, c, point.p);
+    TriangleWeights moved =
+        weights_off_edges(a, b, c, u, v, off_edges * max_abs(dvec3(point.p_error)), float_weight_error);
+    if (moved.u != u || moved.v != v) {
+        point_of_triangle(a, b, c, moved.u, moved.v, seen_along, p, n);
+        point.p = vec3(p);
+        point.p_error = error_of_triangle(a, b, c, point.p);
+    }
     point.n = vec3(reversed ? -n : n);
     return point;
+}
+
+/// The point of a wide triangle (geometry/triangle.h) nearest to `near`, off the edges; its error is that of
+/// rounding it, whatever the size of the triangle.
+GLINT_FN SurfacePoint wide_triangle_surface(vec3 a, vec3 b, vec3 c, dvec3 near, double off_edges,
+                                            dvec3 seen_along, bool reversed) {
+    dvec3 ab = dvec3(b) - dvec3(a);
+    dvec3 ac = dvec3(c) - dvec3(a);
+    dvec3 normal = cross(ab, ac);
+    if (dot(normal, normal) == 0.0) normal = -seen_along;
+    double squared = dot(normal, normal);
+    dvec3 from_a = near - dvec3(a);
+    double u = limited(dot(cross(from_a, ac), normal) / squared, 0.0, 1.0);
+    double v = limited(dot(cross(ab, from_a), normal) / squared, 0.0, 1.0 - u);
+    double reach = max(max_abs(from_a), max(max_abs(near - dvec3(b)), max_abs(near - dvec3(c))));
+    double margin = off_edges * (max_abs(near) * (1.0 / 16777216.0) + surface_error * reach);
+    TriangleWeights moved = weights_off_edges(a, b, c, u, v, margin, surface_error);
+    dvec3 n = normal / sqrt(squared);
+    return rounded_point(dvec3(a) + ab * moved.u + ac * moved.v, reversed ? -n : n, surface_error * reach);
 }
 
 /// Where the point p of an instance's triangle lies in the world; its normal is not set. See
@@ -114,8 +145,8 @@ GLINT_FN SurfacePoint instance_point(vec3 a, vec3 b, vec3 c, dvec3 p, GLINT_IN(d
 /// rounded and its test displaces triangles. error_of_triangle() covers the origin and the test; rounding the
 /// direction displaces the triangle by up to 1 u S more (u and S as in geometry/triangle.h). A quarter more
 /// covers that and terms of second order. Bounds in the mesh's space become bounds in the world by |linear|.
-GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double v, dvec3 seen_along,
-                                       GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
+GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double v, double off_edges,
+                                       dvec3 seen_along, GLINT_IN(dmat3) linear, GLINT_IN(dmat3) inverse,
                                        GLINT_IN(dvec3) translation, double slack, bool reversed) {
     dvec3 p;
     dvec3 n;
@@ -126,9 +157,11 @@ GLINT_FN SurfacePoint instance_surface(vec3 a, vec3 b, vec3 c, double u, double 
     SurfacePoint point = instance_point(a, b, c, p, linear, translation, slack);
     dvec3 rounding = dvec3(point.p_error);
     dvec3 back = abs(inverse[0]) * rounding.x + abs(inverse[1]) * rounding.y + abs(inverse[2]) * rounding.z;
-    TriangleWeights moved = weights_off_edges(a, b, c, u, v, edge_margin * max_abs(back));
-    point_of_triangle(a, b, c, moved.u, moved.v, seen_along, p, n);
-    point = instance_point(a, b, c, p, linear, translation, slack);
+    TriangleWeights moved = weights_off_edges(a, b, c, u, v, off_edges * max_abs(back), float_weight_error);
+    if (moved.u != u || moved.v != v) {
+        point_of_triangle(a, b, c, moved.u, moved.v, seen_along, p, n);
+        point = instance_point(a, b, c, p, linear, translation, slack);
+    }
     point.n = vec3(reversed ? -unit : unit);
     return point;
 }

@@ -12,6 +12,10 @@
 //   product, Sz and its product in Az stretch one and the same depth, 4 u S. In all 7 u S.
 //
 // Boxes must be conservative (bvh/traverse.h) and spawned rays be offset (error_of_triangle) against that.
+//
+// Wide triangles, whose errors would exceed those of points near them by far, are sheared in double too. The
+// displacement is then a few units of 2^-53 S. Edge functions of neighbours are opposite numbers, and never
+// have the wrong sign, so the test is as watertight.
 
 #include "geometry/triangle.shared.h"
 #include "math/ray.h"
@@ -45,6 +49,24 @@ struct ShearedRay {
     }
 };
 
+/// The same for wide triangles, in double.
+struct DoubleShearedRay {
+    std::size_t kx, ky, kz;
+    dvec3 origin; ///< permuted
+    dvec3 shear;
+
+    explicit DoubleShearedRay(const Ray& ray) {
+        const ShearedRay in_float(ray);
+        kx = in_float.kx;
+        ky = in_float.ky;
+        kz = in_float.kz;
+        const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
+        const double dz = d[kz];
+        origin = dvec3(in_float.ox, in_float.oy, in_float.oz);
+        shear = dvec3(d[kx] / dz, d[ky] / dz, 1.0 / dz);
+    }
+};
+
 /// Three vertices, x y z each.
 using TriangleVertices = std::array<std::array<float, 3>, 3>;
 
@@ -61,6 +83,16 @@ inline bool intersect_triangle(const ShearedRay& ray, const TriangleVertices& ve
     const ShearedVertex b = shear(ray, vertices[1]);
     const ShearedVertex c = shear(ray, vertices[2]);
     return !surely_outside(a, b, c) && intersect_sheared(a, b, c, ray.sz, tmin, limit, hit);
+}
+
+inline dvec3 shear(const DoubleShearedRay& ray, const std::array<float, 3>& v) {
+    return sheared_in_double(dvec3(v[ray.kx], v[ray.ky], v[ray.kz]) - ray.origin, ray.shear);
+}
+
+inline bool intersect_triangle(const DoubleShearedRay& ray, const TriangleVertices& vertices, float tmin,
+                               float limit, TriangleHit& hit) {
+    return intersect_in_double(shear(ray, vertices[0]), shear(ray, vertices[1]), shear(ray, vertices[2]),
+                               tmin, limit, hit);
 }
 
 } // namespace glint::geometry

@@ -44,6 +44,18 @@ GLINT_FN bool surely_outside(ShearedVertex a, ShearedVertex b, ShearedVertex c) 
     return mixed_signs(u, v, w);
 }
 
+/// Completes a hit at t by its areas to the edges, if t is wanted.
+GLINT_FN bool accept_hit(double t, double u, double v, double w, double det, float tmin, float limit,
+                         GLINT_OUT(TriangleHit) hit) {
+    hit.t = float(t);
+    if (!(t > double(tmin) && hit.t <= limit)) return false;
+    hit.u = float(v / det);
+    hit.v = float(w / det);
+    hit.on_edge = u == 0.0 || v == 0.0 || w == 0.0;
+    hit.positive = det > 0.0;
+    return true;
+}
+
 /// The exact part of the test, for triangles that are not surely outside.
 GLINT_FN bool intersect_sheared(ShearedVertex a, ShearedVertex b, ShearedVertex c, float sz, float tmin,
                                 float limit, GLINT_OUT(TriangleHit) hit) {
@@ -58,14 +70,28 @@ GLINT_FN bool intersect_sheared(ShearedVertex a, ShearedVertex b, ShearedVertex 
     double az = double(sz * a.z);
     double bz = double(sz * b.z);
     double cz = double(sz * c.z);
-    double t = (u * az + v * bz + w * cz) / det;
-    hit.t = float(t);
-    if (!(t > double(tmin) && hit.t <= limit)) return false;
-    hit.u = float(v / det);
-    hit.v = float(w / det);
-    hit.on_edge = u == 0.0 || v == 0.0 || w == 0.0;
-    hit.positive = det > 0.0;
-    return true;
+    return accept_hit((u * az + v * bz + w * cz) / det, u, v, w, det, tmin, limit, hit);
+}
+
+/// The test of a wide triangle; z of its corners is already scaled.
+GLINT_FN bool intersect_in_double(dvec3 a, dvec3 b, dvec3 c, float tmin, float limit,
+                                  GLINT_OUT(TriangleHit) hit) {
+    // Rounding is monotone: no difference of products has the wrong sign, it can only be 0.
+    GLINT_PRECISE double u = c.x * b.y - c.y * b.x;
+    GLINT_PRECISE double v = a.x * c.y - a.y * c.x;
+    GLINT_PRECISE double w = b.x * a.y - b.y * a.x;
+    if (mixed_signs(u, v, w)) return false;
+    double det = u + v + w;
+    if (det == 0.0) return false;
+    return accept_hit((u * a.z + v * b.z + w * c.z) / det, u, v, w, det, tmin, limit, hit);
+}
+
+/// A corner of a wide triangle for intersect_in_double(): `v` relative to the ray's origin, with its axes
+/// permuted; `shear` is d[kx]/d[kz], d[ky]/d[kz], 1/d[kz].
+GLINT_FN dvec3 sheared_in_double(dvec3 v, dvec3 shear) {
+    GLINT_PRECISE double x = v.x - shear.x * v.z;
+    GLINT_PRECISE double y = v.y - shear.y * v.z;
+    return dvec3(x, y, shear.z * v.z);
 }
 
 /// The point with weights u and v of vertices b and c, and the unit normal by the winding. Where the triangle

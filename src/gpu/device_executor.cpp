@@ -6,7 +6,13 @@
 
 namespace glint::gpu {
 
-void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_done) {
+rendering::Pixel GpuTile::pixel(std::uint32_t slot) const {
+    const uvec2 in_tile = pixel_of_slot(slot, static_cast<std::uint32_t>(rect.width));
+    return {origin.x + (rect.x + static_cast<int>(in_tile.x)) * step,
+            origin.y + (rect.y + static_cast<int>(in_tile.y)) * step};
+}
+
+void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_done, PassDone pass_done) {
     const std::size_t terms = layout.terms || layout.term ? term_count : 1;
     if (!work_ || terms_ != terms) {
         terms_ = terms;
@@ -17,6 +23,7 @@ void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_do
     work_->start();
     layout_ = layout;
     tile_done_ = std::move(tile_done);
+    pass_done_ = std::move(pass_done);
     samples_.assign(picture_tiles().size(), 0);
 }
 
@@ -63,11 +70,28 @@ void DeviceExecutor::begin_tile() {
     const GpuBuffer& to = film();
     if (pass_.first == 0) to.clear(4 * film_fields(terms_) * slots_of(tile.rect));
     work_->begin(settings_of(tile, pass_), slots_of(tile.rect));
+    if (pass_.adaptive) skip_pixels(tile);
+}
+
+void DeviceExecutor::skip_pixels(const GpuTile& tile) {
+    std::vector<std::uint32_t> samples(slots_of(tile.rect));
+    for (std::uint32_t slot = 0; slot < samples.size(); ++slot) {
+        const rendering::Pixel pixel = tile.pixel(slot);
+        const bool exists = pixel.x < layout_.area.width && pixel.y < layout_.area.height;
+        if (!exists || !takes_(pixel)) samples[slot] = static_cast<std::uint32_t>(pass_.count);
+    }
+    work_->skip(samples);
+}
+
+/// Of a pixel when it is finished.
+int DeviceExecutor::samples_of(const rendering::Pass& pass) const {
+    if (pass.is_preview()) return 1;
+    return pass.adaptive ? layout_.samples.differing : layout_.samples.all;
 }
 
 /// Samples to which later passes add.
 bool DeviceExecutor::keeps_film() const {
-    return !pass_.is_preview() && (pass_.first > 0 || pass_.count < layout_.samples);
+    return !pass_.is_preview() && (pass_.first > 0 || pass_.count < samples_of(pass_));
 }
 
 /// The film of the tile, large enough and in a state to go on from.
@@ -86,7 +110,7 @@ const GpuBuffer& DeviceExecutor::film_of(std::size_t tile) const {
     return tile < films_.size() && films_[tile] != nullptr ? *films_[tile] : *scratch_;
 }
 
-std::uint32_t DeviceExecutor::samples_of(std::size_t tile) const { return samples_[tile]; }
+std::uint32_t DeviceExecutor::samples_in_film(std::size_t tile) const { return samples_[tile]; }
 
 bool DeviceExecutor::is_under_way(std::size_t tile) const {
     return !pass_.is_preview() && tile == tile_ && work_->is_under_way();
@@ -99,7 +123,7 @@ GpuSettings DeviceExecutor::settings_of(const GpuTile& tile, const rendering::Pa
     s.tile_y = static_cast<std::uint32_t>(area.y + tile.origin.y + tile.rect.y * tile.step);
     s.tile_width = static_cast<std::uint32_t>(tile.rect.width);
     s.hides_background = layout_.coverage ? 1 : 0;
-    s.samples = static_cast<std::uint32_t>(pass.is_preview() ? 1 : layout_.samples);
+    s.samples = static_cast<std::uint32_t>(samples_of(pass));
     s.end_x = static_cast<std::uint32_t>(area.x + area.width);
     s.end_y = static_cast<std::uint32_t>(area.y + area.height);
     s.end_sample = static_cast<std::uint32_t>(pass.is_preview() ? 1 : pass.first + pass.count);

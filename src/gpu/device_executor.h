@@ -21,6 +21,9 @@ struct GpuTile {
     Rect rect;               ///< in the grid; its sides are multiples of 8
     rendering::Pixel origin; ///< of the grid, in the area of the picture
     int step = 1;            ///< pixels from one to the next
+
+    /// Of the area; it may lie beyond.
+    rendering::Pixel pixel(std::uint32_t slot) const;
 };
 
 /// For ScheduleRun; its unit of work is a square of 64 slots. All but the constructor needs the context to be
@@ -29,17 +32,23 @@ class DeviceExecutor {
   public:
     /// Called when a tile is done, with the device's film of it.
     using TileDone = std::function<void(const GpuTile& tile, const GpuBuffer& film)>;
+    /// Called when all tiles of a pass are done.
+    using PassDone = std::function<void(const rendering::Pass& pass)>;
 
     explicit DeviceExecutor(GpuDeviceState& device_state) : device_state_(device_state) {}
 
     /// Begins a picture of the scene that the device state holds.
-    void start(const rendering::FilmLayout& layout, TileDone tile_done);
+    void start(const rendering::FilmLayout& layout, TileDone tile_done, PassDone pass_done = {});
+    /// Adaptive passes measure those pixels of the area only that `takes` says.
+    void measure_only(std::function<bool(const rendering::Pixel&)> takes) { takes_ = std::move(takes); }
 
     parallel::TaskPool& pool() { return pool_; }
     std::vector<std::uint32_t> begin_pass(const rendering::Pass& pass);
     /// One dispatch. Throws Error(device): see TileWork::step().
     std::uint32_t step(std::size_t tile, int worker);
-    void end_pass() {}
+    void end_pass() {
+        if (pass_done_) pass_done_(pass_);
+    }
     rendering::RayCounts rays(int /*worker*/) const { return work_->rays(); }
 
     const rendering::Pass& pass() const { return pass_; } ///< the last that was begun
@@ -51,15 +60,17 @@ class DeviceExecutor {
     std::vector<GpuTile> picture_tiles() const { return tiles_of_grid({0, 0}, 1); }
     /// The film of such a tile; before it has samples, any.
     const GpuBuffer& film_of(std::size_t tile) const;
-    std::uint32_t samples_of(std::size_t tile) const; ///< that are whole in its film
-    bool is_under_way(std::size_t tile) const;        ///< are samples of it?
+    std::uint32_t samples_in_film(std::size_t tile) const; ///< that are whole
+    bool is_under_way(std::size_t tile) const;             ///< are samples of it?
 
     GpuSettings settings_of(const GpuTile& tile, const rendering::Pass& pass) const;
 
   private:
     void begin_tile();
+    void skip_pixels(const GpuTile& tile);
     std::vector<GpuTile> tiles_of_grid(const rendering::Pixel& origin, int step) const;
     bool keeps_film() const;
+    int samples_of(const rendering::Pass& pass) const;
     const GpuBuffer& film();
 
     GpuDeviceState& device_state_;
@@ -71,6 +82,8 @@ class DeviceExecutor {
     std::vector<std::uint32_t> samples_;            ///< in each of them
     rendering::FilmLayout layout_;
     TileDone tile_done_;
+    PassDone pass_done_;
+    std::function<bool(const rendering::Pixel&)> takes_;
     rendering::Pass pass_;
     std::vector<GpuTile> tiles_; ///< of the pass
     std::size_t tile_ = 0;       ///< the one under way, or the last

@@ -63,7 +63,7 @@ std::string joined(const std::string& defines, const std::function<bool(const st
 bool is_part(const std::string& path, const ProgramChoice& choice) {
     if (path == "gpu/shaders/show.glsl") return false;
     if (path == "gpu/shaders/rays.glsl") return choice.rays;
-    if (path == "gpu/shaders/loop.glsl") return !choice.rays;
+    if (path == "gpu/shaders/loop.glsl" || path == "gpu/shaders/lights.glsl") return !choice.rays;
     if (path == "gpu/shaders/first_hit.glsl") return !choice.rays && choice.first_hit;
     if (path == "gpu/shaders/whitted.glsl") return !choice.rays && !choice.first_hit;
     return true;
@@ -80,6 +80,7 @@ bool is_part(const std::string& path, const ProgramChoice& choice) {
 ProgramChoice program_for(const GpuSceneData& scene) {
     ProgramChoice choice;
     choice.glass = scene.glass;
+    choice.contacts = scene.contacts;
     choice.instances = !scene.tree.mesh_roots.empty();
     // Few sizes, since drivers take long to compile.
     choice.stack = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(scene.tree.stack, 16))));
@@ -87,12 +88,12 @@ ProgramChoice program_for(const GpuSceneData& scene) {
 }
 
 std::string shader_source(const ProgramChoice& choice) {
-    return joined(define("GLINT_GLASS", choice.glass ? 1 : 0) +
-                      define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
-                      define("GLINT_TERMS", choice.terms ? 7 : 1) +
-                      define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
-                      define("GLINT_STACK", choice.stack),
-                  [&](const std::string& path) { return is_part(path, choice); });
+    return joined(
+        define("GLINT_GLASS", choice.glass ? 1 : 0) + define("GLINT_INSTANCES", choice.instances ? 1 : 0) +
+            define("GLINT_CONTACTS", choice.contacts ? 1 : 0) + define("GLINT_TERMS", choice.terms ? 7 : 1) +
+            define("GLINT_COUNT", choice.first_hit || choice.count ? 1 : 0) +
+            define("GLINT_STACK", choice.stack),
+        [&](const std::string& path) { return is_part(path, choice); });
 }
 
 std::string show_source() {

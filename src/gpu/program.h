@@ -17,6 +17,7 @@ class GpuContext;
 struct ProgramChoice {
     bool glass = false; ///< is anything transparent?
     bool instances = false;
+    bool contacts = false;  ///< do surfaces of objects coincide?
     bool terms = false;     ///< sum the terms of the light separately
     bool first_hit = false; ///< measure first hits instead of light
     bool rays = false;      ///< only trace rays: gpu/rays.h

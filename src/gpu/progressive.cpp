@@ -43,6 +43,9 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
     RenderOptions render;
     render.show = options.show;
     const rendering::FilmLayout layout = rendering::film_layout(scene.render_settings(), render);
+    if (layout.samples.adaptive())
+        throw Error(ErrorKind::device, "progressive pictures on graphics cards have no adaptive samples",
+                    "set max_spp to 0, or use the CPU");
     std::vector<rendering::Pass> passes = rendering::refining_passes(options.coarsest, layout.samples);
     run.reset();
     device_state.prepare(scene);
@@ -105,7 +108,7 @@ std::shared_ptr<const GpuPicture> GpuProgressive::State::picture() {
         GpuSettings how = executor->settings_of(tiles[i], rendering::Pass{});
         how.show_mode = executor->is_under_way(i) ? show_started : show_means;
         how.known_step = static_cast<std::uint32_t>(reached().step);
-        how.known_samples = executor->samples_of(i);
+        how.known_samples = executor->samples_in_film(i);
         show(how, executor->film_of(i), *shown, tiles[i].rect);
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);

@@ -57,12 +57,11 @@ struct ShapeRecord {
 };
 
 // ObjectRecord::flags
-const uint object_solid = 1u;
-const uint object_lit_as_stored = 2u;  ///< lights find its normals as its winding has them
-const uint object_turned = 4u;         ///< its normals are turned against the winding
-const uint object_reversed = 8u;       ///< the same, against the winding as its triangles are stored
-const uint object_instance = 16u;      ///< its triangles are those of a shared mesh, in a local space
-const uint object_local_normals = 32u; ///< its vertex normals go to the world by normal_matrix
+const uint object_lit_as_stored = 1u;  ///< lights find its normals as its winding has them
+const uint object_turned = 2u;         ///< its normals are turned against the winding
+const uint object_reversed = 4u;       ///< the same, against the winding as its triangles are stored
+const uint object_instance = 8u;       ///< its triangles are those of a shared mesh, in a local space
+const uint object_local_normals = 16u; ///< its vertex normals go to the world by normal_matrix
 
 /// An object with its material, and with the transform of its local space if it is an instance or a quadric
 /// that is stretched.
@@ -76,12 +75,16 @@ struct ObjectRecord {
     uint normals;
     uint colors;
     float mesh_max_coordinate; ///< of an instance: the largest |coordinate| of its tree's boxes
-    PackedMatrix linear;       ///< p_world = linear · p_local + translation
+    vec3 contact_low;          ///< this and the next three: scene::ContactZone
+    float contact_apart;
+    vec3 contact_high;
+    float contact_reach;
+    PackedMatrix linear; ///< p_world = linear · p_local + translation
     PackedMatrix inverse;
     PackedVector translation;
     double slack;               ///< error of the transform to the world and back in double
     PackedMatrix normal_matrix; ///< see object_local_normals
-    double reserved;            ///< 0; std430 rounds the size up to a multiple of 16 bytes
+    double off_edges;           ///< of a mesh: how far rays start from edges (geometry/surface.shared.h)
 };
 
 /// The share of the pixel filter beyond a distance of radius · (1 − i / filter_steps).
@@ -126,6 +129,7 @@ struct GpuSettings {
     uint mesh_count; ///< meshes in the world's own space
     uint tree_root;  ///< invalid_index: only planes
     WhittedModes modes;
+    float min_weight;    ///< WhittedSettings::min_weight
     uint first_interior; ///< in words: the object of the outside, then the transparent solids by rank
 
     // The dispatch.
@@ -148,12 +152,15 @@ struct GpuSettings {
 
     // From a film to a picture: show.glsl.
     uint show_mode;
-    uint known_step;    ///< each of so many pixels of a row and column is known
-    uint known_samples; ///< of each pixel
-    uint film_terms;    ///< terms that the film sums separately
-    uint shown_term;    ///< one of them
-    uint smooth_steps;  ///< 1: linear between known pixels, 0: blocks
-    uint reserved;      ///< 0; std140 rounds the size up to a multiple of 16 bytes
+    uint known_step;      ///< each of so many pixels of a row and column is known
+    uint known_samples;   ///< of each pixel
+    uint film_terms;      ///< terms that the film sums separately
+    uint shown_term;      ///< one of them
+    uint smooth_steps;    ///< 1: linear between known pixels, 0: blocks
+    uint first_wide_leaf; ///< from here on leaves have wide triangles: an offset as in their codes
+    uint reserved_1;      ///< std140 rounds the size up to a multiple of 16 bytes
+    uint reserved_2;
+    uint reserved_3;
 };
 
 // GpuSettings::show_mode
@@ -178,6 +185,7 @@ GLINT_FN uvec2 pixel_of_slot(uint slot, uint tile_width) {
 const uint counter_unfinished = 0u; // slots
 const uint counter_faults = 1u;     // bits: fault_interiors, fault_loops
 const uint counter_rays = 2u;       // primary, reflected, refracted, shadow
+const uint counter_left_out = 6u;   // rays below min_weight
 const uint work_counters = 16u;
 const uint fault_interiors = 1u; // a ray was in more solids than its list has room for
 const uint fault_loops = 2u;     // the driver ended a loop early
@@ -195,13 +203,13 @@ const uint film_counts = 3u;
 #ifndef GLINT_GLSL
 static_assert(offsetof(GpuSettings, interiors_at_eye) == 64 && offsetof(GpuSettings, ambient_light) == 96 &&
               offsetof(GpuSettings, light_count) == 128 && offsetof(GpuSettings, modes) == 144 &&
-              sizeof(GpuSettings) == 256);
+              sizeof(GpuSettings) == 272);
 static_assert(offsetof(NodeRecord, children) == 16 && offsetof(NodeRecord, sides_x) == 48 &&
               sizeof(NodeRecord) == 96);
 static_assert(sizeof(PackedVector) == 24 && sizeof(PackedMatrix) == 72);
 static_assert(offsetof(ShapeRecord, base) == 16 && sizeof(ShapeRecord) == 80);
-static_assert(offsetof(ObjectRecord, rank) == 80 && offsetof(ObjectRecord, linear) == 112 &&
-              offsetof(ObjectRecord, normal_matrix) == 288 && sizeof(ObjectRecord) == 368);
+static_assert(offsetof(ObjectRecord, rank) == 80 && offsetof(ObjectRecord, linear) == 144 &&
+              offsetof(ObjectRecord, normal_matrix) == 320 && sizeof(ObjectRecord) == 400);
 static_assert(sizeof(FilterTable) % 16 == 0);
 #endif
 

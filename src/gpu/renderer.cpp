@@ -12,8 +12,8 @@ namespace glint {
 namespace {
 
 /// A pixel of a tile, from the fields of its slot.
-void read_pixel(const rendering::Pixel& pixel, std::span<const float> fields, std::size_t slot,
-                std::size_t slots, std::size_t terms, rendering::Film& film) {
+void read_pixel(const rendering::Pass& pass, const rendering::Pixel& pixel, std::span<const float> fields,
+                std::size_t slot, std::size_t slots, std::size_t terms, rendering::Film& film) {
     const auto field = [&](std::size_t f) { return fields[f * slots + slot]; };
     const auto sum = [&](std::size_t f) { return vec3(field(f), field(f + 1), field(f + 2)); };
     const auto count = [&](std::size_t i) {
@@ -24,22 +24,21 @@ void read_pixel(const rendering::Pixel& pixel, std::span<const float> fields, st
         sums.positive.value[t] = sum(3 * t);
         sums.negative.value[t] = sum(3 * (terms + t));
     }
-    sums.count = static_cast<std::uint32_t>(film.layout().samples);
+    sums.count = pass.is_preview() ? 1 : static_cast<std::uint32_t>(pass.count);
     sums.positives = count(0);
-    film.set_pixel(pixel, sums, {count(1), count(2)});
+    film.set_pixel(pass, pixel, sums, {count(1), count(2)});
 }
 
-void read_tile(const Rect& tile, const gpu::GpuBuffer& buffer, std::size_t terms, rendering::Film& film) {
-    const std::uint32_t slots = gpu::slots_of(tile);
+void read_tile(const rendering::Pass& pass, const gpu::GpuTile& tile, const gpu::GpuBuffer& buffer,
+               std::size_t terms, rendering::Film& film) {
+    const std::uint32_t slots = gpu::slots_of(tile.rect);
     std::vector<float> fields(gpu::film_fields(terms) * slots);
     buffer.read(0, fields.data(), fields.size() * sizeof(float));
     const Rect& area = film.layout().area;
     for (std::uint32_t slot = 0; slot < slots; ++slot) {
-        const uvec2 in_tile = pixel_of_slot(slot, static_cast<std::uint32_t>(tile.width));
-        const rendering::Pixel pixel{tile.x + static_cast<int>(in_tile.x),
-                                     tile.y + static_cast<int>(in_tile.y)};
-        if (pixel.x < area.width && pixel.y < area.height)
-            read_pixel(pixel, fields, slot, slots, terms, film);
+        const rendering::Pixel pixel = tile.pixel(slot);
+        if (pixel.x < area.width && pixel.y < area.height && (!pass.adaptive || film.takes(pixel)))
+            read_pixel(pass, pixel, fields, slot, slots, terms, film);
     }
 }
 
@@ -67,21 +66,24 @@ Picture GpuRenderer::render(const RenderOptions& options) {
     if (!device_state.scene()) throw Error(ErrorKind::usage, "no scene was prepared");
     const gpu::GpuScope scope(device_state.context());
     rendering::Film film(rendering::film_layout(device_state.scene()->render_settings(), options));
-    film.begin_pass({});
+    const std::vector<rendering::Pass> passes = rendering::picture_passes(film.layout().samples, options);
+    for (const rendering::Pass& pass : passes) film.begin_pass(pass);
     gpu::DeviceExecutor executor(device_state);
-    executor.start(film.layout(), [&](const gpu::GpuTile& tile, const gpu::GpuBuffer& buffer) {
-        read_tile(tile.rect, buffer, executor.terms(), film);
-        device_state.context().check("reading the picture");
-    });
-    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
-                               options.progress);
-    run.run(rendering::no_deadline);
-    Picture picture;
-    film.move_to(picture);
-    picture.complete = run.is_finished();
-    run.add_stats(picture.stats);
+    executor.start(
+        film.layout(),
+        [&](const gpu::GpuTile& tile, const gpu::GpuBuffer& buffer) {
+            read_tile(executor.pass(), tile, buffer, executor.terms(), film);
+            device_state.context().check("reading the picture");
+        },
+        [&](const rendering::Pass& pass) {
+            if (pass.is_preview()) film.show_preview(pass, executor.pool());
+            // The next pass is adaptive.
+            else if (film.layout().samples.adaptive())
+                film.refine(executor.pool());
+        });
+    executor.measure_only([&](const rendering::Pixel& pixel) { return film.takes(pixel); });
+    Picture picture = rendering::render_film(executor, film, passes, options, start);
     picture.stats.device_seconds = executor.work().device_seconds();
-    picture.stats.wall_seconds = rendering::wall_seconds() - start;
     return picture;
 }
 

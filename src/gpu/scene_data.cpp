@@ -40,6 +40,7 @@ class Flattener {
     GpuSceneData run(const GpuTree* tree) {
         data_.tree = tree != nullptr ? *tree : build_gpu_tree(world_);
         data_.glass = scene_.any_transparent;
+        data_.contacts = scene_.any_contact;
         add_meshes();
         add_shapes();
         add_objects();
@@ -54,13 +55,17 @@ class Flattener {
   private:
     std::uint32_t words() const { return static_cast<std::uint32_t>(data_.words.size()); }
 
-    /// The first triangle's number, and the object, of each mesh in the world's own space.
+    /// The first triangle's number, and the object, of each mesh in the world's own space: for all in
+    /// mesh_tree, then for all in wide_tree.
     void add_meshes() {
-        for (std::size_t i = 0; i < world_.meshes.size(); ++i) {
-            data_.words.push_back(world_.first_numbers[i]);
-            data_.words.push_back(world_.meshes[i].object);
-        }
-        data_.settings.mesh_count = static_cast<std::uint32_t>(world_.meshes.size());
+        const auto first_wide = static_cast<std::uint32_t>(world_.mesh_tree.triangles);
+        for (const bool wide : {false, true})
+            for (std::size_t i = 0; i < world_.meshes.size(); ++i) {
+                data_.words.push_back(wide ? first_wide + world_.wide_numbers[i] : world_.first_numbers[i]);
+                data_.words.push_back(world_.meshes[i].object);
+            }
+        data_.settings.mesh_count = static_cast<std::uint32_t>(2 * world_.meshes.size());
+        data_.settings.first_wide_leaf = data_.tree.first_wide_leaf;
     }
 
     void add_shapes() {
@@ -110,13 +115,19 @@ class Flattener {
             ObjectRecord record{};
             record.material = scene_.materials[o.material];
             record.rank = o.rank;
-            if (o.solid) record.flags |= object_solid;
+            record.contact_low = o.contact.box.lo;
+            record.contact_high = o.contact.box.hi;
+            record.contact_apart = o.contact.apart;
+            record.contact_reach = o.contact.reach;
             if (o.lit_as_stored) record.flags |= object_lit_as_stored;
             if (o.turned) record.flags |= object_turned;
             data_.objects.push_back(record);
         }
-        for (const WorldInput::Triangles& mesh : world_.meshes)
-            if (mesh.flip) data_.objects[mesh.object].flags |= object_reversed;
+        for (std::size_t i = 0; i < world_.meshes.size(); ++i) {
+            ObjectRecord& record = data_.objects[world_.meshes[i].object];
+            if (world_.meshes[i].flip) record.flags |= object_reversed;
+            record.off_edges = world_.off_edges[i];
+        }
         for (const Quadric& quadric : world_.quadrics)
             if (quadric.affine >= 0)
                 set_local_space(data_.objects[quadric.object],
@@ -142,6 +153,7 @@ class Flattener {
         record.flags |= object_instance;
         if (placed.turned) record.flags |= object_reversed;
         record.slack = placed.slack;
+        record.off_edges = world_.shared_meshes[placed.mesh].off_edges;
         record.mesh_root = data_.tree.mesh_roots[placed.mesh];
         record.mesh_max_coordinate = data_.tree.mesh_max_coordinates[placed.mesh];
     }
@@ -194,6 +206,7 @@ class Flattener {
         s.background = scene_.background;
         s.instance_slack = world_.instance_tree.slack();
         s.max_depth = static_cast<std::uint32_t>(w.max_depth);
+        s.min_weight = static_cast<float>(w.min_weight);
         s.modes = scene::whitted_modes(w);
     }
 

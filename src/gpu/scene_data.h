@@ -21,6 +21,7 @@ struct GpuSceneData {
     std::vector<ShapeRecord> shapes; ///< planes, then quadrics in the order of the tree's leaves
     GpuSettings settings{};          ///< those that the scene decides
     bool glass = false;              ///< is anything transparent?
+    bool contacts = false;           ///< may surfaces of objects coincide?
 };
 
 /// `tree`, if given, is the scene's tree from an earlier call. Throws Error(device) with the sizes for a

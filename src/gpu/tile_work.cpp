@@ -22,6 +22,7 @@ struct Counters {
     std::uint32_t unfinished = 0;
     std::uint32_t faults = 0;
     std::uint32_t rays[4] = {};
+    std::uint32_t left_out = 0;
 };
 
 } // namespace
@@ -69,6 +70,11 @@ void TileWork::begin(const GpuSettings& settings, std::uint32_t slots) {
     device_state_.budget().next_tile();
 }
 
+void TileWork::skip(std::span<const std::uint32_t> samples) {
+    work_->write(4 * (work_counters + field_sample * std::size_t{slots_}), samples.data(),
+                 samples.size_bytes());
+}
+
 void TileWork::step(const GpuProgram& program, const GpuBuffer& film) {
     device_state_.buffers().bind();
     work_->bind_storage(6);
@@ -112,6 +118,7 @@ void TileWork::count() {
     rays_.reflected += c.rays[1];
     rays_.refracted += c.rays[2];
     rays_.shadow += c.rays[3];
+    rays_.left_out += c.left_out;
     unfinished_ = c.unfinished;
     if (unfinished_ < slots_ / 4) device_state_.budget().few_left();
 }

@@ -7,6 +7,7 @@
 #include "glint/render.h"
 #include "render/camera_sample.h"
 
+#include <span>
 #include <vector>
 
 namespace glint::gpu {
@@ -30,6 +31,8 @@ class TileWork {
     void start();
     /// Begins a tile with a number of slots. `settings` say which pixels and samples.
     void begin(const GpuSettings& settings, std::uint32_t slots);
+    /// Leaves out slots, before the first step: `samples` has how many samples each slot has already.
+    void skip(std::span<const std::uint32_t> samples);
     /// One dispatch. Counts are new when all slots had one. Throws Error(device) for a ray that the shader
     /// cannot follow.
     void step(const GpuProgram& program, const GpuBuffer& film);

@@ -126,8 +126,12 @@ class Builder {
             mesh_depth = std::max(mesh_depth, depth_ + 1);
         }
         depth_ = 0;
+        const std::uint32_t wide_root = add_wide();
+        mesh_depth = std::max(mesh_depth, depth_);
+        depth_ = 0;
         std::vector<Item> items;
         if (mesh_root != invalid_index) items.push_back({world_.mesh_tree.bounds, nullptr, {}, mesh_root});
+        if (wide_root != invalid_index) items.push_back({world_.wide_tree.bounds, nullptr, {}, wide_root});
         const Tree& instances = world_.instance_tree.tree();
         if (!instances.empty()) items.push_back({instances.bounds, &instances, instances.root, 0});
         const Tree& quadrics = world_.quadric_tree;
@@ -187,6 +191,25 @@ class Builder {
         }
         depth_ = std::max(depth_, depth_below(mesh, 0));
         return first;
+    }
+
+    /// Its triangles are numbered after those of mesh_tree.
+    std::uint32_t add_wide() {
+        const MeshTree& wide = world_.wide_tree;
+        if (wide.nodes.empty()) return invalid_index;
+        const std::size_t first_word = tree_.leaves.size();
+        tree_.first_wide_leaf = static_cast<std::uint32_t>(first_word / 4);
+        const std::uint32_t root = add_mesh(wide, tree_.max_coordinate);
+        const auto first_number = static_cast<std::uint32_t>(world_.mesh_tree.triangles);
+        for (const WideNode& node : wide.nodes)
+            for (const std::uint32_t code : node.child) {
+                if (code == invalid_index || (code & leaf_bit) == 0) continue;
+                const trace::LeafCode leaf{code};
+                const std::size_t numbers = first_word + leaf.word() + 4 + 3 * leaf.vertices();
+                for (std::uint32_t i = 0; i < leaf.triangles(); ++i)
+                    tree_.leaves[numbers + i] += first_number;
+            }
+        return root;
     }
 
     /// Makes a node of items, the largest opened as long as there is room.

@@ -19,7 +19,8 @@ namespace glint::gpu {
 
 struct GpuTree {
     std::vector<NodeRecord> nodes;
-    std::vector<std::uint32_t> leaves; ///< MeshTree::leaf_words of all meshes
+    std::vector<std::uint32_t> leaves; ///< MeshTree::leaf_words of all meshes, those of wide ones last
+    std::uint32_t first_wide_leaf = invalid_index; ///< offset of the wide ones, as in LeafCode
     std::uint32_t root = invalid_index;
     std::vector<std::uint32_t> mesh_roots;   ///< of the shared meshes
     std::vector<float> mesh_max_coordinates; ///< the largest |coordinate| of their boxes

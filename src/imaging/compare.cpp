@@ -45,17 +45,27 @@ Color heat_color(double t) {
     return color;
 }
 
+/// The values of a picture by channel. Alpha is a fourth one, `white` where the picture has none.
+struct Channels {
+    const Image& image;
+    std::span<const float> alpha;
+    float white;
+
+    float operator()(int x, int y, int channel) const {
+        const float* pixel = image.at(x, y);
+        if (channel < 3) return pixel[channel];
+        return alpha.empty() ? white : alpha[static_cast<std::size_t>(pixel - image.pixels.data()) / 3];
+    }
+};
+
 } // namespace
 
 Comparison compare(const Image& a, const Image& b, double tolerance, double peak,
                    std::span<const float> alpha_of_a, std::span<const float> alpha_of_b) {
     require_same_size(a, b);
     const int channels = alpha_of_a.empty() && alpha_of_b.empty() ? 3 : 4;
-    const auto value = [&](const Image& image, std::span<const float> alpha, int x, int y, int channel) {
-        if (channel < 3) return image.at(x, y)[channel];
-        const auto pixel = static_cast<std::size_t>(image.at(x, y) - image.pixels.data()) / 3;
-        return alpha.empty() ? static_cast<float>(peak) : alpha[pixel];
-    };
+    const Channels values_of_a{a, alpha_of_a, static_cast<float>(peak)};
+    const Channels values_of_b{b, alpha_of_b, static_cast<float>(peak)};
 
     // Sum by rows: this keeps rounding errors small in a fixed order.
     Comparison result;
@@ -68,8 +78,7 @@ Comparison compare(const Image& a, const Image& b, double tolerance, double peak
         for (int x = 0; x < a.width; ++x) {
             double worst = 0;
             for (int channel = 0; channel < channels; ++channel) {
-                const double d =
-                    difference(value(a, alpha_of_a, x, y, channel), value(b, alpha_of_b, x, y, channel));
+                const double d = difference(values_of_a(x, y, channel), values_of_b(x, y, channel));
                 row_sum += d;
                 row_squares += d * d;
                 worst = std::max(worst, d);
@@ -92,14 +101,18 @@ Comparison compare(const Image& a, const Image& b, double tolerance, double peak
     return result;
 }
 
-Image difference_heat(const Image& a, const Image& b, double full_scale) {
+Image difference_heat(const Image& a, const Image& b, double full_scale, std::span<const float> alpha_of_a,
+                      std::span<const float> alpha_of_b) {
     require_same_size(a, b);
+    const int channels = alpha_of_a.empty() && alpha_of_b.empty() ? 3 : 4;
+    const Channels values_of_a{a, alpha_of_a, 1};
+    const Channels values_of_b{b, alpha_of_b, 1};
     Image heat(a.width, a.height);
     for (int y = 0; y < a.height; ++y)
         for (int x = 0; x < a.width; ++x) {
             double worst = 0;
-            for (int channel = 0; channel < 3; ++channel)
-                worst = std::max(worst, difference(a.at(x, y)[channel], b.at(x, y)[channel]));
+            for (int channel = 0; channel < channels; ++channel)
+                worst = std::max(worst, difference(values_of_a(x, y, channel), values_of_b(x, y, channel)));
 
             // Compare before dividing: with scale 0 any difference is white.
             const double t = worst == 0 ? 0 : worst >= full_scale ? 1 : worst / full_scale;

@@ -56,17 +56,18 @@ double filter_value(PixelFilter filter, double x) {
 }
 
 PixelFilterSampler::PixelFilterSampler(PixelFilter filter)
-    : radius_(static_cast<float>(filter_radius(filter))) {
+    : PixelFilterSampler(filter_radius(filter), [&](double x) { return filter_value(filter, x); }) {}
+
+PixelFilterSampler::PixelFilterSampler(double radius, const std::function<double(double)>& f)
+    : radius_(static_cast<float>(radius)) {
     // Integrate |f| from the edge inward, so that sums start small and the edge keeps its precision.
     // Simpson's rule is exact for the polynomial filters; no step contains a sign change.
-    const double radius = filter_radius(filter);
     const auto distance = [&](double step) { return radius * (1 - step / static_cast<double>(steps)); };
     std::array<double, steps + 1> tail{};
     for (std::size_t i = 0; i < steps; ++i) {
         const auto step = static_cast<double>(i);
-        const double middle = filter_value(filter, distance(step + 0.5));
-        const double mass =
-            filter_value(filter, distance(step)) + 4 * middle + filter_value(filter, distance(step + 1));
+        const double middle = f(distance(step + 0.5));
+        const double mass = f(distance(step)) + 4 * middle + f(distance(step + 1));
         tail[i + 1] = tail[i] + std::abs(mass);
         if (middle < 0) negative_steps_ = i + 1;
     }

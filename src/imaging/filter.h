@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace glint::imaging {
@@ -31,6 +32,9 @@ struct FilterSample {
 class PixelFilterSampler {
   public:
     explicit PixelFilterSampler(PixelFilter filter);
+    /// Of a filter that is 0 beyond a radius in pixels: f(x) along one axis for 0 ≤ x ≤ radius, negative on a
+    /// rim at most.
+    PixelFilterSampler(double radius, const std::function<double(double)>& f);
 
     /// Maps u, v in [0, 1) to an offset, monotonically; 1 − u gives exactly the mirrored offset.
     FilterSample sample(float u, float v) const;

@@ -27,11 +27,19 @@ struct Bounds {
         const vec3 far = glm::max(glm::abs(lo), glm::abs(hi));
         return std::max({far.x, far.y, far.z});
     }
+    bool contains(const vec3& p) const {
+        return lo.x <= p.x && p.x <= hi.x && lo.y <= p.y && p.y <= hi.y && lo.z <= p.z && p.z <= hi.z;
+    }
     /// Half the surface area, as used by the surface area heuristic.
     float half_area() const {
         const vec3 d = extent();
         return d.x * d.y + d.y * d.z + d.z * d.x;
     }
 };
+
+/// What two boxes have in common; empty if they do not touch.
+inline Bounds common_box(const Bounds& a, const Bounds& b) {
+    return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)};
+}
 
 } // namespace glint

@@ -2,49 +2,18 @@
 
 #include "parallel/task_pool.h"
 
-#include <sched.h>
+#include "parallel/resources.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 namespace glint::parallel {
-
-namespace {
-
-/// Processors that the scheduler may give to this process; 0 if the system does not tell.
-int allowed_processors() {
-    // Room for as many processors as Linux can manage.
-    std::vector<cpu_set_t> sets(16);
-    const std::size_t bytes = sets.size() * sizeof(cpu_set_t);
-    if (::sched_getaffinity(0, bytes, sets.data()) != 0) return 0;
-    return CPU_COUNT_S(bytes, sets.data());
-}
-
-/// Processors that the limit of time for this container is worth, rounded up; 0 without a limit.
-int processors_of_quota() {
-    std::ifstream file("/sys/fs/cgroup/cpu.max");
-    double quota = 0, period = 0;
-    if (!(file >> quota >> period) || !(period > 0)) return 0;
-    return static_cast<int>(std::ceil(quota / period));
-}
-
-} // namespace
-
-int available_threads() {
-    int count = allowed_processors();
-    if (count == 0) count = static_cast<int>(std::thread::hardware_concurrency());
-    if (const int quota = processors_of_quota(); quota > 0) count = std::min(count, quota);
-    return std::max(count, 1);
-}
 
 struct TaskPool::State {
     std::mutex mutex;

@@ -9,9 +9,6 @@
 
 namespace glint::parallel {
 
-/// Number of processors that this process may use, at least 1.
-int available_threads();
-
 /// Thrown by TaskPool::run() if the pool was cancelled.
 class TasksCancelled : public std::exception {
   public:

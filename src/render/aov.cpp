@@ -32,7 +32,7 @@ Image mapped(const Image& numbers, const Show& show) {
 float middle_distance(const Scene& scene) {
     const Bounds bounds = scene.data().world.bounds();
     const dvec3 middle = bounds.empty() ? dvec3(0.0) : (dvec3(bounds.lo) + dvec3(bounds.hi)) * 0.5;
-    const double distance = glm::length(middle - scene.camera().eye);
+    const double distance = glm::length(middle - scene.data().description.camera->eye);
     return distance > 0 ? static_cast<float>(distance) : 1.0f;
 }
 

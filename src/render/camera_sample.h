@@ -59,17 +59,18 @@ struct Channels {
     bool covered = false; ///< the ray hit something
 };
 
-/// Rays traced, by kind.
+/// Rays traced, by kind, and rays that were not.
 struct RayCounts {
     std::uint64_t primary = 0;
     std::uint64_t reflected = 0;
     std::uint64_t refracted = 0;
     std::uint64_t shadow = 0;
+    std::uint64_t left_out = 0; ///< mirror and refracted rays below min_weight
 
     std::uint64_t total() const { return primary + reflected + refracted + shadow; }
     friend RayCounts operator+(const RayCounts& a, const RayCounts& b) {
         return {a.primary + b.primary, a.reflected + b.reflected, a.refracted + b.refracted,
-                a.shadow + b.shadow};
+                a.shadow + b.shadow, a.left_out + b.left_out};
     }
 };
 

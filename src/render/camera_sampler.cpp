@@ -12,14 +12,17 @@ PinholeCamera camera_of(const SceneDescription& scene) {
                                    scene.render.height);
 }
 
+vec2 random_pair(const RenderSettings& settings, const Pixel& pixel, int index, SampleDimension dimension) {
+    const auto key = pixel_key(static_cast<uint>(settings.seed), static_cast<uint>(settings.seed >> 32),
+                               static_cast<uint>(pixel.x), static_cast<uint>(pixel.y));
+    return sample_pair(key, static_cast<uint>(index), static_cast<uint>(dimension));
+}
+
 CameraSampler::CameraSampler(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(settings_.filter) {}
 
 imaging::FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
-    if (settings_.spp == 1) return {};
-    const auto key = pixel_key(static_cast<uint>(settings_.seed), static_cast<uint>(settings_.seed >> 32),
-                               static_cast<uint>(pixel.x), static_cast<uint>(pixel.y));
-    const vec2 u = sample_pair(key, static_cast<uint>(index), 0);
+    const vec2 u = random_pair(settings_, pixel, index, SampleDimension::film);
     return filter_.sample(u.x, u.y);
 }
 

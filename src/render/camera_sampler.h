@@ -16,12 +16,18 @@ inline constexpr int batch_samples = 256;
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
 
+/// What the pairs of random numbers of a sample are for.
+enum class SampleDimension : std::uint32_t { film, hemisphere };
+
+/// A pair of numbers in [0, 1): a function of the seed, the pixel, the sample and the dimension alone.
+vec2 random_pair(const RenderSettings& settings, const Pixel& pixel, int index, SampleDimension dimension);
+
 /// Makes camera samples. They depend only on the scene, the pixel and the index of the sample.
 class CameraSampler {
   public:
     explicit CameraSampler(const SceneDescription& scene);
 
-    /// Sample `index` of a pixel. The only sample of a pixel goes through its centre.
+    /// Sample `index` of a pixel that has several. The only sample of a pixel goes through its centre.
     CameraSample sample(const Pixel& pixel, int index) const {
         return sample_at(pixel, index, film_sample(pixel, index));
     }

@@ -41,21 +41,26 @@ class CpuExecutor {
         Rect rect;              ///< of the tile, in the grid of the pass
         bool continues = false; ///< adds to the sums of earlier visits
         bool keeps_states = false;
-        int block_width = 1; ///< pixels of the grid that are measured together
+        bool centres = false;    ///< one ray through the centre of each pixel
+        bool sums_terms = false; ///< else one channel
+        int block_width = 1;     ///< pixels of the grid that follow each other
         int block_height = 1;
+        std::size_t pixels_at_once = 1;
     };
 
     bool shows_preview() const;
+    void begin_adaptive();
     bool measure_tile(std::size_t tile, Worker& worker);
     Visit visit_of(const Pass& pass, std::size_t tile) const;
     bool measure(const Visit& visit, Worker& worker) const;
-    void collect_block(const Visit& visit, int x, int y, FilmTile& values) const;
-    void measure_centres(std::size_t from, Worker& worker) const;
+    void collect_pixels(const Visit& visit, FilmTile& values) const;
+    bool takes(const Visit& visit, const Pixel& pixel) const;
     template <class T>
-    void measure_samples(const Visit& visit, std::size_t from, Worker& worker) const;
+    void measure_samples(const Visit& visit, std::size_t from, std::size_t end, Worker& worker) const;
     template <class T>
-    void measure_pixel(const Visit& visit, Worker& worker) const;
-    void estimate_samples(std::size_t from, int first, int count, Worker& worker) const;
+    void measure_pixel(const Visit& visit, std::size_t pixel, Worker& worker) const;
+    void estimate_samples(const Visit& visit, std::size_t from, std::size_t end, int first, int count,
+                          Worker& worker) const;
     template <class T>
     const T& measured(const Channels& channels) const;
     template <class T>

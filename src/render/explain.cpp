@@ -6,6 +6,7 @@
 #include "imaging/pixel_sum.h"
 #include "parallel/task_pool.h"
 #include "render/camera_sampler.h"
+#include "render/contrast.h"
 #include "render/estimators/whitted.h"
 #include "render/explain_parts.h"
 
@@ -24,9 +25,33 @@ struct Explainer::State {
             throw Error(ErrorKind::usage, "only pictures of the integrator whitted can be explained");
     }
 
-    ExplainedSample sample(int x, int y, int i, const ExplainLimits& limits) {
+    /// The colour of a pixel before any is refined.
+    vec3 unrefined(const rendering::Pixel& pixel) {
+        if (settings.spp == 1) return estimator.trace(sampler.centre(pixel), nullptr).terms.sum();
+        imaging::PixelSum<Terms> sum;
+        for (int i = 0; i < settings.spp; ++i) {
+            const rendering::CameraSample camera = sampler.sample(pixel, i);
+            sum.add(estimator.trace(camera, nullptr).terms, camera.weight);
+        }
+        return sum.value().sum();
+    }
+
+    bool differs_from_neighbour(const rendering::Pixel& pixel) {
+        const vec3 color = unrefined(pixel);
+        for (const rendering::Neighbour& n : rendering::neighbours) {
+            const rendering::Pixel other{pixel.x + n.dx, pixel.y + n.dy};
+            const bool exists =
+                other.x >= 0 && other.y >= 0 && other.x < settings.width && other.y < settings.height;
+            if (exists && rendering::differ(color, unrefined(other))) return true;
+        }
+        return false;
+    }
+
+    /// Sample i of `samples`.
+    ExplainedSample sample(int x, int y, int i, int samples, const ExplainLimits& limits) {
         const bool with_rays = i < limits.samples;
-        const imaging::FilterSample film = sampler.film_sample({x, y}, i);
+        const imaging::FilterSample film =
+            samples == 1 ? imaging::FilterSample{} : sampler.film_sample({x, y}, i);
         const rendering::CameraSample camera = sampler.sample_at({x, y}, i, film);
         ExplainedSample out;
         out.dx = film.dx;
@@ -84,18 +109,24 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     out.width = r.width;
     out.height = r.height;
     out.filter = name_of(r.filter);
+    out.origin = state_->scene.data().origin;
+    const bool adaptive = r.max_spp > r.spp;
+    const bool refined = adaptive && state_->differs_from_neighbour({x, y});
+    const int samples = refined ? r.max_spp : r.spp;
     imaging::PixelSum<Terms> sum;
     int negative = 0;
-    for (int i = 0; i < r.spp; ++i) {
-        out.samples.push_back(state_->sample(x, y, i, limits));
+    for (int i = 0; i < samples; ++i) {
+        out.samples.push_back(state_->sample(x, y, i, samples, limits));
         const ExplainedSample& sample = out.samples.back();
         sum.add(Terms{sample.terms}, sample.weight);
         negative += sample.weight > 0 ? 0 : 1;
     }
     for (ExplainedSample& sample : out.samples) sample.counts = sum.counts(sample.weight);
-    out.rule = rule_of(sum, r.spp - negative, negative);
+    out.rule = rule_of(sum, samples - negative, negative);
+    if (adaptive)
+        out.rule += refined ? ", as it differs from a neighbour" : ", as it differs from no neighbour";
     // One sample is its pixel as it is, like in the picture: no division touches it.
-    const Terms terms = r.spp == 1 ? Terms{out.samples.front().terms} : sum.value();
+    const Terms terms = samples == 1 ? Terms{out.samples.front().terms} : sum.value();
     out.terms = terms.value;
     out.color = terms.sum();
     return out;

@@ -23,8 +23,8 @@ class BounceSteps {
         if (material_.transparency > 0.0f && !solid_) pane();
         weights();
         if (node_.reflected >= 0) mirror();
-        if (node_.reflected >= 0) add_to_parent("reflection", "L_R", "w_R", node_.reflected);
-        if (node_.refracted >= 0) add_to_parent("transmission", "L_T", "w_T", node_.refracted);
+        branch(true);
+        branch(false);
     }
 
   private:
@@ -119,10 +119,10 @@ class BounceSteps {
             refracted = "(ρ + τ) · (1 − F)";
             note = "fresnel = true: ρ + τ is shared by Fresnel's equations";
         }
-        if (node_.reflected >= 0)
+        if (node_.reflected_weight > 0.0f)
             step({"w_R", reflected, node_.reflected_weight, "reflection", "weight of the mirror ray", "2.3",
                   note});
-        if (node_.refracted >= 0)
+        if (node_.refracted_weight > 0.0f)
             step({"w_T", refracted, node_.refracted_weight, "transmission", "weight of the refracted ray",
                   "2.4", note});
     }
@@ -135,20 +135,27 @@ class BounceSteps {
               "mirror direction", "2.3", shading ? "" : wrong_side});
     }
 
-    /// The light of a branch, and the weight of its ray in the sample.
-    void add_to_parent(const char* topic, const char* light, const char* weight, int index) {
-        const bool mirror = node_.reflected == index;
-        const bool absorbs = node_.transmittance != vec3(1.0f);
+    /// The light of a branch, if it was followed, and the weight of its ray in the sample.
+    void branch(bool mirror) {
+        const int index = mirror ? node_.reflected : node_.refracted;
         const float share = mirror ? node_.reflected_weight : node_.refracted_weight;
-        step({light, "", child(index).radiance, topic,
-              mirror ? "what the mirror ray brings" : "what the refracted ray brings"});
-        step({topic, std::string(light) + " · " + weight + (absorbs ? " ⊙ β" : ""),
-              node_.terms[mirror ? Term::reflection : Term::transmission], topic,
-              mirror ? "light by way of the mirror ray" : "light by way of the refracted ray",
-              mirror ? "2.3" : "2.4"});
-        step({mirror ? "W_R" : "W_T", std::string("W") + (absorbs ? " ⊙ β" : "") + " · " + weight,
+        if (!(share > 0.0f)) return;
+        const char* weight = mirror ? "w_R" : "w_T";
+        const std::string absorbed = node_.transmittance != vec3(1.0f) ? " ⊙ β" : "";
+        if (index >= 0) {
+            const char* topic = mirror ? "reflection" : "transmission";
+            const char* light = mirror ? "L_R" : "L_T";
+            step({light, "", child(index).radiance, topic,
+                  mirror ? "what the mirror ray brings" : "what the refracted ray brings"});
+            step({topic, std::string(light) + " · " + weight + absorbed,
+                  node_.terms[mirror ? Term::reflection : Term::transmission], topic,
+                  mirror ? "light by way of the mirror ray" : "light by way of the refracted ray",
+                  mirror ? "2.3" : "2.4"});
+        }
+        step({mirror ? "W_R" : "W_T", "W" + absorbed + " · " + weight,
               out_.weight * node_.transmittance * share, "weight",
-              mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample"});
+              mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample",
+              "", index >= 0 ? "" : "below min_weight: this ray is left out"});
     }
 
     const MaterialRecord& material_;

@@ -127,6 +127,7 @@ class Shown {
     void name_blockers() {
         const float length = sqrt(dot(record_.shadow_direction, record_.shadow_direction));
         for (Blocker& b : out_.blockers) {
+            b.number = scene_.numbers[b.object];
             b.label = scene_.label(b.object);
             b.material = scene_.material_name(b.object);
             b.distance = b.distance * length;
@@ -165,11 +166,11 @@ class Shown {
     void show_diffuse() {
         const vec3 whole = diffuse_term(record_.arriving, node_.color, material_.diffuse) * record_.shadow;
         const bool clamp = scene_.settings.clamp;
-        step({clamp ? "D₀" : "D", "E ⊙ c · k_d · s", whole, "diffuse",
+        step({clamp ? "D′" : "D", "E ⊙ c · k_d · s", whole, "diffuse",
               clamp ? "diffuse light before the clamp" : "diffuse light", "2.2",
               "the report prints sums of colours; its pictures show products"});
         if (clamp)
-            step({"D", "min(1, D₀)", record_.diffuse, "diffuse", "diffuse light after the clamp", "",
+            step({"D", "min(1, D′)", record_.diffuse, "diffuse", "diffuse light after the clamp", "",
                   "clamp = true: as the report's program, 1 a channel for each light"});
     }
 
@@ -213,6 +214,7 @@ ExplainedLight explain_light(const ExplainedScene& scene, const RayNode& node, s
     static_cast<TracedLight&>(out) = record;
     out.light = scene.light_numbers[index];
     out.label = light_label(scene.scene.description, out.light);
+    out.where = scene.scene.description.lights[out.light].where;
     Arrival(light, node, record, out).explain();
     Shown(scene, node, record, out).explain();
     return out;

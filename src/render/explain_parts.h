@@ -15,7 +15,9 @@ namespace glint::rendering {
 struct ExplainedScene {
     explicit ExplainedScene(const scene::SceneData& scene);
 
-    std::string label(std::uint32_t object) const { return object_label(scene.description, object); }
+    std::string label(std::uint32_t object) const {
+        return object_label(scene.description.objects[object], numbers[object]);
+    }
     const std::string& material_name(std::uint32_t object) const;
     const MaterialRecord& material(std::uint32_t object) const {
         return scene.materials[scene.objects[object].material];
@@ -24,6 +26,7 @@ struct ExplainedScene {
     const scene::SceneData& scene;
     const WhittedSettings& settings;
     const WhittedModes modes;                 ///< of the settings
+    const std::vector<std::uint32_t> numbers; ///< of the objects within their types of table
     std::vector<std::uint32_t> light_numbers; ///< by SceneData::lights: index in SceneDescription::lights
 };
 

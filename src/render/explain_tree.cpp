@@ -36,7 +36,7 @@ class RayWorking {
         if (clamps() && !local_.empty()) clamp();
         absorb();
         end_local_terms();
-        if (node_.end == RayEnd::bounced) explain_bounce(scene_, tree_, node_, out_);
+        if (node_.goes_on()) explain_bounce(scene_, tree_, node_, out_);
         emit();
         add_up();
         weigh_gain();
@@ -61,7 +61,7 @@ class RayWorking {
     std::string reason() const {
         switch (node_.end) {
         case RayEnd::bounced:
-            return "goes on";
+            return "goes on" + branch_left_out();
         case RayEnd::matte:
             return "ends: the surface neither reflects nor transmits";
         case RayEnd::depth_limit:
@@ -72,8 +72,17 @@ class RayWorking {
         case RayEnd::absorbed:
             return "ends: it never leaves " + scene_.label(node_.interiors.front()) +
                    ", so nothing comes back";
+        case RayEnd::min_weight:
+            return "ends: what would go on has a weight below min_weight, and is left out";
         }
         return "";
+    }
+
+    /// Names the one of two branches that was left out, if one was.
+    std::string branch_left_out() const {
+        if (node_.left_out == 0) return "";
+        return std::string("; the ") + (node_.reflected < 0 ? "mirror" : "refracted") +
+               " ray has a weight below min_weight, and is left out";
     }
 
     void missed() {
@@ -89,6 +98,8 @@ class RayWorking {
         out_.hit = true;
         out_.object = node_.hit.object;
         out_.label = scene_.label(node_.hit.object);
+        out_.number = scene_.numbers[node_.hit.object];
+        out_.where = scene_.scene.description.objects[node_.hit.object].where;
         out_.material = scene_.material_name(node_.hit.object);
         out_.distance = node_.hit.t;
     }
@@ -155,7 +166,7 @@ class RayWorking {
     std::string sum(const char* part, const char* topic, vec3 ExplainedLight::*value) {
         std::string formula;
         for (const ExplainedLight& light : out_.lights) {
-            const std::string name = numbered(part, light.light + 1);
+            const std::string name = numbered(part, light.light);
             step({name, "", light.*value, topic, "what this light gives"});
             join(formula, name.c_str());
         }
@@ -189,7 +200,7 @@ class RayWorking {
     }
 
     void weigh_local() {
-        if (node_.end != RayEnd::bounced) {
+        if (!node_.goes_on()) {
             const char* note =
                 node_.end == RayEnd::depth_limit ? "at the depth limit the local light counts whole" : "";
             return step({"w", "1", node_.local_weight, "weight", "weight of the local light", "2.1", note});
@@ -246,13 +257,14 @@ class RayWorking {
 
 std::string numbered(const char* symbol, std::size_t number) {
     static constexpr const char* digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
-    std::string subscript;
-    for (; number > 0; number /= 10) subscript = digits[number % 10] + subscript;
+    std::string subscript = digits[number % 10];
+    while (number /= 10) subscript = digits[number % 10] + subscript;
     return symbol + subscript;
 }
 
 ExplainedScene::ExplainedScene(const scene::SceneData& scene_data)
-    : scene(scene_data), settings(scene_data.description.whitted), modes(scene::whitted_modes(settings)) {
+    : scene(scene_data), settings(scene_data.description.whitted), modes(scene::whitted_modes(settings)),
+      numbers(object_numbers(scene_data.description)) {
     const std::vector<Light>& lights = scene_data.description.lights;
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (!std::holds_alternative<AmbientLight>(lights[i].kind)) light_numbers.push_back(i);
@@ -284,17 +296,3 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
 }
 
 } // namespace glint::rendering
-
-namespace glint {
-
-std::string object_label(const SceneDescription& scene, std::size_t object) {
-    const Object& o = scene.objects[object];
-    const std::string name = o.name.empty() ? "#" + std::to_string(object + 1) : "\"" + o.name + "\"";
-    return std::string(name_of(o.shape)) + " " + name;
-}
-
-std::string light_label(const SceneDescription& scene, std::size_t light) {
-    return std::string(name_of(scene.lights[light])) + " light " + std::to_string(light + 1);
-}
-
-} // namespace glint

@@ -6,6 +6,7 @@
 #include "glint/limits.h"
 #include "parallel/large_pages.h"
 #include "render/aov.h"
+#include "render/contrast.h"
 #include "render/upsample.h"
 
 #include <algorithm>
@@ -32,16 +33,19 @@ void fit_image(Image& image, const Rect& area) {
     image.pixels.resize(values);
 }
 
-void write(float* pixel, const vec3& value) {
+void write_color(float* pixel, const vec3& value) {
     pixel[0] = value.x;
     pixel[1] = value.y;
     pixel[2] = value.z;
 }
 
+bool same(const Rect& a, const Rect& b) {
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
 /// The name of what two layouts differ in; null if they are equal.
 const char* difference(const FilmLayout& a, const FilmLayout& b) {
-    const Rect &r = a.area, &s = b.area;
-    if (r.x != s.x || r.y != s.y || r.width != s.width || r.height != s.height) return "area";
+    if (!same(a.area, b.area) || !same(a.kept, b.kept)) return "area";
     if (a.tile_size != b.tile_size) return "tile size";
     if (a.samples != b.samples) return "samples per pixel";
     if (a.show != b.show) return "quantity";
@@ -62,17 +66,42 @@ Rect picture_area(const RenderSettings& settings, const std::optional<Rect>& cro
                     std::to_string(settings.height));
 }
 
+/// The pixels of an area and those around it, as far as the picture has them.
+Rect with_neighbours(const Rect& area, const RenderSettings& settings) {
+    const int x = std::max(0, area.x - 1), y = std::max(0, area.y - 1);
+    return {x, y, std::min(settings.width, area.x + area.width + 1) - x,
+            std::min(settings.height, area.y + area.height + 1) - y};
+}
+
+/// Keeps only a part of an image.
+void cut(std::vector<float>& values, const Layout& layout, const Rect& part) {
+    const std::size_t row = static_cast<std::size_t>(part.width) * static_cast<std::size_t>(layout.channels);
+    for (int y = 0; y < part.height && !values.empty(); ++y)
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(layout.at(part.x, part.y + y)), row,
+                    values.begin() + static_cast<std::ptrdiff_t>(row) * y);
+    values.resize(std::min(values.size(), row * static_cast<std::size_t>(part.height)));
+}
+
 } // namespace
 
 FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& options) {
     FilmLayout layout;
-    layout.area = picture_area(settings, options.crop);
+    layout.area = layout.kept = picture_area(settings, options.crop);
     layout.tile_size = std::clamp(options.tile_size, 1, picture_side_limit);
     layout.show = options.show;
     if (!is_light(options.show)) return layout;
-    layout.samples = settings.spp;
+    layout.samples.all = settings.spp;
+    if (settings.max_spp > settings.spp) {
+        layout.samples.differing = settings.max_spp;
+        layout.area = with_neighbours(layout.kept, settings);
+    }
     layout.term = term_of(options.show);
     layout.terms = options.terms;
+    if (settings.integrator != Integrator::whitted && (layout.term || layout.terms))
+        throw Error(ErrorKind::usage,
+                    "the integrator " + std::string(name_of(settings.integrator)) +
+                        " does not split light into terms",
+                    "--integrator whitted does");
     layout.coverage = options.coverage;
     return layout;
 }
@@ -81,29 +110,35 @@ void Film::start(const FilmLayout& layout) {
     layout_ = layout;
     grid_ = TileGrid(layout.area.width, layout.area.height, layout.tile_size);
     samples_.resize(grid_.count());
+    refined_.clear();
     for (TileSamples& tile : samples_) {
         if (!tile.blocks.empty()) tile.spare.swap(tile.blocks.front().states);
         tile.blocks.clear();
     }
 }
 
-void Film::begin_pass(const Pass& pass) {
-    if (pass.step > 1)
-        fit_image(preview_, layout_.area);
-    else
-        fit();
-}
+void Film::begin_pass(const Pass& pass) { fit(images_of(pass)); }
 
-void Film::fit() {
-    fit_image(image_, layout_.area);
-    for (Image& term : terms_) fit_image(term, layout_.terms ? layout_.area : Rect{});
+void Film::fit(FilmImages& images) const {
+    fit_image(images.image, layout_.area);
+    for (Image& term : images.terms) fit_image(term, layout_.terms ? layout_.area : Rect{});
     const std::size_t pixels = layout_.coverage ? index({0, layout_.area.height}) : 0;
-    if (coverage_.size() != pixels) coverage_.assign(pixels, 0.0f);
+    if (images.coverage.size() != pixels) images.coverage.assign(pixels, 0.0f);
 }
 
 // ── Samples ──
 
+void Film::refine(parallel::TaskPool& pool) {
+    if (is_refined()) return;
+    Rect kept = layout_.kept;
+    kept.x -= layout_.area.x;
+    kept.y -= layout_.area.y;
+    refined_ = pixels_that_differ(images_.image, images_.coverage, kept, pool);
+    for (TileSamples& tile : samples_) tile.blocks.clear();
+}
+
 Pass Film::missing(std::size_t tile, const Pass& pass) const {
+    if (is_refined() && !pass.adaptive) return {};
     int first = pass.first;
     int end = pass.first + pass.count;
     for (const SampleBlock& block : samples_[tile].blocks) {
@@ -120,7 +155,7 @@ Pass Film::missing(std::size_t tile, const Pass& pass) const {
     if (visit.count == 0 || continues(tile, visit)) return visit;
     // With sums of its own, it must be a tree of the whole sum.
     if (first > 0) visit.count = std::min(visit.count, alignment(first));
-    if (first + visit.count < layout_.samples)
+    if (first + visit.count < samples())
         visit.count = static_cast<int>(std::bit_floor(static_cast<unsigned>(visit.count)));
     return visit;
 }
@@ -129,7 +164,7 @@ bool Film::continues(std::size_t tile, const Pass& visit) const {
     const auto& blocks = samples_[tile].blocks;
     const int end = visit.first + visit.count;
     return !blocks.empty() && blocks.front().first == 0 && blocks.front().count == visit.first &&
-           (end == layout_.samples || is_power_of_two(end));
+           (end == samples() || is_power_of_two(end));
 }
 
 template <class T>
@@ -141,25 +176,27 @@ PixelState<T> Film::state(std::size_t tile, std::size_t pixel) const {
 
 bool Film::keeps_states(std::size_t tile, const Pass& visit) const {
     const bool starts = visit.first == 0 || continues(tile, visit);
-    return !starts || visit.first + visit.count < layout_.samples;
+    return !starts || visit.first + visit.count < samples();
 }
 
 bool Film::is_complete(const TileSamples& tile) const {
-    return !tile.blocks.empty() && tile.blocks.front().count == layout_.samples;
+    return !tile.blocks.empty() && tile.blocks.front().count == samples();
 }
 
 bool Film::has_samples() const {
-    return std::any_of(samples_.begin(), samples_.end(),
-                       [](const TileSamples& tile) { return !tile.blocks.empty(); });
+    return is_refined() || std::any_of(samples_.begin(), samples_.end(),
+                                       [](const TileSamples& tile) { return !tile.blocks.empty(); });
 }
 
-bool Film::is_complete() const {
+bool Film::is_complete() const { return has_all_samples() && is_refined() == layout_.samples.adaptive(); }
+
+bool Film::has_all_samples() const {
     return std::all_of(samples_.begin(), samples_.end(),
                        [this](const TileSamples& tile) { return is_complete(tile); });
 }
 
 std::size_t Film::state_bytes(std::size_t tile) const {
-    return pixels_of(tile) * (layout_.sums_terms() ? sizeof(PixelState<Terms>) : sizeof(PixelState<vec3>));
+    return pixels_of(tile) * (sums_terms() ? sizeof(PixelState<Terms>) : sizeof(PixelState<vec3>));
 }
 
 std::size_t Film::pixels_of(std::size_t tile) const {
@@ -170,14 +207,7 @@ std::size_t Film::pixels_of(std::size_t tile) const {
 void Film::commit(std::size_t tile, const Pass& visit, FilmTile& values) {
     const int end = visit.first + visit.count;
     const bool continued = continues(tile, visit);
-    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
-        const Pixel& pixel = values.pixels[i];
-        write(image_.at(pixel.x, pixel.y), values.shown[i]);
-        if (layout_.terms)
-            for (std::size_t t = 0; t < terms_.size(); ++t)
-                write(terms_[t].at(pixel.x, pixel.y), values.terms[i].value[t]);
-        if (layout_.coverage) coverage_[index(pixel)] = values.coverage[i];
-    }
+    write(values, images_);
     TileSamples& samples_of_tile = samples_[tile];
     const bool keeps = keeps_states(tile, visit);
     if (continued) {
@@ -201,7 +231,7 @@ void Film::insert(TileSamples& tile, SampleBlock block) const {
 // ── Blocks of samples with sums of their own ──
 
 void Film::merge_blocks(std::size_t tile) {
-    with_sum_type(layout_, [&]<class T>(const T&) { merge_and_show<T>(tile); });
+    sums_terms() ? merge_and_show<Terms>(tile) : merge_and_show<vec3>(tile);
 }
 
 /// Joins neighbours that make a larger tree, as carries run through a binary counter.
@@ -246,6 +276,9 @@ void Film::show_blocks(std::size_t tile) {
     for (const SampleBlock& block : blocks) count += block.count;
     const Rect r = grid_.tile(tile);
     for (std::size_t i = 0; i < pixels_of(tile); ++i) {
+        const auto width = static_cast<std::size_t>(r.width);
+        const Pixel pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)};
+        if (!takes(pixel)) continue;
         const std::size_t at = i * sizeof(PixelState<T>);
         PixelState<T> all;
         std::memcpy(&all, &blocks.back().states[at], sizeof all);
@@ -257,11 +290,10 @@ void Film::show_blocks(std::size_t tile) {
         }
         const imaging::SignedSums<T> sums{all.sum.positive, all.sum.negative,
                                           static_cast<std::uint32_t>(count), all.sum.positives};
-        const auto width = static_cast<std::size_t>(r.width);
-        show(Pixel{r.x + static_cast<int>(i % width), r.y + static_cast<int>(i / width)},
-             imaging::pixel_value(sums), imaging::pixel_coverage(all.covered, sums.count, sums.positives));
+        show(pixel, imaging::pixel_value(sums),
+             imaging::pixel_coverage(all.covered, sums.count, sums.positives), images_);
     }
-    if (count == layout_.samples) {
+    if (count == samples()) {
         blocks.resize(1);
         blocks.front().count = count;
     }
@@ -269,39 +301,68 @@ void Film::show_blocks(std::size_t tile) {
 
 // ── Pixels ──
 
-template <class T>
-void Film::show(const Pixel& pixel, const T& value, float coverage) {
-    if constexpr (std::is_same_v<T, Terms>) {
-        write(image_.at(pixel.x, pixel.y), layout_.term ? value[*layout_.term] : value.sum());
-        for (std::size_t t = 0; layout_.terms && t < terms_.size(); ++t)
-            write(terms_[t].at(pixel.x, pixel.y), value.value[t]);
-    } else {
-        write(image_.at(pixel.x, pixel.y), value);
+void Film::write(const FilmTile& values, FilmImages& images) const {
+    for (std::size_t i = 0; i < values.pixels.size(); ++i) {
+        const Pixel& pixel = values.pixels[i];
+        write_color(images.image.at(pixel.x, pixel.y), values.shown[i]);
+        for (std::size_t t = 0; layout_.terms && t < images.terms.size(); ++t)
+            write_color(images.terms[t].at(pixel.x, pixel.y), values.terms[i].value[t]);
+        if (layout_.coverage) images.coverage[index(pixel)] = values.coverage[i];
     }
-    if (layout_.coverage) coverage_[index(pixel)] = coverage;
 }
 
-void Film::set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
+template <class T>
+void Film::show(const Pixel& pixel, const T& value, float coverage, FilmImages& images) const {
+    if constexpr (std::is_same_v<T, Terms>) {
+        write_color(images.image.at(pixel.x, pixel.y), layout_.term ? value[*layout_.term] : value.sum());
+        for (std::size_t t = 0; layout_.terms && t < images.terms.size(); ++t)
+            write_color(images.terms[t].at(pixel.x, pixel.y), value.value[t]);
+    } else {
+        write_color(images.image.at(pixel.x, pixel.y), value);
+    }
+    if (layout_.coverage) images.coverage[index(pixel)] = coverage;
+}
+
+void Film::set_pixel(const Pass& pass, const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
                      const imaging::CoveredCounts& covered) {
-    show(pixel, imaging::pixel_value(sums), imaging::pixel_coverage(covered, sums.count, sums.positives));
+    show(pixel, imaging::pixel_value(sums), imaging::pixel_coverage(covered, sums.count, sums.positives),
+         images_of(pass));
 }
 
-void Film::commit_preview(const Pass& pass, const FilmTile& values) {
-    Image& image = pass.step > 1 ? preview_ : image_;
-    for (std::size_t i = 0; i < values.pixels.size(); ++i)
-        write(image.at(values.pixels[i].x, values.pixels[i].y), values.shown[i]);
-}
+void Film::commit_preview(const Pass& pass, const FilmTile& values) { write(values, images_of(pass)); }
 
-void Film::show_preview(int step, bool smooth, parallel::TaskPool& pool) {
-    if (step == 1) return;
-    fit();
-    upsample(preview_, step, smooth, image_, pool);
+void Film::show_preview(const Pass& pass, parallel::TaskPool& pool) {
+    if (pass.step == 1) return;
+    fit(images_);
+    const bool smooth = is_light(layout_.show) && !layout_.terms;
+    const auto spread = [&](std::span<const float> known, int channels, std::span<float> out) {
+        const Layout layout{layout_.area.width, layout_.area.height, channels};
+        if (!known.empty()) upsample(known, layout, pass.step, smooth, out, pool);
+    };
+    spread(preview_.image.pixels, 3, images_.image.pixels);
+    for (std::size_t t = 0; t < images_.terms.size(); ++t)
+        spread(preview_.terms[t].pixels, 3, images_.terms[t].pixels);
+    spread(preview_.coverage, 1, images_.coverage);
 }
 
 void Film::move_to(Picture& picture) {
-    picture.image = std::move(image_);
-    picture.terms = std::move(terms_);
-    picture.coverage = std::move(coverage_);
+    fit(images_); // black if nothing was measured
+    if (!same(layout_.area, layout_.kept)) {
+        const Rect &area = layout_.area, &kept = layout_.kept;
+        const Rect part{kept.x - area.x, kept.y - area.y, kept.width, kept.height};
+        const auto cut_image = [&](Image& image) {
+            if (image.pixels.empty()) return;
+            cut(image.pixels, {area.width, area.height, 3}, part);
+            image.width = part.width;
+            image.height = part.height;
+        };
+        cut_image(images_.image);
+        for (Image& term : images_.terms) cut_image(term);
+        cut(images_.coverage, {area.width, area.height, 1}, part);
+    }
+    picture.image = std::move(images_.image);
+    picture.terms = std::move(images_.terms);
+    picture.coverage = std::move(images_.coverage);
 }
 
 // ── Joining ──
@@ -309,6 +370,9 @@ void Film::move_to(Picture& picture) {
 void Film::join(const Film& other) {
     if (const char* name = difference(layout_, other.layout_))
         throw Error(ErrorKind::usage, std::string("the films differ in their ") + name);
+    if (refined_ != other.refined_)
+        throw Error(ErrorKind::usage, "the films differ in the pixels that they refine",
+                    "join films before their adaptive samples, or all of the same picture after");
     for (std::size_t tile = 0; tile < samples_.size(); ++tile)
         for (const SampleBlock& a : samples_[tile].blocks)
             for (const SampleBlock& b : other.samples_[tile].blocks)
@@ -316,7 +380,7 @@ void Film::join(const Film& other) {
                     throw Error(ErrorKind::usage, "both films have the same samples",
                                 "both have sample " + std::to_string(std::max(a.first, b.first)) +
                                     " of the pixels of tile " + std::to_string(tile));
-    fit();
+    fit(images_);
     for (std::size_t tile = 0; tile < samples_.size(); ++tile) {
         const auto& blocks = other.samples_[tile].blocks;
         if (blocks.empty()) continue;
@@ -332,11 +396,11 @@ void Film::copy_pixels(std::size_t tile, const Film& from) {
     const Rect r = grid_.tile(tile);
     for (int y = r.y; y < r.y + r.height; ++y) {
         const std::size_t floats = 3 * static_cast<std::size_t>(r.width);
-        std::copy_n(from.image_.at(r.x, y), floats, image_.at(r.x, y));
-        for (std::size_t t = 0; layout_.terms && t < terms_.size(); ++t)
-            std::copy_n(from.terms_[t].at(r.x, y), floats, terms_[t].at(r.x, y));
+        std::copy_n(from.images_.image.at(r.x, y), floats, images_.image.at(r.x, y));
+        for (std::size_t t = 0; layout_.terms && t < images_.terms.size(); ++t)
+            std::copy_n(from.images_.terms[t].at(r.x, y), floats, images_.terms[t].at(r.x, y));
         if (layout_.coverage)
-            std::copy_n(&from.coverage_[index({r.x, y})], r.width, &coverage_[index({r.x, y})]);
+            std::copy_n(&from.images_.coverage[index({r.x, y})], r.width, &images_.coverage[index({r.x, y})]);
     }
 }
 

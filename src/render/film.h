@@ -18,18 +18,14 @@ namespace glint::rendering {
 
 /// What a film measures and stores.
 struct FilmLayout {
-    Rect area;                ///< pixels of the whole picture
+    Rect area;                ///< pixels of the whole picture: those that are measured
+    Rect kept;                ///< those of them that the picture shows; the others are only compared
     int tile_size = 16;       ///< pixels
-    int samples = 1;          ///< of a finished pixel
+    SampleCounts samples;     ///< of a finished pixel
     Aov show = Aov::final;    ///< what is measured
     std::optional<Term> term; ///< shown by the image instead of the radiance
     bool terms = false;       ///< keep an image of each term
     bool coverage = false;    ///< keep the share of samples that hit something
-
-    /// True if each term is summed; otherwise one channel is: the radiance, a single term or an AOV.
-    bool sums_terms() const { return terms || (samples > 1 && !term); }
-    /// True if an estimator must set the terms.
-    bool needs_terms() const { return sums_terms() || term; }
 };
 
 /// The layout of a picture. AOVs of first hits have one sample, no terms and no coverage. Throws Error(usage)
@@ -59,6 +55,13 @@ struct FilmTile {
     }
 };
 
+/// The images that a film keeps, each of all pixels or empty.
+struct FilmImages {
+    Image image;
+    std::array<Image, term_count> terms;
+    std::vector<float> coverage; ///< by pixel
+};
+
 class FilmReader;
 
 /// Threads may read and commit at the same time if each works on other tiles.
@@ -75,6 +78,18 @@ class Film {
     const FilmLayout& layout() const { return layout_; }
     const TileGrid& tiles() const { return grid_; }
 
+    /// Samples of a finished pixel; after refine(), of one that is refined.
+    int samples() const { return is_refined() ? layout_.samples.differing : layout_.samples.all; }
+    /// True if each term is summed; otherwise one channel is: the radiance, a single term or an AOV.
+    bool sums_terms() const { return layout_.terms || (samples() > 1 && !layout_.term); }
+
+    /// Begins the adaptive passes, if they have not begun: the pixels that differ from a neighbour get new
+    /// samples, the others are finished. All must have those of the passes before.
+    void refine(parallel::TaskPool& pool);
+    bool is_refined() const { return !refined_.empty(); }
+    /// True if this pixel of the area is measured: after refine(), if it is refined.
+    bool takes(const Pixel& pixel) const { return !is_refined() || refined_[index(pixel)] != 0; }
+
     /// The samples of a pass that a tile lacks, as far as the next visit takes them: none if their count is
     /// 0. After its commit() there may be more.
     Pass missing(std::size_t tile, const Pass& pass) const;
@@ -88,21 +103,24 @@ class Film {
     bool keeps_states(std::size_t tile, const Pass& visit) const;
     std::size_t state_bytes(std::size_t tile) const; ///< of all pixels of a tile
 
-    /// Stores a visit from missing(), which measured every pixel of the tile.
+    /// Stores a visit from missing(), which measured every pixel of the tile that the film takes.
     void commit(std::size_t tile, const Pass& visit, FilmTile& values);
     /// Stores centres of a preview pass.
     void commit_preview(const Pass& pass, const FilmTile& values);
-    /// Ends a preview pass: the image shows its pixels and, `smooth`, interpolates between them.
-    void show_preview(int step, bool smooth, parallel::TaskPool& pool);
-    /// Sets a finished pixel of the area from sums made elsewhere.
-    void set_pixel(const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
+    /// Ends a preview pass: the images show its pixels and, of light, interpolate between them. Terms are
+    /// copied instead, so that their sum remains the picture to the bit.
+    void show_preview(const Pass& pass, parallel::TaskPool& pool);
+    /// Sets a pixel of the area from sums made elsewhere: all that a pass adds to it.
+    void set_pixel(const Pass& pass, const Pixel& pixel, const imaging::SignedSums<Terms>& sums,
                    const imaging::CoveredCounts& covered);
 
-    const Image& image() const { return image_; }
+    const Image& image() const { return images_.image; }
     /// Moves the images and the coverage into a picture.
     void move_to(Picture& picture);
     /// True if any tile has samples, which previews would overwrite.
     bool has_samples() const;
+    /// True if every pixel that takes() accepts has samples() samples.
+    bool has_all_samples() const;
     /// True if every pixel has all its samples.
     bool is_complete() const;
 
@@ -131,7 +149,9 @@ class Film {
         std::vector<std::byte> spare;    ///< memory of former states
     };
 
-    void fit();
+    void fit(FilmImages& images) const;
+    FilmImages& images_of(const Pass& pass) { return pass.step > 1 ? preview_ : images_; }
+    void write(const FilmTile& values, FilmImages& images) const;
     bool is_complete(const TileSamples& tile) const;
     std::size_t pixels_of(std::size_t tile) const;
     void insert(TileSamples& tile, SampleBlock block) const;
@@ -143,7 +163,7 @@ class Film {
     template <class T>
     void show_blocks(std::size_t tile);
     template <class T>
-    void show(const Pixel& pixel, const T& value, float coverage);
+    void show(const Pixel& pixel, const T& value, float coverage, FilmImages& images) const;
     void copy_pixels(std::size_t tile, const Film& from);
     /// Calls f(row of floats) for each row of a tile in each image that the film keeps.
     template <class AnyFilm, class F>
@@ -158,20 +178,10 @@ class Film {
 
     FilmLayout layout_;
     TileGrid grid_;
-    std::vector<TileSamples> samples_; ///< by tile
-    Image image_;
-    Image preview_; ///< centres, at the pixels that were measured
-    std::array<Image, term_count> terms_;
-    std::vector<float> coverage_; ///< by pixel
+    std::vector<TileSamples> samples_;  ///< by tile
+    std::vector<std::uint8_t> refined_; ///< by pixel: gets new samples; empty before refine()
+    FilmImages images_;
+    FilmImages preview_; ///< centres, at the pixels that were measured
 };
-
-/// Calls f(Terms{}) or f(vec3{}), whichever a film sums.
-template <class F>
-void with_sum_type(const FilmLayout& layout, const F& f) {
-    if (layout.sums_terms())
-        f(Terms{});
-    else
-        f(vec3(0.0f));
-}
 
 } // namespace glint::rendering

@@ -14,7 +14,7 @@ namespace glint::rendering {
 namespace {
 
 constexpr std::uint64_t magic = 0x6d6c6966'746e6c67; ///< "glntfilm"
-constexpr std::uint32_t version_of_format = 2;
+constexpr std::uint32_t version_of_format = 3;
 
 /// FNV-1a over words of 8 bytes (Fowler, Noll and Vo).
 std::uint64_t check_sum(std::span<const std::byte> bytes) {
@@ -42,12 +42,14 @@ struct Header {
     std::uint64_t magic = glint::rendering::magic;
     std::uint32_t version = version_of_format;
     std::int32_t x = 0, y = 0, width = 0, height = 0;
-    std::int32_t tile_size = 0, samples = 0;
+    std::int32_t tile_size = 0, samples = 0, samples_of_differing = 0;
+    std::int32_t kept_x = 0, kept_y = 0, kept_width = 0, kept_height = 0;
     std::int32_t term = -1;
-    std::uint32_t keeps = 0; ///< 1: terms, 2: coverage
-    std::uint32_t show = 0;  ///< Aov
+    std::uint32_t keeps = 0;   ///< 1: terms, 2: coverage
+    std::uint32_t show = 0;    ///< Aov
+    std::uint32_t refined = 0; ///< 1: by pixel, whether it is refined follows
 };
-static_assert(sizeof(Header) == 48);
+static_assert(sizeof(Header) == 72);
 
 [[noreturn]] void refuse(const char* why) {
     throw Error(ErrorKind::input, std::string("the film cannot be read: ") + why);
@@ -55,15 +57,23 @@ static_assert(sizeof(Header) == 48);
 
 FilmLayout layout_of(const Header& h) {
     const auto is_side = [](std::int32_t n) { return n >= 1 && n <= picture_side_limit; };
-    const bool is_sound = is_side(h.width) && is_side(h.height) && h.x >= 0 && h.y >= 0 &&
-                          std::int64_t{h.width} * h.height <= picture_pixel_limit && is_side(h.tile_size) &&
-                          h.samples >= 1 && h.samples <= sample_limit && h.term >= -1 &&
-                          h.term < term_count && h.keeps <= 3 && h.show < aov_count;
+    const auto holds = [](std::int32_t first, std::int32_t size, std::int32_t from, std::int32_t length) {
+        return from >= first && length >= 1 && length <= size && from - first <= size - length;
+    };
+    const bool is_sound =
+        is_side(h.width) && is_side(h.height) && h.x >= 0 && h.y >= 0 &&
+        std::int64_t{h.width} * h.height <= picture_pixel_limit && is_side(h.tile_size) && h.samples >= 1 &&
+        h.samples <= sample_limit && h.term >= -1 && h.term < term_count && h.keeps <= 3 &&
+        h.show < aov_count && holds(h.x, h.width, h.kept_x, h.kept_width) &&
+        holds(h.y, h.height, h.kept_y, h.kept_height) &&
+        (h.samples_of_differing == 0 || h.samples_of_differing > h.samples) &&
+        h.samples_of_differing <= sample_limit && h.refined <= (h.samples_of_differing > 0 ? 1U : 0U);
     if (!is_sound) refuse("its header is damaged");
     FilmLayout layout;
     layout.area = {h.x, h.y, h.width, h.height};
+    layout.kept = {h.kept_x, h.kept_y, h.kept_width, h.kept_height};
     layout.tile_size = h.tile_size;
-    layout.samples = h.samples;
+    layout.samples = {h.samples, h.samples_of_differing};
     layout.show = static_cast<Aov>(h.show);
     if (h.term >= 0) layout.term = static_cast<Term>(h.term);
     layout.terms = (h.keeps & 1U) != 0;
@@ -100,13 +110,20 @@ std::vector<std::byte> Film::save() const {
     header.y = layout_.area.y;
     header.width = layout_.area.width;
     header.height = layout_.area.height;
+    header.kept_x = layout_.kept.x;
+    header.kept_y = layout_.kept.y;
+    header.kept_width = layout_.kept.width;
+    header.kept_height = layout_.kept.height;
     header.tile_size = layout_.tile_size;
-    header.samples = layout_.samples;
+    header.samples = layout_.samples.all;
+    header.samples_of_differing = layout_.samples.differing;
+    header.refined = is_refined() ? 1 : 0;
     header.term = layout_.term ? static_cast<std::int32_t>(*layout_.term) : -1;
     header.show = static_cast<std::uint32_t>(layout_.show);
     header.keeps = (layout_.terms ? 1U : 0U) | (layout_.coverage ? 2U : 0U);
     std::vector<std::byte> out;
     append(out, header);
+    append(out, refined_.data(), refined_.size());
     for (std::size_t tile = 0; tile < samples_.size(); ++tile) save_tile(tile, out);
     append(out, check_sum(out));
     return out;
@@ -125,6 +142,12 @@ Film Film::load(std::span<const std::byte> bytes) {
     const TileGrid grid(layout.area.width, layout.area.height, layout.tile_size);
     if (grid.count() > in.left() / sizeof(std::uint32_t)) refuse("it ends too early");
     Film film(layout);
+    if (header.refined != 0) {
+        const std::size_t pixels = film.index({0, layout.area.height});
+        if (pixels > in.left()) refuse("it ends too early");
+        film.refined_.resize(pixels);
+        in.read(film.refined_.data(), pixels);
+    }
     for (std::size_t tile = 0; tile < film.samples_.size(); ++tile) film.load_tile(tile, in);
     if (in.left() != sizeof(std::uint64_t)) refuse("it is too long");
     return film;
@@ -135,10 +158,10 @@ void Film::for_rows(AnyFilm& film, std::size_t tile, const F& f) {
     const Rect r = film.grid_.tile(tile);
     const auto width = static_cast<std::size_t>(r.width);
     for (int y = r.y; y < r.y + r.height; ++y) {
-        f(std::span(film.image_.at(r.x, y), 3 * width));
-        for (auto& term : film.terms_)
+        f(std::span(film.images_.image.at(r.x, y), 3 * width));
+        for (auto& term : film.images_.terms)
             if (film.layout_.terms) f(std::span(term.at(r.x, y), 3 * width));
-        if (film.layout_.coverage) f(std::span(&film.coverage_[film.index({r.x, y})], width));
+        if (film.layout_.coverage) f(std::span(&film.images_.coverage[film.index({r.x, y})], width));
     }
 }
 
@@ -150,14 +173,14 @@ void Film::save_tile(std::size_t tile, std::vector<std::byte>& out) const {
         append(out, block.count);
         if (!is_complete(samples)) append(out, block.states.data(), state_bytes(tile));
     }
-    if (samples.blocks.empty()) return;
+    if (samples.blocks.empty() && !is_refined()) return;
     for_rows(*this, tile, [&](std::span<const float> row) { append(out, row.data(), row.size_bytes()); });
 }
 
 void Film::load_tile(std::size_t tile, FilmReader& in) {
     TileSamples& samples = samples_[tile];
     const auto blocks = in.value<std::uint32_t>();
-    if (blocks > static_cast<std::uint32_t>(layout_.samples)) refuse("its tiles are damaged");
+    if (blocks > static_cast<std::uint32_t>(this->samples())) refuse("its tiles are damaged");
     for (std::uint32_t i = 0; i < blocks; ++i) {
         SampleBlock& block = samples.blocks.emplace_back();
         block.first = in.value<int>();
@@ -168,9 +191,9 @@ void Film::load_tile(std::size_t tile, FilmReader& in) {
         in.read(block.states.data(), block.states.size());
     }
     if (!is_sound(samples)) refuse("its samples are damaged");
-    if (blocks == 0) return;
+    if (blocks == 0 && !is_refined()) return;
     if (3 * sizeof(float) * pixels_of(tile) > in.left()) refuse("it ends too early");
-    fit();
+    fit(images_);
     for_rows(*this, tile, [&](std::span<float> row) { in.read(row.data(), row.size_bytes()); });
 }
 
@@ -178,10 +201,10 @@ void Film::load_tile(std::size_t tile, FilmReader& in) {
 bool Film::is_sound(const TileSamples& tile) const {
     int end = 0;
     for (const SampleBlock& block : tile.blocks) {
-        if (block.first < end || block.count < 1 || block.count > layout_.samples - block.first) return false;
+        if (block.first < end || block.count < 1 || block.count > samples() - block.first) return false;
         end = block.end();
         const auto tree = static_cast<int>(std::bit_ceil(static_cast<unsigned>(block.count)));
-        if (block.first % tree != 0 || (block.count != tree && end != layout_.samples)) return false;
+        if (block.first % tree != 0 || (block.count != tree && end != samples())) return false;
     }
     return true;
 }

@@ -2,6 +2,8 @@
 
 #include "render/interior_list.h"
 
+#include <algorithm>
+
 namespace glint::rendering {
 
 using scene::SceneData;
@@ -13,31 +15,40 @@ bool is_dielectric(std::uint32_t object, const SceneData& scene) {
 
 const InteriorList* entered(const InteriorList* list, std::uint32_t object, const SceneData& scene,
                             InteriorArena& arena) {
-    if (list == nullptr || scene.objects[list->object].rank <= scene.objects[object].rank)
-        return arena.push(object, list);
-    return arena.push(list->object, entered(list->rest, object, scene, arena));
+    const bool owns = list == nullptr || scene.objects[list->owner].rank < scene.objects[object].rank;
+    return arena.push({object, owns ? object : list->owner, list});
 }
 
-const InteriorList* left(const InteriorList* list, std::uint32_t object, InteriorArena& arena) {
+const InteriorList* left(const InteriorList* list, std::uint32_t object, const SceneData& scene,
+                         InteriorArena& arena) {
     if (list == nullptr) return nullptr;
     if (list->object == object) return list->rest;
-    const InteriorList* rest = left(list->rest, object, arena);
-    return rest == list->rest ? list : arena.push(list->object, rest);
+    const InteriorList* rest = left(list->rest, object, scene, arena);
+    return rest == list->rest ? list : entered(rest, list->object, scene, arena);
 }
 
 const InteriorList* crossed(const InteriorList* list, std::uint32_t object, bool entering,
                             const SceneData& scene, InteriorArena& arena) {
-    return entering ? entered(list, object, scene, arena) : left(list, object, arena);
+    return entering ? entered(list, object, scene, arena) : left(list, object, scene, arena);
 }
 
 bool is_hidden(const InteriorList* list, std::uint32_t object, const SceneData& scene) {
-    if (list == nullptr || !scene.objects[object].solid) return false;
-    return scene.objects[list->object].rank > scene.objects[object].rank;
+    if (list == nullptr || !is_dielectric(object, scene)) return false;
+    return scene.objects[list->owner].rank > scene.objects[object].rank;
 }
 
 float refractive_index(const InteriorList* list, const SceneData& scene) {
     if (list == nullptr) return scene.index_outside;
-    return scene.materials[scene.objects[list->object].material].index;
+    return scene.materials[scene.objects[list->owner].material].index;
+}
+
+std::vector<std::uint32_t> solids_of(const InteriorList* list, const SceneData& scene) {
+    std::vector<std::uint32_t> solids;
+    for (; list != nullptr; list = list->rest) solids.push_back(list->object);
+    std::sort(solids.begin(), solids.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return scene.objects[a].rank > scene.objects[b].rank;
+    });
+    return solids;
 }
 
 } // namespace glint::rendering

@@ -15,7 +15,7 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     const int py = static_cast<int>(y);
     const imaging::FilterSample offset{static_cast<float>(x - px - 0.5), static_cast<float>(y - py - 0.5)};
     const rendering::CameraSample sample =
-        rendering::CameraSampler(scene.description()).sample_at({px, py}, 0, offset);
+        rendering::CameraSampler(scene.data().description).sample_at({px, py}, 0, offset);
 
     rendering::RayTree tree;
     rendering::Whitted(scene.data(), rendering::first_hit_settings(scene.data())).trace(sample, &tree);
@@ -24,9 +24,10 @@ std::optional<Pick> pick(const Scene& scene, double x, double y) {
     Pick found;
     found.object = node.hit.object;
     found.material = scene.data().objects[node.hit.object].material;
-    found.position = Vec3(node.position);
+    found.position = scene.data().origin + Vec3(node.position);
     found.normal = Vec3(node.geometric_normal);
     found.distance = static_cast<double>(node.hit.t);
+    found.from_inside = !node.entering;
     return found;
 }
 

@@ -12,8 +12,15 @@ std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& s
             if (key.in_metadata)
                 settings.emplace_back("glint." + std::string(key.key), plain_text(key, key.get(owner)));
     };
-    add("render", KeyOwner(scene.description().render));
-    add("whitted", KeyOwner(scene.description().whitted));
+    const SceneDescription& description = scene.description();
+    add("render", KeyOwner(description.render));
+    switch (description.render.integrator) {
+    case Integrator::whitted:
+        add("whitted", KeyOwner(description.whitted));
+        break;
+    case Integrator::ambient_occlusion:
+        add("ambient_occlusion", KeyOwner(description.ambient_occlusion));
+    }
     return settings;
 }
 

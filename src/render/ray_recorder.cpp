@@ -5,15 +5,6 @@
 namespace glint::rendering {
 
 using trace::Hit;
-namespace {
-
-std::vector<std::uint32_t> objects_of(const InteriorList* interior) {
-    std::vector<std::uint32_t> objects;
-    for (; interior != nullptr; interior = interior->rest) objects.push_back(interior->object);
-    return objects;
-}
-
-} // namespace
 
 void RayRecorder::begin_ray(RayKind kind, int depth, const SpawnedRay& spawned) {
     const std::size_t index = tree_.nodes.size();
@@ -30,14 +21,14 @@ void RayRecorder::begin_ray(RayKind kind, int depth, const SpawnedRay& spawned) 
     open_.push_back(index);
 }
 
-void RayRecorder::skip_hidden(const Hit& hit) { node().passed_over.push_back(hit); }
+void RayRecorder::pass_over(const Hit& hit) { node().passed_over.push_back(hit); }
 
-void RayRecorder::miss(const InteriorList* interior) {
-    node().end = interior == nullptr ? RayEnd::background : RayEnd::absorbed;
-    node().interiors = objects_of(interior);
+void RayRecorder::miss(std::vector<std::uint32_t> interiors) {
+    node().end = interiors.empty() ? RayEnd::background : RayEnd::absorbed;
+    node().interiors = std::move(interiors);
 }
 
-void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const InteriorList* interior) {
+void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, std::vector<std::uint32_t> interiors) {
     RayNode& ray = node();
     ray.hit = hit;
     ray.position = at.surface.p;
@@ -46,7 +37,7 @@ void RayRecorder::hit(const Hit& hit, const SurfaceInteraction& at, const Interi
     ray.color = at.surface.color;
     ray.lit_side = at.surface.lit_side;
     ray.entering = at.entering;
-    ray.interiors = objects_of(interior);
+    ray.interiors = std::move(interiors);
 }
 
 void RayRecorder::end_at(RayEnd end) { node().end = end; }
@@ -70,8 +61,12 @@ void RayRecorder::bounce(float local_weight, const Split& split) {
 void RayRecorder::absorb(const vec3& transmittance) { node().transmittance = transmittance; }
 
 void RayRecorder::end_ray(const Channels& channels) {
-    node().terms = channels.terms;
-    node().radiance = channels.radiance;
+    RayNode& ray = node();
+    if (ray.reflected < 0 && ray.reflected_weight > 0.0f) ++ray.left_out;
+    if (ray.refracted < 0 && ray.refracted_weight > 0.0f) ++ray.left_out;
+    if (ray.left_out > 0 && ray.reflected < 0 && ray.refracted < 0) ray.end = RayEnd::min_weight;
+    ray.terms = channels.terms;
+    ray.radiance = channels.radiance;
     open_.pop_back();
 }
 

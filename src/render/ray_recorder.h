@@ -21,13 +21,16 @@ struct RayNode : TracedRay {
     trace::Hit hit;
     float lit_side = 1;                   ///< −1: lights find both normals turned away from the viewer
     std::vector<std::uint32_t> interiors; ///< transparent solids around the ray, the owner of the space first
-    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those
+    std::vector<trace::Hit> passed_over;  ///< hidden inside one of those, or coincident with what is seen
     std::vector<LightNode> lights;        ///< by SceneData::lights
     Refraction refraction{};              ///< at the surface of a transparent solid
     float local_weight = 1;               ///< of ambient, diffuse, highlight and clamp
-    float reflected_weight = 0;
+    float reflected_weight = 0;           ///< above 0 without such a branch: it was left out
     float refracted_weight = 0;
     Terms terms{}; ///< weighted, absorption included
+
+    /// Light goes on from here, along branches or along some that were left out.
+    bool goes_on() const { return end == RayEnd::bounced || end == RayEnd::min_weight; }
 };
 
 struct RayTree {
@@ -41,9 +44,10 @@ class RayRecorder {
 
     // One ray: begin_ray(), its hit or miss, its branches, end_ray().
     void begin_ray(RayKind kind, int depth, const SpawnedRay& ray);
-    void skip_hidden(const trace::Hit& hit);
-    void miss(const InteriorList* interior);
-    void hit(const trace::Hit& hit, const SurfaceInteraction& at, const InteriorList* interior);
+    void pass_over(const trace::Hit& hit);
+    // `interiors` as in RayNode.
+    void miss(std::vector<std::uint32_t> interiors);
+    void hit(const trace::Hit& hit, const SurfaceInteraction& at, std::vector<std::uint32_t> interiors);
     void end_at(RayEnd end);
     void refract(const Refraction& refraction, float index_before, float index_after);
     void bounce(float local_weight, const Split& split);

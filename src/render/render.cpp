@@ -2,6 +2,7 @@
 
 #include "render/cpu_executor.h"
 
+#include "glint/error.h"
 #include "glint/render.h"
 #include "render/schedule_run.h"
 
@@ -58,6 +59,7 @@ bool CpuExecutor::shows_preview() const { return pass_.is_preview() && !film_.ha
 std::vector<std::uint32_t> CpuExecutor::begin_pass(const Pass& pass) {
     pass_ = pass;
     if (pass.is_preview() && !shows_preview()) return {};
+    if (pass.adaptive) begin_adaptive();
     film_.begin_pass(pass);
     const FilmLayout& layout = film_.layout();
     grid_ = TileGrid((layout.area.width + pass.step - 1) / pass.step,
@@ -68,8 +70,15 @@ std::vector<std::uint32_t> CpuExecutor::begin_pass(const Pass& pass) {
     return std::vector<std::uint32_t>(tiles > index ? (tiles - index + shards - 1) / shards : 0, 1);
 }
 
+void CpuExecutor::begin_adaptive() {
+    if (!film_.is_refined() && !film_.has_all_samples())
+        throw Error(ErrorKind::usage, "adaptive samples need the whole picture",
+                    "join the films of its parts before");
+    film_.refine(pool_);
+}
+
 void CpuExecutor::end_pass() {
-    if (shows_preview()) film_.show_preview(pass_.step, is_light(film_.layout().show), pool_);
+    if (shows_preview()) film_.show_preview(pass_, pool_);
 }
 
 std::uint32_t CpuExecutor::step(std::size_t task, int worker) {
@@ -96,13 +105,17 @@ bool CpuExecutor::measure_tile(std::size_t tile, Worker& worker) {
 // ── Visits ──
 
 CpuExecutor::Visit CpuExecutor::visit_of(const Pass& pass, std::size_t tile) const {
+    const FilmLayout& layout = film_.layout();
     Visit visit{pass, tile, grid_.tile(tile)};
+    visit.centres = pass.is_preview() || film_.samples() == 1;
+    visit.sums_terms = pass.is_preview() ? layout.terms : film_.sums_terms();
     if (!pass.is_preview()) {
         visit.continues = film_.continues(tile, pass);
         visit.keeps_states = film_.keeps_states(tile, pass);
     }
-    // As many pixels as fit a batch, in a square or two: rays of neighbours go the same way.
+    // As many pixels as fit a batch, in a square or two.
     const auto pixels = static_cast<unsigned>(std::max(1, batch_samples / std::max(1, pass.count)));
+    visit.pixels_at_once = pixels;
     const int levels = static_cast<int>(std::bit_width(pixels)) - 1;
     visit.block_width = 1 << (levels + 1) / 2;
     visit.block_height = 1 << levels / 2;
@@ -112,78 +125,66 @@ CpuExecutor::Visit CpuExecutor::visit_of(const Pass& pass, std::size_t tile) con
 /// False if it was cancelled.
 bool CpuExecutor::measure(const Visit& visit, Worker& worker) const {
     FilmTile& values = worker.values;
-    values.pixels.clear();
-    if (visit.keeps_states) values.states.resize(film_.state_bytes(visit.tile));
-    const Rect& r = visit.rect;
-    for (int y = r.y; y < r.y + r.height; y += visit.block_height)
-        for (int x = r.x; x < r.x + r.width; x += visit.block_width) {
-            const std::size_t from = values.pixels.size();
-            collect_block(visit, x, y, values);
-            if (visit.pass.is_preview())
-                measure_centres(from, worker);
-            else
-                with_sum_type(film_.layout(),
-                              [&]<class T>(const T&) { measure_samples<T>(visit, from, worker); });
-            if (is_cancelled()) return false;
-        }
+    collect_pixels(visit, values);
+    // Those of pixels that are not measured are never read, but saved.
+    if (visit.keeps_states) values.states.assign(film_.state_bytes(visit.tile), std::byte{});
+    for (std::size_t from = 0; from < values.pixels.size(); from += visit.pixels_at_once) {
+        const std::size_t end = std::min(from + visit.pixels_at_once, values.pixels.size());
+        visit.sums_terms ? measure_samples<Terms>(visit, from, end, worker)
+                         : measure_samples<vec3>(visit, from, end, worker);
+        if (is_cancelled()) return false;
+    }
     return true;
 }
 
-/// Adds the pixels of a block, as far as they lie in the tile and the pass is to measure them.
-void CpuExecutor::collect_block(const Visit& visit, int x, int y, FilmTile& values) const {
+/// Sets the pixels that the visit measures, block by block: rays of neighbours go the same way.
+void CpuExecutor::collect_pixels(const Visit& visit, FilmTile& values) const {
     const Rect& r = visit.rect;
-    const std::size_t from = values.pixels.size();
     const auto count = static_cast<std::size_t>(visit.block_width * visit.block_height);
-    values.pixels.resize(from + count);
-    Pixel* next = values.pixels.data() + from;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Pixel& offset = block_[i];
-        const Pixel pixel{x + offset.x, y + offset.y};
-        if (pixel.x >= r.x + r.width || pixel.y >= r.y + r.height) continue;
-        if (visit.pass.refines && pixel.x % 2 == 0 && pixel.y % 2 == 0) continue;
-        *next++ = {pixel.x * visit.pass.step, pixel.y * visit.pass.step};
-    }
-    values.pixels.resize(static_cast<std::size_t>(next - values.pixels.data()));
+    values.pixels.clear();
+    for (int y = r.y; y < r.y + r.height; y += visit.block_height)
+        for (int x = r.x; x < r.x + r.width; x += visit.block_width)
+            for (std::size_t i = 0; i < count; ++i) {
+                const Pixel pixel{x + block_[i].x, y + block_[i].y};
+                if (takes(visit, pixel))
+                    values.pixels.push_back({pixel.x * visit.pass.step, pixel.y * visit.pass.step});
+            }
     values.resize_to_pixels(film_.layout());
 }
 
-void CpuExecutor::measure_centres(std::size_t from, Worker& worker) const {
-    const std::size_t count = worker.values.pixels.size() - from;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Pixel& pixel = worker.values.pixels[from + i];
-        worker.samples[i] =
-            sampler_.centre({film_.layout().area.x + pixel.x, film_.layout().area.y + pixel.y});
-    }
-    estimate(worker.estimator, {worker.samples.data(), count}, {worker.channels.data(), count},
-             film_.layout().term.has_value());
-    for (std::size_t i = 0; i < count; ++i)
-        worker.values.shown[from + i] = measured<vec3>(worker.channels[i]);
+/// True if a pixel of the grid lies in the tile and the pass is to measure it.
+bool CpuExecutor::takes(const Visit& visit, const Pixel& pixel) const {
+    const Rect& r = visit.rect;
+    if (pixel.x >= r.x + r.width || pixel.y >= r.y + r.height) return false;
+    if (visit.pass.refines && pixel.x % 2 == 0 && pixel.y % 2 == 0) return false;
+    return !visit.pass.adaptive || film_.takes(pixel);
 }
 
-/// Samples first … first + count − 1 of the pixels from number `from` on.
-void CpuExecutor::estimate_samples(std::size_t from, int first, int count, Worker& worker) const {
-    const bool centres = film_.layout().samples == 1;
+/// Samples first … first + count − 1 of the pixels from number `from` to before `end`.
+void CpuExecutor::estimate_samples(const Visit& visit, std::size_t from, std::size_t end, int first,
+                                   int count, Worker& worker) const {
     std::size_t s = 0;
-    for (std::size_t i = from; i < worker.values.pixels.size(); ++i) {
+    for (std::size_t i = from; i < end; ++i) {
         const Pixel& of_area = worker.values.pixels[i];
         const Pixel pixel{film_.layout().area.x + of_area.x, film_.layout().area.y + of_area.y};
         for (int k = first; k < first + count; ++k, ++s)
-            worker.samples[s] = centres ? sampler_.centre(pixel) : sampler_.sample(pixel, k);
+            worker.samples[s] = visit.centres ? sampler_.centre(pixel) : sampler_.sample(pixel, k);
     }
     estimate(worker.estimator, {worker.samples.data(), s}, {worker.channels.data(), s},
-             film_.layout().needs_terms());
+             visit.sums_terms || film_.layout().term.has_value());
     // With coverage, pixels show what is hit alone.
     for (std::size_t i = 0; film_.layout().coverage && i < s; ++i)
         if (!worker.channels[i].covered) worker.channels[i] = {};
 }
 
 template <class T>
-void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, Worker& worker) const {
-    const int count = visit.pass.count;
-    if (count > batch_samples) return measure_pixel<T>(visit, worker);
-    estimate_samples(from, visit.pass.first, count, worker);
-    const std::size_t pixels = worker.values.pixels.size() - from;
-    if (film_.layout().samples == 1) {
+void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, std::size_t end,
+                                  Worker& worker) const {
+    const int count = visit.pass.is_preview() ? 1 : visit.pass.count;
+    if (count > batch_samples) return measure_pixel<T>(visit, from, worker);
+    estimate_samples(visit, from, end, visit.pass.first, count, worker);
+    const std::size_t pixels = end - from;
+    if (visit.centres) {
         for (std::size_t i = 0; i < pixels; ++i)
             put(measured<T>(worker.channels[i]), worker.channels[i].covered ? 1.0f : 0.0f, from + i,
                 worker.values);
@@ -197,15 +198,14 @@ void CpuExecutor::measure_samples(const Visit& visit, std::size_t from, Worker& 
     }
 }
 
-/// The last of the worker's pixels, which alone has more samples than a batch.
+/// A pixel that alone has more samples than a batch.
 template <class T>
-void CpuExecutor::measure_pixel(const Visit& visit, Worker& worker) const {
-    const std::size_t pixel = worker.values.pixels.size() - 1;
+void CpuExecutor::measure_pixel(const Visit& visit, std::size_t pixel, Worker& worker) const {
     PixelSamples<T> samples(film_, visit, worker.values.pixels[pixel]);
     const int end = visit.pass.first + visit.pass.count;
     for (int first = visit.pass.first; first < end && !is_cancelled(); first += batch_samples) {
         const int count = std::min(batch_samples, end - first);
-        estimate_samples(pixel, first, count, worker);
+        estimate_samples(visit, pixel, pixel + 1, first, count, worker);
         for (std::size_t s = 0; s < static_cast<std::size_t>(count); ++s)
             samples.add(measured<T>(worker.channels[s]), worker.samples[s], worker.channels[s]);
     }
@@ -257,20 +257,20 @@ double cpu_seconds() {
 
 } // namespace
 
+double left_out_share(const RenderStats& stats, const Scene& scene) {
+    if (stats.primary_rays == 0) return 0;
+    return static_cast<double>(stats.left_out_rays) / static_cast<double>(stats.primary_rays) *
+           scene.description().whitted.min_weight;
+}
+
 Picture render(const Scene& scene, const RenderOptions& options) {
     const double wall = rendering::wall_seconds();
     const double cpu = cpu_seconds();
     rendering::Film film(rendering::film_layout(scene.render_settings(), options));
     parallel::TaskPool pool(options.threads);
     rendering::CpuExecutor executor(scene.data(), film, pool, options.kernel, options.cancel);
-    rendering::ScheduleRun run(executor, rendering::one_pass(film.layout().samples), options.cancel,
-                               options.progress);
-    run.run(rendering::no_deadline);
-    Picture picture;
-    film.move_to(picture);
-    picture.complete = run.is_finished();
-    run.add_stats(picture.stats);
-    picture.stats.wall_seconds = rendering::wall_seconds() - wall;
+    Picture picture = rendering::render_film(
+        executor, film, rendering::picture_passes(film.layout().samples, options), options, wall);
     picture.stats.cpu_seconds = cpu_seconds() - cpu;
     return picture;
 }

@@ -10,8 +10,17 @@ namespace {
 
 /// In samples of a pixel.
 double work_of(const Pass& pass) {
+    // How many pixels differ is not known before; this many in an ordinary picture.
+    if (pass.adaptive) return 0.2 * pass.count;
     if (!pass.is_preview()) return pass.count;
     return (pass.refines ? 0.75 : 1.0) / (double(pass.step) * pass.step);
+}
+
+/// Previews of every `coarsest`-th pixel of each row and column, then between these, to every `finest`-th.
+std::vector<Pass> previews(int coarsest, int finest) {
+    std::vector<Pass> passes;
+    for (int step = coarsest; step >= finest; step /= 2) passes.push_back({step, step != coarsest, 0, 0});
+    return passes;
 }
 
 } // namespace
@@ -29,19 +38,36 @@ Rect TileGrid::tile(std::size_t index) const {
     return r;
 }
 
-std::vector<Pass> one_pass(int samples) { return {{1, false, 0, samples}}; }
+std::vector<Pass> picture_passes(const SampleCounts& samples, const RenderOptions& options) {
+    std::vector<Pass> passes;
+    if (options.coarse_first) {
+        int finest = 1;
+        while (finest * finest * samples.all < 16) finest *= 2;
+        passes = previews(16, finest);
+    }
+    passes.push_back({1, false, 0, samples.all});
+    if (samples.adaptive()) passes.push_back({1, false, 0, samples.differing, true});
+    return passes;
+}
 
-std::vector<Pass> refining_passes(int coarsest, int samples) {
+std::vector<Pass> refining_passes(int coarsest, const SampleCounts& samples) {
     if (coarsest < 1 || coarsest > max_coarsest || !std::has_single_bit(static_cast<unsigned>(coarsest)))
         throw Error(ErrorKind::usage, "the coarsest step is not a power of two",
                     "expected 1, 2, 4, 8, 16, 32 or 64");
-    std::vector<Pass> passes;
-    for (int step = coarsest; step >= 1; step /= 2) passes.push_back({step, step != coarsest, 0, 0});
-    for (int done = 0; samples > 1 && done < samples;) {
-        const int count = std::min(std::max(done, 1), samples - done);
-        passes.push_back({1, false, done, count});
-        done += count;
-    }
+    std::vector<Pass> passes = previews(coarsest, 1);
+    const auto add_doubling = [&](int first, int all, bool adaptive) {
+        for (int done = 0; done < all;) {
+            const int count = std::min(std::max(done, first), all - done);
+            passes.push_back({1, false, done, count, adaptive});
+            done += count;
+        }
+    };
+    // An adaptive picture needs samples of its own to compare, even if one is all.
+    if (samples.all > 1 || samples.adaptive()) add_doubling(1, samples.all, false);
+    // Not fewer at first than the pixels had before.
+    if (samples.adaptive())
+        add_doubling(static_cast<int>(std::bit_ceil(static_cast<unsigned>(samples.all))), samples.differing,
+                     true);
     return passes;
 }
 

@@ -23,6 +23,7 @@ inline void add_rays(const RayCounts& rays, RenderStats& stats) {
     stats.reflected_rays += rays.reflected;
     stats.refracted_rays += rays.refracted;
     stats.shadow_rays += rays.shadow;
+    stats.left_out_rays += rays.left_out;
 }
 
 inline bool is_cancelled(const CancelFlag* cancel) {
@@ -32,9 +33,10 @@ inline bool is_cancelled(const CancelFlag* cancel) {
 /// One visit of the pixels of a grid: every `step`-th of each row and column.
 struct Pass {
     int step = 1;
-    bool refines = false; ///< pixels of the grid of 2 · step were measured before and are left out
-    int first = 0;        ///< index of the first sample
-    int count = 0;        ///< samples of each pixel; 0: a preview, one ray through each centre
+    bool refines = false;  ///< pixels of the grid of 2 · step were measured before and are left out
+    int first = 0;         ///< index of the first sample
+    int count = 0;         ///< samples of each pixel; 0: a preview, one ray through each centre
+    bool adaptive = false; ///< only of the pixels that differ from a neighbour (Film::refine())
 
     bool is_preview() const { return count == 0; }
     friend bool operator==(const Pass&, const Pass&) = default;
@@ -64,14 +66,24 @@ class TileGrid {
     int rows_ = 0;
 };
 
-/// All samples of a tile in one visit.
-std::vector<Pass> one_pass(int samples);
+/// Samples of the pixels of a picture.
+struct SampleCounts {
+    int all = 1;       ///< of each pixel
+    int differing = 0; ///< of those that differ from a neighbour, instead; 0: of none
+
+    bool adaptive() const { return differing > 0; }
+    friend bool operator==(const SampleCounts&, const SampleCounts&) = default;
+};
+
+/// The passes of render(): all samples of a tile in one visit, then those of the pixels that differ from a
+/// neighbour; `coarse_first`, previews before that take at most a sixteenth of the work.
+std::vector<Pass> picture_passes(const SampleCounts& samples, const RenderOptions& options);
 
 /// Previews of every `coarsest`-th pixel of each row and column, then between these, until all have had one
 /// ray through their centre. Then, unless one sample is all, samples double: 1, 1, 2, 4 … of each pixel and
-/// what is left, so that one sum is all that a pixel needs to go on (PixelSum). Throws Error(usage) if
-/// `coarsest` is no power of two from 1 to max_coarsest.
-std::vector<Pass> refining_passes(int coarsest, int samples);
+/// what is left, so that one sum is all that a pixel needs to go on (PixelSum); those of the pixels that
+/// differ from a neighbour too. Throws Error(usage) if `coarsest` is no power of two from 1 to max_coarsest.
+std::vector<Pass> refining_passes(int coarsest, const SampleCounts& samples);
 
 /// The samples of shard i of n: aligned blocks of a power of two of samples (the last of all may be shorter),
 /// whose films join to the very bits of the whole. Empty where there are more shards than blocks.

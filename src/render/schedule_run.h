@@ -3,6 +3,7 @@
 
 #include "glint/progressive.h"
 #include "parallel/task_pool.h"
+#include "render/film.h"
 #include "render/schedule.h"
 
 #include <atomic>
@@ -39,12 +40,13 @@ concept TileExecutor = requires(E& executor, const Pass& pass, std::size_t tile,
 template <TileExecutor Executor>
 class ScheduleRun {
   public:
-    /// `progress` is called from the threads, one at a time.
+    /// `progress` is called now and then from the threads, one at a time.
     ScheduleRun(Executor& executor, std::vector<Pass> passes, const CancelFlag* cancel = nullptr,
                 std::function<void(const Progress&)> progress = {})
         : executor_(executor), cursor_(std::move(passes)), cancel_(cancel), report_(std::move(progress)),
           workers_(static_cast<std::size_t>(executor.pool().threads())) {
         begin_pass();
+        if (report_) report_(progress_);
     }
 
     /// Goes on until wall_seconds() is `deadline`, but to the end of the first pass in any case, and over one
@@ -58,8 +60,7 @@ class ScheduleRun {
             if (left_ == 0) end_pass();
             if (wall_seconds() >= deadline) break;
         }
-        const double left = static_cast<double>(left_.load());
-        reached_ = cursor_.reached(left > 0 ? 1 - left / static_cast<double>(work_of_pass_) : 0);
+        reached_ = reached_now();
         seconds_ += wall_seconds() - begin;
         reached_.seconds = seconds_;
         for (int worker = 0; worker < executor_.pool().threads(); ++worker)
@@ -82,6 +83,11 @@ class ScheduleRun {
         bool has_worked = false;
         bool may_stop = false; ///< it has made a step since run() was called
     };
+
+    Refinement reached_now() const {
+        const auto left = static_cast<double>(left_.load());
+        return cursor_.reached(work_of_pass_ > 0 ? 1 - left / static_cast<double>(work_of_pass_) : 0);
+    }
 
     void begin_pass() {
         if (is_finished()) return;
@@ -128,6 +134,7 @@ class ScheduleRun {
     void report(Worker& worker, std::uint32_t done, std::uint64_t rays) {
         const std::lock_guard lock(mutex_);
         progress_.tiles_done += done;
+        progress_.fraction = reached_now().fraction;
         progress_.rays += rays - worker.rays_reported;
         progress_.seconds = wall_seconds() - start_;
         worker.rays_reported = rays;
@@ -149,5 +156,19 @@ class ScheduleRun {
     Progress progress_;
     Refinement reached_;
 };
+
+/// The picture of a film, measured in these passes. `begin`: when the picture began, by wall_seconds().
+template <TileExecutor Executor>
+Picture render_film(Executor& executor, Film& film, std::vector<Pass> passes, const RenderOptions& options,
+                    double begin) {
+    ScheduleRun run(executor, std::move(passes), options.cancel, options.progress);
+    run.run(no_deadline);
+    Picture picture;
+    film.move_to(picture);
+    picture.complete = run.is_finished();
+    run.add_stats(picture.stats);
+    picture.stats.wall_seconds = wall_seconds() - begin;
+    return picture;
+}
 
 } // namespace glint::rendering

@@ -217,12 +217,13 @@ void start_terms(const glm::vec3& ambient_light, Wave wave, PathStates& states) 
     });
 }
 
-std::size_t spawn_shadow_rays(const LightRecord& light, Wave wave, PathStates& states) {
+std::size_t spawn_shadow_rays(const WhittedModes& modes, const LightRecord& light, Wave wave,
+                              PathStates& states) {
     std::size_t count = 0;
     for_vectors(wave, [&](std::size_t i) {
         const SurfaceRecord s = surfaces_of(states, i);
         const LightArrival arrival = light_arrival(light, s);
-        const truth reached = is_worth_shadow_ray(stored_materials(states, i), arrival);
+        const truth reached = is_worth_shadow_ray(modes, s, stored_materials(states, i), arrival);
         store(arrival.direction, states.to_light, i);
         store(pick(reached, arrival.arriving, vec3(0.0f)), states.arriving, i);
         count += hn::CountTrue(RealTag(), reached.m);
@@ -254,27 +255,33 @@ void limit_terms(const WhittedModes& modes, Wave wave, PathStates& states) {
     for_vectors(wave, [&](std::size_t i) { store(limited_terms(modes, local_terms(states, i)), states, i); });
 }
 
-std::size_t spawn_reflected(const WhittedModes& modes, Wave wave, std::size_t next, PathStates& states) {
+Branches spawn_reflected(const WhittedModes& modes, float min_weight, Wave wave, std::size_t next,
+                         PathStates& states) {
     const std::size_t first = next;
+    std::size_t mirrors = 0;
     for_vectors(wave, [&](std::size_t i) {
         const MaterialRecord m = stored_materials(states, i);
         const truth mirror = m.reflectivity > 0.0f && !(m.transparency > 0.0f);
         if (!any_lane(mirror)) return;
         store(weighted_terms(local_terms(states, i), pick(mirror, local_weight(modes, m), 1.0f)), states, i);
         const RayGroups rays(reflected_ray(surfaces_of(states, i)));
-        // Each is written behind the last; what does not go on is written over.
-        alignas(64) float goes_on[lane_count];
-        lanes::store(pick(mirror, 1.0f, 0.0f), goes_on);
+        const vec3 weights = load(states.weights, i) * m.reflectivity;
+        // Each is written behind the last; what is not followed is written over.
+        alignas(64) float followed[lane_count];
+        lanes::store(pick(mirror && is_worth_following(weights, min_weight), 1.0f, 0.0f), followed);
+        mirrors += hn::CountTrue(RealTag(), mirror.m);
         for (std::size_t k = 0; k < lane_count; ++k) {
             rays.copy(k, states.rays[next]);
             states.interiors[next] = states.interiors[i + k];
             states.parents[next] = static_cast<std::uint32_t>(i + k);
             states.parent_terms[next] = Term::reflection;
             states.parent_weights[next] = states.materials[i + k]->reflectivity;
-            next += goes_on[k] != 0.0f ? 1 : 0;
+            for (PathStates::Numbers& row : states.weights)
+                row[next] = row[i + k] * states.parent_weights[next];
+            next += followed[k] != 0.0f ? 1 : 0;
         }
     });
-    return next - first;
+    return {next - first, mirrors - (next - first)};
 }
 
 void sum_terms(Wave wave, PathStates& states) {

@@ -2,8 +2,10 @@
 
 #include "scene/bake.h"
 
+#include "glint/limits.h"
+#include "scene/names.h"
 #include "scene/shapes/shapes.h"
-#include "scene/validate.h"
+#include "scene/wide_meshes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +16,8 @@ namespace {
 class Baker {
   public:
     Baker(const SceneDescription& description, bool need_closedness, const std::function<void()>& between)
-        : scene_(description), between_(between), meshes_(need_closedness, between, baked_) {
+        : scene_(description), names_(description), between_(between),
+          meshes_(need_closedness, between, baked_) {
         baked_.objects.resize(description.objects.size());
     }
 
@@ -24,6 +27,7 @@ class Baker {
             between_();
             bake_object(static_cast<std::uint32_t>(i));
         }
+        mark_wide_meshes(baked_);
         return std::move(baked_);
     }
 
@@ -40,17 +44,19 @@ class Baker {
 
     void bake_object(std::uint32_t id) {
         const Object& object = scene_.objects[id];
-        const Material* material = material_of(scene_, object);
+        const Material* material = names_.material_of(object);
         baked_.objects[id].material = static_cast<std::uint32_t>(material - scene_.materials.data());
         if (!object.visible) return;
-        ShapeBaker parts(scene_, object, id, baked_, meshes_);
+        ShapeBaker parts(names_, object, id, baked_, meshes_);
         std::visit(
             [&](const auto& shape) {
                 baked_.objects[id].solid = has_inside(shape);
                 glint::scene::bake(shape, parts);
             },
             object.shape);
-        check_bounds(object, baked_.objects[id].bounds);
+        ObjectData& data = baked_.objects[id];
+        if (data.core.empty()) data.core = data.bounds;
+        check_bounds(object, data.bounds);
     }
 
     void check_bounds(const Object& object, const Bounds& bounds) const {
@@ -62,6 +68,7 @@ class Baker {
     }
 
     const SceneDescription& scene_;
+    NameIndex names_;
     const std::function<void()>& between_;
     Baked baked_;
     MeshBaker meshes_;

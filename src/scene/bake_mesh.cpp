@@ -3,6 +3,8 @@
 #include "scene/bake_mesh.h"
 
 #include "geometry/mesh.h"
+#include "geometry/point_cloud.h"
+#include "math/trig.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -20,23 +22,12 @@ double max_stretch(const dmat4& m) {
     return std::sqrt(std::max({glm::dot(x, x), glm::dot(y, y), glm::dot(z, z)}));
 }
 
-dmat4 with_scale(const dmat4& transform, const Vec3& scale) {
+// From the stored positions: the mesh's origin, its scale, then the transform.
+dmat4 with_own_space(const dmat4& transform, const MeshShape& s) {
     dmat4 m = transform;
-    for (int c = 0; c < 3; ++c) m[c] *= scale[c];
+    for (int c = 0; c < 3; ++c) m[c] *= s.scale[c];
+    m[3] = m * dvec4(s.data->origin, 1);
     return m;
-}
-
-// Half the spacing of the points if they were evenly distributed on the sides of their box.
-double default_point_radius(const std::vector<vec3>& points) {
-    Bounds bounds;
-    for (const vec3& p : points) bounds.grow(p);
-    if (points.empty()) return 1;
-    const dvec3 d(bounds.extent());
-    const double area = 2 * (d.x * d.y + d.y * d.z + d.z * d.x);
-    const double spacing = std::sqrt(area / static_cast<double>(points.size()));
-    if (spacing > 0) return spacing / 2;
-    const double length = std::max({d.x, d.y, d.z});
-    return length > 0 ? length / (2.0 * static_cast<double>(points.size())) : 1;
 }
 
 std::vector<vec3> transformed_positions(const std::vector<vec3>& positions, const dmat4& m) {
@@ -63,12 +54,24 @@ Normals own(std::vector<vec3> normals) {
     return std::make_shared<const std::vector<vec3>>(std::move(normals));
 }
 
-// Normals in the mesh's own space, or none; every object that shows the mesh transforms these.
-Normals normals_of(const MeshShape& s) {
-    if (s.normals == NormalsMode::smooth)
-        return own(geometry::smooth_normals(s.data->positions, s.data->triangles));
-    if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return nullptr;
-    return Normals(s.data, &s.data->normals);
+// Normals in the mesh's own space, or none; every object that shows the mesh transforms these. The mesh for
+// indices and colours is the object's, or one whose vertices are split at creases.
+MeshAttributes with_smooth_normals(const MeshShape& s) {
+    const Mesh& mesh = *s.data;
+    if (s.crease_angle >= 180) return {own(geometry::smooth_normals(mesh.positions, mesh.triangles)), s.data};
+    geometry::CreasedMesh creased =
+        geometry::split_at_creases(mesh.positions, mesh.triangles, cos_degrees(s.crease_angle));
+    auto split = std::make_shared<Mesh>();
+    split->triangles = std::move(creased.triangles);
+    if (!mesh.colors.empty())
+        for (const std::uint32_t vertex : creased.source) split->colors.push_back(mesh.colors[vertex]);
+    return {own(std::move(creased.normals)), std::move(split)};
+}
+
+MeshAttributes attributes_of(const MeshShape& s) {
+    if (s.normals == NormalsMode::smooth) return with_smooth_normals(s);
+    if (s.normals != NormalsMode::automatic || s.data->normals.empty()) return {nullptr, s.data};
+    return {Normals(s.data, &s.data->normals), s.data};
 }
 
 // Bounds of the vertices used by faces; others need not even be finite.
@@ -80,6 +83,10 @@ Bounds bounds_of_used(const std::vector<vec3>& positions, const std::vector<uvec
 }
 
 } // namespace
+
+double point_radius(const MeshShape& s) {
+    return s.point_radius ? *s.point_radius : geometry::default_point_radius(s.data->positions);
+}
 
 Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi) {
     Bounds bounds;
@@ -105,7 +112,7 @@ MeshBaker::MeshBaker(bool need_closedness, const std::function<void()>& between,
 
 void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t id, BakedAs how) {
     const auto& s = std::get<MeshShape>(source.shape);
-    const dmat4 m = with_scale(transform, s.scale);
+    const dmat4 m = with_own_space(transform, s);
     if (s.data->triangles.empty()) return bake_points(s, m, id);
     baked_.objects[id].lit_as_stored = s.facing == Facing::stored;
     if (how == BakedAs::instance) return add_instance(shared(source), m, id);
@@ -113,18 +120,21 @@ void MeshBaker::bake(const Object& source, const dmat4& transform, std::uint32_t
 }
 
 void MeshBaker::bake_points(const MeshShape& s, const dmat4& m, std::uint32_t id) {
-    const double radius = s.point_radius ? *s.point_radius : default_point_radius(s.data->positions);
+    ObjectData& object = baked_.objects[id];
+    const Bounds kept = geometry::cloud_without_outliers(s.data->positions);
+    const double radius = point_radius(s);
     const double stretched = radius * max_stretch(m);
     std::uint32_t prim = 0;
     for (const vec3& p : s.data->positions) {
         const dvec3 center = transform_point(m, dvec3(p));
         baked_.input.quadrics.push_back({id, prim++, geometry::make_sphere(center, stretched), -1});
-        baked_.objects[id].bounds.grow(vec3(center - stretched));
-        baked_.objects[id].bounds.grow(vec3(center + stretched));
+        const Bounds ball{vec3(center - stretched), vec3(center + stretched)};
+        object.bounds.grow(ball);
+        if (kept.contains(p)) object.core.grow(ball);
     }
-    baked_.objects[id].solid = true;
+    object.solid = true;
     if (s.vertex_colors == VertexColors::automatic && !s.data->colors.empty())
-        baked_.objects[id].attributes = add_attributes(s, nullptr);
+        object.attributes = add_attributes(s, {nullptr, s.data});
 }
 
 void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) {
@@ -132,9 +142,10 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     triangles.positions = transformed_positions(s.data->positions, m);
     triangles.triangles = s.data->triangles;
     between_();
-    Normals normals = normals_of(s);
-    if (normals) normals = own(transformed_normals(*normals, normal_matrix_of(m)));
-    baked_.objects[id].attributes = add_attributes(s, std::move(normals));
+    MeshAttributes attributes = attributes_of(s);
+    if (attributes.normals)
+        attributes.normals = own(transformed_normals(*attributes.normals, normal_matrix_of(m)));
+    baked_.objects[id].attributes = add_attributes(s, std::move(attributes));
     between_();
     const bool closed = need_closedness_ && geometry::is_closed(triangles.positions, triangles.triangles);
     between_();
@@ -142,10 +153,10 @@ void MeshBaker::bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id) 
     if (mirrors(m)) baked_.objects[id].turned = !baked_.objects[id].turned;
 }
 
-std::int32_t MeshBaker::add_attributes(const MeshShape& s, Normals normals) {
-    const bool colored = s.vertex_colors == VertexColors::automatic && !s.data->colors.empty();
-    if (normals == nullptr && !colored) return no_attributes;
-    baked_.attributes.push_back({std::move(normals), s.data, colored});
+std::int32_t MeshBaker::add_attributes(const MeshShape& s, MeshAttributes attributes) {
+    attributes.colored = s.vertex_colors == VertexColors::automatic && !s.data->colors.empty();
+    if (attributes.normals == nullptr && !attributes.colored) return no_attributes;
+    baked_.attributes.push_back(std::move(attributes));
     return static_cast<std::int32_t>(baked_.attributes.size()) - 1;
 }
 
@@ -162,7 +173,7 @@ const MeshBaker::Shared& MeshBaker::shared(const Object& source) {
     shared.closed = need_closedness_ && geometry::is_closed(mesh.positions, mesh.triangles);
     between_();
     if (shared.closed) shared.volume = geometry::signed_volume(mesh.positions, mesh.triangles);
-    shared.attributes = add_attributes(s, normals_of(s));
+    shared.attributes = add_attributes(s, attributes_of(s));
     return shared_.emplace(&source, shared).first->second;
 }
 

@@ -9,6 +9,9 @@ namespace glint::scene {
 
 inline dvec3 transform_point(const dmat4& m, const dvec3& p) { return dvec3(m * dvec4(p, 1.0)); }
 
+/// Radius of the spheres that show the points of a mesh without faces, before its scale.
+double point_radius(const MeshShape& s);
+
 /// Bounds of a transformed box.
 Bounds transform_box(const dmat4& m, const dvec3& lo, const dvec3& hi);
 
@@ -25,7 +28,8 @@ class MeshBaker {
 
     enum class BakedAs { triangles, instance };
 
-    /// Adds the mesh of object `source` as object `id`, transformed by its own scale, then by `transform`.
+    /// Adds the mesh of object `source` as object `id`, transformed by its own origin and scale, then by
+    /// `transform`.
     void bake(const Object& source, const dmat4& transform, std::uint32_t id, BakedAs how);
 
   private:
@@ -42,7 +46,7 @@ class MeshBaker {
     void bake_once(const MeshShape& s, const dmat4& m, std::uint32_t id);
     const Shared& shared(const Object& source);
     void add_instance(const Shared& mesh, const dmat4& m, std::uint32_t id);
-    std::int32_t add_attributes(const MeshShape& s, std::shared_ptr<const std::vector<vec3>> normals);
+    std::int32_t add_attributes(const MeshShape& s, MeshAttributes attributes);
 
     bool need_closedness_;
     const std::function<void()>& between_;

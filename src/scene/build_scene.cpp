@@ -2,8 +2,12 @@
 
 #include "scene/build_scene.h"
 
+#include "glint/limits.h"
+#include "math/far_origin.h"
 #include "math/trig.h"
 #include "scene/bake.h"
+#include "scene/contacts.h"
+#include "scene/names.h"
 #include "scene/validate.h"
 
 #include <algorithm>
@@ -80,30 +84,40 @@ void build_lights(SceneData& scene) {
     scene.ambient = vec3(ambient);
 }
 
-// Counts the hits of each object along a ray; returns false if one is so near an edge that the parity is
-// unreliable.
-bool count_crossings(const SceneData& scene, const Ray& ray, std::vector<int>& counts) {
-    std::vector<Hit> hits;
-    scene.world.all_hits(ray, hits);
-    bool sure = true;
-    for (const Hit& hit : hits) {
-        if (hit.on_edge) sure = false;
-        if (hit.kind != PrimKind::plane) ++counts[hit.object];
+/// Moves everything that has a position.
+void move(SceneDescription& description, const dvec3& by) {
+    dmat4 there(1.0), back(1.0);
+    there[3] = dvec4(by, 1);
+    back[3] = dvec4(-by, 1);
+    for (Object& object : description.objects) {
+        // An instance is transformed after its mesh, which is moved too.
+        const bool instance = std::holds_alternative<InstanceShape>(object.shape);
+        object.transform = there * object.transform * (instance ? back : dmat4(1.0));
     }
-    return sure;
+    const auto move_light = [&](auto& light) {
+        if constexpr (requires { light.position; }) light.position += by;
+    };
+    for (Light& light : description.lights) std::visit(move_light, light.kind);
+    description.camera->eye += by;
 }
 
 } // namespace
 
 bool shows_glass(const SceneDescription& description) {
+    const NameIndex names(description);
     return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
-        return object.visible && material_of(description, object)->transparency > 0;
+        return object.visible && names.material_of(object)->transparency > 0;
     });
 }
 
-void choose_camera(SceneData& scene) {
-    scene.has_own_camera = scene.description.camera.has_value();
-    if (!scene.has_own_camera) scene.description.camera = fit_camera(scene.description);
+void set_description(SceneData& scene, const SceneDescription& description) {
+    scene.has_own_camera = description.camera.has_value();
+    scene.description = description;
+    if (!scene.has_own_camera) scene.description.camera = fit_camera(description);
+    scene.given = nullptr;
+    if (scene.origin == dvec3(0)) return;
+    scene.given = std::make_shared<SceneDescription>(scene.description);
+    move(scene.description, -scene.origin);
 }
 
 void build_values(SceneData& scene) {
@@ -129,20 +143,24 @@ void find_camera_interiors(SceneData& scene) {
 }
 
 std::vector<std::uint32_t> surfaces_around(const SceneData& scene, const vec3& point) {
-    // Arbitrary directions; the first ray that hits no edge decides.
+    // Arbitrary directions; the first ray that hits no edge decides: at edges the parity is unreliable.
     constexpr int tries = 8;
-    std::vector<int> counts;
+    std::vector<Hit> hits;
     for (int i = 0; i < tries; ++i) {
         const float k = static_cast<float>(i);
-        counts.assign(scene.objects.size(), 0);
         Ray ray;
         ray.origin = point;
         ray.direction = vec3(0.5377f + 0.0713f * k, 0.2917f - 0.1291f * k, 0.7825f - 0.0519f * k);
-        if (count_crossings(scene, ray, counts)) break;
+        scene.world.all_hits(ray, hits);
+        if (std::none_of(hits.begin(), hits.end(), [](const Hit& hit) { return hit.on_edge; })) break;
     }
+    std::erase_if(hits, [](const Hit& hit) { return hit.kind == PrimKind::plane; });
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.object < b.object; });
     std::vector<std::uint32_t> around;
-    for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
-        if (counts[id] % 2 != 0) around.push_back(id);
+    for (auto first = hits.begin(), next = first; first != hits.end(); first = next) {
+        next = std::find_if(first, hits.end(), [&](const Hit& hit) { return hit.object != first->object; });
+        if ((next - first) % 2 != 0) around.push_back(first->object);
+    }
     return around;
 }
 
@@ -179,18 +197,38 @@ void report(const BuildSceneOptions& options, const char* activity, double fract
     if (options.progress) options.progress({activity, fraction});
 }
 
+/// Bakes about zero, and about an origin in the scene if that turns out to lie far from zero.
+Baked bake_about_origin(SceneData& scene, const SceneDescription& description,
+                        const BuildSceneOptions& options) {
+    set_description(scene, description);
+    const auto bake_all = [&] {
+        return bake(scene.description, scene.solids_known, [&] { check_cancel(options); });
+    };
+    Baked baked = bake_all();
+    // Bounds in single precision give an origin that is nearer, but not always near.
+    for (int i = 0; i < 3; ++i) {
+        Bounds core;
+        for (const ObjectData& object : baked.objects) core.grow(object.core);
+        const dvec3 step = far_origin(core);
+        if (step == dvec3(0)) break;
+        scene.origin += step;
+        set_description(scene, description);
+        baked = {}; // its memory is needed
+        baked = bake_all();
+    }
+    return baked;
+}
+
 std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
                                            const BuildSceneOptions& options) {
     report(options, "checking the scene", 0);
     require_valid(description);
     auto scene = std::make_shared<SceneData>();
-    scene->description = description;
-    choose_camera(*scene);
-    build_values(*scene);
 
     report(options, "placing the objects", 0);
-    scene->solids_known = scene->any_transparent || options.find_solids;
-    Baked baked = bake(description, scene->solids_known, [&] { check_cancel(options); });
+    scene->solids_known = shows_glass(description) || options.find_solids;
+    Baked baked = bake_about_origin(*scene, description, options);
+    build_values(*scene);
     scene->objects = std::move(baked.objects);
     scene->attributes = std::move(baked.attributes);
     scene->normal_matrices = std::move(baked.normal_matrices);
@@ -202,6 +240,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
     baked.input.quality = quality_for(description, baked.input);
     scene->world = World(std::move(baked.input), pool);
     report(options, "building the trees", 1);
+    find_contacts(*scene, pool);
     find_camera_interiors(*scene);
     return scene;
 }
@@ -213,6 +252,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
 namespace glint {
 
 Scene build_scene(const SceneDescription& description, const BuildSceneOptions& options) {
+    require_memory(build_memory(description), "building the scene", "use meshes of fewer triangles");
     try {
         return Scene(scene::make_scene_data(description, options));
     } catch (const parallel::TasksCancelled&) {
@@ -234,14 +274,16 @@ SceneStats Scene::stats() const {
     stats.tree_depth = world.depth;
     if (world.triangles > 0) stats.tree_quality = world.quality == BuildQuality::fast ? "fast" : "high";
     stats.bytes = world.bytes;
-    stats.bounds_min = Vec3(bounds.lo);
-    stats.bounds_max = Vec3(bounds.hi);
+    stats.bounds_min = data_->origin + Vec3(bounds.lo);
+    stats.bounds_max = data_->origin + Vec3(bounds.hi);
     return stats;
 }
 
-const SceneDescription& Scene::description() const { return data_->description; }
+const SceneDescription& Scene::description() const {
+    return data_->given ? *data_->given : data_->description;
+}
 
-const CameraDescription& Scene::camera() const { return *data_->description.camera; }
+const CameraDescription& Scene::camera() const { return *description().camera; }
 
 bool Scene::has_own_camera() const { return data_->has_own_camera; }
 

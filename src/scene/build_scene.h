@@ -8,8 +8,9 @@ namespace glint::scene {
 /// Whether a visible object is transparent.
 bool shows_glass(const SceneDescription& description);
 
-/// Keeps the camera of the description, or chooses one.
-void choose_camera(SceneData& scene);
+/// Sets the description, as given and about the origin that the scene has, with its camera or one that is
+/// chosen.
+void set_description(SceneData& scene, const SceneDescription& description);
 
 /// Sets materials, lights and everything else that does not depend on objects.
 void build_values(SceneData& scene);

@@ -20,6 +20,12 @@ Mat4 upright(Axis up) {
         return Mat4(0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1);
     case Axis::y:
         return Mat4(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1);
+    case Axis::minus_x:
+        return Mat4(0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1);
+    case Axis::minus_y:
+        return Mat4(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+    case Axis::minus_z:
+        return Mat4(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
     case Axis::z:
         break;
     }
@@ -115,15 +121,19 @@ Object preview_mesh(std::shared_ptr<const Mesh> mesh, const std::string& file, A
 
 SceneDescription preview_scene(std::shared_ptr<const Mesh> mesh, const std::string& file, Axis up,
                                bool floor) {
-    if (!mesh || !support(*mesh, dvec3(0, 0, 1))) {
+    return preview_scene(preview_mesh(std::move(mesh), file, up), floor);
+}
+
+SceneDescription preview_scene(Object mesh, bool floor) {
+    const auto& shape = std::get<MeshShape>(mesh.shape);
+    if (!shape.data || !support(*shape.data, dvec3(0, 0, 1))) {
         throw Error(ErrorKind::input, "the mesh has nothing to show: no vertex that is finite and used",
-                    "give a mesh with faces or points", {file, 0, 0, {}});
+                    "give a mesh with faces or points", {shape.file, 0, 0, {}});
     }
     SceneDescription scene;
-    add_materials(scene, *mesh);
-    scene.objects.push_back(preview_mesh(mesh, file, up));
+    add_materials(scene, *shape.data);
+    scene.objects.push_back(std::move(mesh));
     const Extent extent = extent_of(scene);
-    if (extent.lo == extent.hi) std::get<MeshShape>(scene.objects[0].shape).point_radius = extent.radius / 2;
 
     // Looking down by more than half the field of view keeps the horizon above the picture.
     scene.framing.fov = 30;

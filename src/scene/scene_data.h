@@ -27,6 +27,14 @@ struct MeshAttributes {
 inline constexpr std::int32_t no_attributes = -1;
 inline constexpr std::int32_t no_normal_matrix = -1;
 
+/// Where an object's surface may coincide with that of another, for most objects nowhere; and how far apart
+/// the two are there, but for the rounding of points.
+struct ContactZone {
+    Bounds box;
+    float apart = 0;
+    float reach = 0; ///< as in last_coincident_t()
+};
+
 /// Parallel to SceneDescription::objects.
 struct ObjectData {
     std::uint32_t material = 0;
@@ -36,6 +44,8 @@ struct ObjectData {
     bool turned =
         false;     ///< normals are opposite to those by the winding as stored, carried along by the transform
     Bounds bounds; ///< world space; empty for planes and invisible objects
+    ContactZone contact;
+    Bounds core; ///< the same, without the outliers of a point cloud
     std::int32_t attributes = no_attributes;
     std::int32_t normal_matrix = no_normal_matrix; ///< index into SceneData::normal_matrices
 };
@@ -47,8 +57,12 @@ struct HalfSpace {
 };
 
 struct SceneData {
-    SceneDescription description; ///< as given, with its camera filled in
-    bool has_own_camera = false;  ///< before that
+    /// The world is traced about this point of the scene: zero, unless the scene lies far from zero compared
+    /// with its size. All positions here are relative to it, except for those of `given`.
+    dvec3 origin{0};
+    SceneDescription description;                  ///< with its camera filled in
+    std::shared_ptr<const SceneDescription> given; ///< the same as given; null if the origin is zero
+    bool has_own_camera = false;                   ///< before it was filled in
     /// Identifies everything but the view: equal for scenes made from each other by with_view().
     std::shared_ptr<const int> all_but_view;
     trace::World world;
@@ -61,6 +75,7 @@ struct SceneData {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
+    bool any_contact = false;  ///< some object has a contact zone
     bool solids_known = false; ///< ObjectData::solid is valid for meshes too
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first

@@ -9,8 +9,8 @@
 namespace glint::scene {
 
 /// The maximum of d · p over the visible, finite objects; d may have any length. None if there is no such
-/// object. Ignores points that are not finite and vertices without faces. Exact except for polyhedra other
-/// than boxes, for which the circumscribed sphere or cylinder is used.
+/// object. Ignores points that are not finite, outliers of point clouds and vertices without faces. Exact
+/// except for polyhedra other than boxes, for which the circumscribed sphere or cylinder is used.
 std::optional<double> support(const SceneDescription& description, const dvec3& d);
 
 /// Support function of one object; instances look up their mesh in `description`.

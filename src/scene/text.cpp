@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace glint::scene {
 
@@ -15,6 +16,14 @@ std::string show(double x) {
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, x);
     return {buffer, end.ptr};
+}
+
+std::string show(const glm::dvec3& v) { return show(v.x) + ", " + show(v.y) + ", " + show(v.z); }
+
+std::string rounded(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, std::abs(number) < 10 ? "%.2g" : "%.0f", number);
+    return text;
 }
 
 std::string in_quotes(std::string_view text) {
@@ -45,12 +54,6 @@ std::string lower_case(std::string_view text) {
     for (char& c : lower)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     return lower;
-}
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
-                         std::string otherwise) {
-    const auto nearest = nearest_name(std::string(word), candidates);
-    return nearest ? "did you mean " + in_quotes(*nearest) + "?" : otherwise;
 }
 
 } // namespace glint::scene

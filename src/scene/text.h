@@ -1,6 +1,8 @@
 #pragma once
 // Text of messages about values and scene files.
 
+#include <glm/vec3.hpp>
+
 #include <charconv>
 #include <optional>
 #include <string>
@@ -12,6 +14,8 @@ namespace glint::scene {
 
 /// The shortest text that reads back as x: "0.1", "4", "nan".
 std::string show(double x);
+/// The same of three numbers, separated by commas.
+std::string show(const glm::dvec3& v);
 
 /// "word" between quotes, as one short line: control characters become '?', long text ends in "…".
 std::string in_quotes(std::string_view text);
@@ -19,9 +23,8 @@ std::string in_quotes(std::string_view text);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words, std::string_view separator = ", ");
 
-/// "did you mean "glass"?", or `otherwise` where no candidate is near.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
-                         std::string otherwise = {});
+/// A number with about two digits: "0.25", "1.2", "1234".
+std::string rounded(double number);
 
 /// With the letters of ASCII in lower case.
 std::string lower_case(std::string_view text);

@@ -5,6 +5,7 @@
 #include "glint/scene.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
+#include "scene/names.h"
 #include "scene/shapes/shapes.h"
 #include "scene/text.h"
 
@@ -18,11 +19,11 @@ namespace {
 
 class Checker {
   public:
-    explicit Checker(const SceneDescription& description) : scene_(description) {}
+    explicit Checker(const SceneDescription& description) : scene_(description), names_(description) {}
 
     std::vector<Diagnostic> run(Shapes shapes) {
-        check_keys("render", scene_.render, {});
-        check_keys("whitted", scene_.whitted, {});
+        for_settings(scene_,
+                     [&](std::string_view name, const auto& settings) { check_keys(name, settings, {}); });
         if (scene_.camera) check_camera(*scene_.camera);
         for (const Material& material : scene_.materials) check_material(material);
         for (const Object& object : scene_.objects) check_object(object, shapes);
@@ -68,7 +69,7 @@ class Checker {
     }
 
     void check_object(const Object& object, Shapes shapes) {
-        if (material_of(scene_, object) == nullptr) fail_material(object);
+        if (names_.material_of(object) == nullptr) fail_material(object);
         if (shapes == Shapes::checked) return;
         const std::size_t before = found_.size();
         check_keys(name_of(object.shape), object, object.where);
@@ -89,7 +90,7 @@ class Checker {
         if (s.data != nullptr) check_indices(*s.data, o);
     }
     void check_shape(const InstanceShape& s, const Object& o) {
-        require(find_mesh(scene_, s.mesh) != nullptr, o.where, "the instance names no mesh of the scene",
+        require(names_.mesh(s.mesh) != nullptr, o.where, "the instance names no mesh of the scene",
                 "give the mesh a name and use that");
     }
     template <class Other>
@@ -140,6 +141,7 @@ class Checker {
     }
 
     const SceneDescription& scene_;
+    NameIndex names_;
     std::vector<Diagnostic> found_;
 };
 
@@ -152,23 +154,6 @@ std::vector<Diagnostic> find_errors(const SceneDescription& description, Shapes 
 void require_valid(const SceneDescription& description, Shapes shapes) {
     std::vector<Diagnostic> errors = find_errors(description, shapes);
     if (!errors.empty()) throw Error(ErrorKind::input, std::move(errors));
-}
-
-const Object* find_mesh(const SceneDescription& description, const std::string& name) {
-    for (const Object& object : description.objects)
-        if (object.name == name && std::holds_alternative<MeshShape>(object.shape)) return &object;
-    return nullptr;
-}
-
-const Material* material_of(const SceneDescription& description, const Object& object) {
-    std::string name = object.material;
-    if (const auto* instance = std::get_if<InstanceShape>(&object.shape); instance && name.empty()) {
-        const Object* mesh = find_mesh(description, instance->mesh);
-        if (mesh != nullptr) name = mesh->material;
-    }
-    for (const Material& m : description.materials)
-        if (m.name == name) return &m;
-    return nullptr;
 }
 
 } // namespace glint::scene

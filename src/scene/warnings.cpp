@@ -1,11 +1,15 @@
 // Warnings about valid but suspicious scenes.
 
 #include "geometry/mesh.h"
+#include "geometry/point_cloud.h"
 #include "glint/keys.h"
 #include "math/trig.h"
-#include "scene/overlaps.h"
+#include "scene/hidden_solids.h"
+#include "scene/names.h"
 #include "scene/scene_data.h"
+#include "scene/text.h"
 #include "scene/validate.h"
+#include "scene/walls.h"
 #include "shading/light_gain.h"
 
 #include <glm/vector_relational.hpp>
@@ -13,33 +17,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <numbers>
 
 namespace glint {
 namespace {
 
-std::string title(const Object& object) {
-    const std::string type(name_of(object.shape));
-    return object.name.empty() ? type : type + " \"" + object.name + "\"";
-}
-
-std::string rounded(double x) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.2g", x);
-    return number;
-}
-
 class WarningFinder {
   public:
-    explicit WarningFinder(const scene::SceneData& scene) : scene_(scene), description_(scene.description) {}
+    explicit WarningFinder(const scene::SceneData& scene)
+        : scene_(scene), description_(scene.description), numbers_(object_numbers(description_)) {}
 
     std::vector<Diagnostic> run() {
-        check_lights();
+        if (description_.render.integrator == Integrator::whitted) check_lights();
         check_camera();
+        check_walls();
         check_precision();
-        for (const Material& m : description_.materials) check_gain(m);
-        check_open_glass();
-        if (scene_.any_transparent) check_overlaps();
-        check_branching();
+        check_framing();
+        if (description_.render.integrator == Integrator::whitted) check_light_model();
         return std::move(found_);
     }
 
@@ -48,8 +43,19 @@ class WarningFinder {
         found_.push_back({Severity::warning, where, std::move(message), std::move(hint), {}});
     }
     const Object& object(std::uint32_t id) const { return description_.objects[id]; }
+    std::string title(const Object& object) const {
+        return object_label(object,
+                            numbers_[static_cast<std::size_t>(&object - description_.objects.data())]);
+    }
     bool glass(std::uint32_t id) const {
         return object(id).visible && scene_.materials[scene_.objects[id].material].transparency > 0;
+    }
+
+    void check_light_model() {
+        for (const Material& m : description_.materials) check_gain(m);
+        check_open_glass();
+        if (scene_.any_transparent) check_hidden();
+        check_branching();
     }
 
     void check_lights() {
@@ -58,33 +64,57 @@ class WarningFinder {
                                            [](const Material& m) { return m.emission != Vec3(0); });
             if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
         }
-        for (const Light& light : description_.lights) {
+        for (std::size_t i = 0; i < description_.lights.size(); ++i) {
+            const Light& light = description_.lights[i];
             const KeySpec* position = find_key(description_table("light"), "position", name_of(light));
-            if (position) check_inside(std::get<Vec3>(position->get(KeyOwner(light))), light.where);
+            if (position) check_inside(std::get<Vec3>(position->get(KeyOwner(light))), i);
         }
     }
 
     // Without glass it is not known which meshes are closed: find out for those around the position.
-    std::vector<std::uint32_t> everything_around(const Vec3& position) const {
+    std::vector<std::uint32_t> everything_around(const Vec3& position) {
         std::vector<std::uint32_t> around = scene::objects_around(scene_, vec3(position));
         if (scene_.any_transparent) return around;
         for (const std::uint32_t id : scene::surfaces_around(scene_, vec3(position)))
-            if (const Mesh* mesh = mesh_of(id);
-                mesh != nullptr && geometry::is_closed(mesh->positions, mesh->triangles))
-                around.push_back(id);
+            if (const Mesh* mesh = mesh_of(id); mesh != nullptr && is_closed(*mesh)) around.push_back(id);
         return around;
+    }
+    bool is_closed(const Mesh& mesh) {
+        const auto [known, is_new] = closed_.try_emplace(&mesh);
+        if (is_new) known->second = geometry::is_closed(mesh.positions, mesh.triangles);
+        return known->second;
     }
     const Mesh* mesh_of(std::uint32_t id) const {
         if (const auto* mesh = std::get_if<MeshShape>(&object(id).shape)) return mesh->data.get();
         const auto* instance = std::get_if<InstanceShape>(&object(id).shape);
         if (instance == nullptr) return nullptr;
-        return std::get<MeshShape>(scene::find_mesh(description_, instance->mesh)->shape).data.get();
+        return std::get<MeshShape>(names_.mesh(instance->mesh)->shape).data.get();
     }
 
-    void check_inside(const Vec3& position, const Location& where) {
+    // The light of a lamp in glass shines through it.
+    void check_inside(const Vec3& position, std::size_t light) {
+        const bool shines_through = description_.whitted.shadows == Shadows::transmissive;
         for (const std::uint32_t id : everything_around(position))
-            warn(where, "the light is inside " + title(object(id)),
-                 "what is outside will be in its shadow; move the light out if that is not meant");
+            if (!glass(id) || !shines_through)
+                warn(description_.lights[light].where,
+                     light_label(description_, light) + " is inside " + title(object(id)),
+                     "what is outside will be in its shadow; move the light out if that is not meant");
+    }
+
+    void check_walls() {
+        if (const auto wall = scene::wall_before_camera(scene_))
+            warn(description_.camera->where, "the camera sees nothing but " + title(object(*wall)),
+                 "it hides the objects behind it; move the camera to their side");
+        std::vector<std::size_t> numbers; // of the lights that scene_.lights has
+        for (std::size_t i = 0; i < description_.lights.size(); ++i)
+            if (!std::holds_alternative<AmbientLight>(description_.lights[i].kind)) numbers.push_back(i);
+        for (const scene::ShutLight& shut : scene::lights_behind_walls(scene_)) {
+            const std::size_t light = numbers[shut.light];
+            warn(description_.lights[light].where,
+                 light_label(description_, light) +
+                     " lights nothing that the camera sees: " + title(object(shut.wall)) + " is in between",
+                 "move the light to the camera's side of it");
+        }
     }
 
     void check_camera() {
@@ -92,25 +122,57 @@ class WarningFinder {
         for (const std::uint32_t id : everything_around(camera.eye))
             warn(camera.where, "the camera is inside " + title(object(id)),
                  "move it out if that is not meant");
+        if (scene_.has_own_camera && camera.fov <= std::numbers::pi && camera.fov != std::floor(camera.fov))
+            warn(camera.where, "a field of view of " + scene::show(camera.fov) + "° is very narrow",
+                 "fov is in degrees; " + scene::show(camera.fov) + " radians are " +
+                     scene::rounded(camera.fov * 180 / std::numbers::pi) + "°");
     }
 
-    // Coordinates have single precision: far from the origin their steps exceed what a pixel shows.
+    // Single precision rounds coordinates about the origin of the world, double those of the scene.
     void check_precision() {
+        constexpr double visible = 0.1; // pixels
         const CameraDescription& camera = *description_.camera;
         const RenderSettings& r = description_.render;
         const double a_pixel = 2 * tan_degrees(camera.fov / 2) / fov_side(camera.fov_axis, r.width, r.height);
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-            const Bounds& box = scene_.objects[id].bounds;
+            const Bounds& box = scene_.objects[id].core;
             if (box.empty()) continue;
             const dvec3 middle = (dvec3(box.lo) + dvec3(box.hi)) / 2.0;
-            const dvec3 far = glm::abs(middle);
-            const double step = std::max({far.x, far.y, far.z}) * 0x1p-23;
-            const double pixels = step / (glm::length(middle - camera.eye) * a_pixel);
-            if (!(pixels > 1)) continue;
+            const double radius = glm::length(dvec3(box.extent())) / 2;
+            const double error =
+                (largest(middle) + largest(camera.eye)) * 0x1p-24 + largest(middle + scene_.origin) * 0x1p-52;
+            const double pixels = error / (std::max(glm::length(middle - camera.eye), radius) * a_pixel);
+            if (!(pixels > visible)) continue;
+            warn(
+                object(id).where,
+                "precision moves " + title(object(id)) + " by up to " + scene::rounded(error) + ", about " +
+                    scene::rounded(pixels) + " pixels: the scene is large compared with it",
+                "move it and the camera nearer to the middle of the scene, or leave out objects that are far "
+                "from the others");
+        }
+    }
+
+    std::ptrdiff_t outliers_of(const Mesh& mesh) {
+        const auto [known, is_new] = outliers_.try_emplace(&mesh);
+        if (is_new) {
+            const Bounds kept = geometry::cloud_without_outliers(mesh.positions);
+            known->second =
+                std::ranges::count_if(mesh.positions, [&](const glm::vec3& p) { return !kept.contains(p); });
+        }
+        return known->second;
+    }
+
+    void check_framing() {
+        if (scene_.has_own_camera) return;
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const Mesh* mesh = object(id).visible ? mesh_of(id) : nullptr;
+            if (mesh == nullptr || !mesh->triangles.empty()) continue;
+            const auto outliers = outliers_of(*mesh);
+            if (outliers == 0) continue;
             warn(object(id).where,
-                 title(object(id)) + " is so far from the origin that single precision has steps of " +
-                     rounded(step) + " there, about " + rounded(pixels) + " pixels",
-                 "move everything, the camera too, nearer to the origin");
+                 std::to_string(outliers) + " of the " + std::to_string(mesh->positions.size()) +
+                     " points of " + title(object(id)) + " lie far from the others and are not framed",
+                 "remove them from its file, or add a [camera]");
         }
     }
 
@@ -120,47 +182,48 @@ class WarningFinder {
         const bool balanced = description_.whitted.energy == Energy::balanced;
         const double gain =
             shading::light_gain(brightest, m.diffuse, m.reflectivity, m.transparency, balanced);
-        if (gain <= 1.0000001) return;
+        if (gain <= 1.0000001 || description_.whitted.energy_chosen) return;
         char number[32];
         std::snprintf(number, sizeof number, "%.2f", gain);
         warn(m.where, "material \"" + m.name + "\" gives " + number + " times the light that it gets",
-             "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]");
+             "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]; "
+             "\"report\" there says that it is meant");
     }
 
     void check_open_glass() {
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
             const bool mesh = std::holds_alternative<MeshShape>(object(id).shape) ||
                               std::holds_alternative<InstanceShape>(object(id).shape);
-            if (mesh && glass(id) && !scene_.objects[id].solid)
-                warn(object(id).where, title(object(id)) + " is made of glass but is not closed",
-                     "its faces are drawn as thin panes; close its holes for a solid that refracts");
+            if (mesh && glass(id) && !scene_.objects[id].solid) warn_of_panes(id);
         }
     }
 
-    void check_overlaps() {
-        for (const scene::Overlap& overlap : scene::find_overlaps(scene_)) {
-            const std::string one = title(object(overlap.object)), other = title(object(overlap.other));
-            const Location& where = object(overlap.object).where;
-            switch (overlap.kind) {
-            case scene::OverlapKind::coincident:
-                warn(where, one + " and " + other + " have coincident faces, of glass or against glass",
-                     "leave a small gap; of two transparent solids one may overlap the other a little");
-                break;
-            case scene::OverlapKind::hidden:
-            case scene::OverlapKind::partly_hidden:
-                warn(where,
-                     one + (overlap.kind == scene::OverlapKind::hidden ? " is" : " is partly") +
-                         " hidden inside " + other + ", which owns the space",
-                     "move it behind that object in the file, or give it a higher priority");
-            }
-        }
+    void warn_of_panes(std::uint32_t id) {
+        const Mesh& mesh = *mesh_of(id);
+        if (geometry::has_no_holes(mesh.positions, mesh.triangles))
+            warn(object(id).where,
+                 title(object(id)) + " is made of glass, but not all its faces are wound alike",
+                 "its faces are drawn as thin panes; turn the faces that are the wrong way round for a solid "
+                 "that refracts");
+        else
+            warn(object(id).where, title(object(id)) + " is made of glass but is not closed",
+                 "its faces are drawn as thin panes; close its holes for a solid that refracts");
+    }
+
+    void check_hidden() {
+        for (const scene::HiddenSolid& hidden : scene::find_hidden_solids(scene_))
+            warn(object(hidden.object).where,
+                 title(object(hidden.object)) + " is hidden inside " + title(object(hidden.owner)) +
+                     ", which owns the space",
+                 "move it behind that object in the file, or give it a higher priority");
     }
 
     // Where a ray meets glass it may branch in two; where mirrors send all branches back it does again.
     void check_branching() {
         constexpr int harmless_depth = 16;
         const int depth = description_.whitted.max_depth;
-        if (depth <= harmless_depth || !scene_.any_transparent) return;
+        const bool ends_by_weight = description_.whitted.min_weight >= WhittedSettings{}.min_weight;
+        if (depth <= harmless_depth || ends_by_weight || !scene_.any_transparent) return;
         Bounds branching;
         const Object* glass_object = nullptr;
         for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
@@ -173,7 +236,8 @@ class WarningFinder {
         warn(glass_object->where,
              "max_depth = " + number + " lets rays that branch at " + title(*glass_object) +
                  " among mirrors become up to 2^" + number + " a sample",
-             "lower max_depth in [whitted]; 8 to " + std::to_string(harmless_depth) + " are enough for most");
+             "leave min_weight in [whitted] at its default, or lower max_depth; 8 to " +
+                 std::to_string(harmless_depth) + " are enough for most");
     }
 
     bool branches(std::uint32_t id) const {
@@ -197,7 +261,12 @@ class WarningFinder {
 
     const scene::SceneData& scene_;
     const SceneDescription& description_;
+    std::vector<std::uint32_t> numbers_; ///< of the objects
     std::vector<Diagnostic> found_;
+    const scene::NameIndex names_{description_};
+    // Of the meshes that were looked at, each once for all objects that show it.
+    std::map<const Mesh*, bool> closed_;
+    std::map<const Mesh*, std::ptrdiff_t> outliers_;
 };
 
 } // namespace

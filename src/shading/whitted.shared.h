@@ -107,8 +107,8 @@ GLINT_FN LightArrival light_arrival(GLINT_IN(LightRecord) light, GLINT_IN(Surfac
     return arrival;
 }
 
-/// True if light arrives and the material reflects it: only then is a shadow ray traced.
-GLINT_FN truth is_worth_shadow_ray(GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
+/// True if light arrives and the material reflects light, in whatever direction.
+GLINT_FN truth reflects_light(GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
     return (m.diffuse > 0.0f || m.highlight > 0.0f) && !is_dark(arrival.arriving);
 }
 
@@ -161,6 +161,23 @@ GLINT_FN real highlight_cosine(GLINT_IN(WhittedModes) modes, vec3 n, vec3 l, vec
 /// report's figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
 GLINT_FN vec3 highlight_term(vec3 arriving, real k, real lobe) { return arriving * (k * lobe); }
 
+/// The highlight of one light, without shadows.
+GLINT_FN vec3 highlight_of(GLINT_IN(WhittedModes) modes, GLINT_IN(SurfaceRecord) s,
+                           GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
+    real lobe = lobe_of(highlight_cosine(modes, s.n * s.lit_side, arrival.direction, s.v), m.shininess);
+    return highlight_term(arrival.arriving, m.highlight, lobe);
+}
+
+/// True if the surface reflects light to the viewer: only then is a shadow ray traced. What is not diffuse
+/// does so where the highlight is, since far from it the lobe is 0.
+GLINT_FN truth is_worth_shadow_ray(GLINT_IN(WhittedModes) modes, GLINT_IN(SurfaceRecord) s,
+                                   GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
+    truth reflects = reflects_light(m, arrival);
+    truth only_glossy = reflects && !(m.diffuse > 0.0f);
+    if (!any_lane(only_glossy)) return reflects;
+    return reflects && !(only_glossy && is_dark(highlight_of(modes, s, m, arrival)));
+}
+
 /// Each channel limited to 2^22: enough if the sum will be limited to 1, and so small that subtracting the
 /// rest leaves exactly 1.
 GLINT_FN vec3 limit_to_range(vec3 color) { return min(color, vec3(4194304.0f)); }
@@ -192,8 +209,7 @@ GLINT_FN ShownLight shown_light(GLINT_IN(WhittedModes) modes, GLINT_IN(SurfaceRe
 
     truth glossy = lit && m.highlight > 0.0f;
     if (!any_lane(glossy)) return shown;
-    real lobe = lobe_of(highlight_cosine(modes, s.n * s.lit_side, arrival.direction, s.v), m.shininess);
-    vec3 highlight = highlight_term(arrival.arriving, m.highlight, lobe) * passing;
+    vec3 highlight = highlight_of(modes, s, m, arrival) * passing;
     shown.highlight = pick(glossy, highlight, vec3(0.0f));
     return shown;
 }
@@ -259,6 +275,12 @@ GLINT_FN LocalTerms weighted_terms(GLINT_IN(LocalTerms) local, real weight) {
 /// True if the surface reflects or transmits.
 GLINT_FN truth has_bounces(GLINT_IN(MaterialRecord) m) {
     return m.reflectivity > 0.0f || m.transparency > 0.0f;
+}
+
+/// True if a ray is followed: a share `weight` of its light reaches the sample, by channel. What others would
+/// add is less than min_weight times their light.
+GLINT_FN truth is_worth_following(vec3 weight, real min_weight) {
+    return !(max(weight.x, max(weight.y, weight.z)) < min_weight);
 }
 
 /// The weight of the local terms if the bounce is followed: 1 − τ, or 1 − ρ − τ if energy is balanced. If it

@@ -39,6 +39,24 @@ TEST_F(Check, KeepsQuiet) {
     EXPECT_NE(unsound.err.find("error: "), std::string::npos) << unsound.err;
 }
 
+TEST_F(Check, SpeaksJson) {
+    const Outcome outcome = glint("check --json good.toml bad.toml dark.toml");
+    EXPECT_EQ(outcome.exit, 3);
+    EXPECT_EQ(outcome.err, "");
+    const auto files = nlohmann::json::parse(outcome.out)["files"];
+    ASSERT_EQ(files.size(), 3u);
+    EXPECT_EQ(files[0]["file"], "good.toml");
+    EXPECT_EQ(files[0]["ok"], true);
+    EXPECT_EQ(files[0]["scene"]["objects"], 1);
+    EXPECT_EQ(files[1]["ok"], false);
+    ASSERT_EQ(files[1]["errors"].size(), 2u);
+    EXPECT_EQ(files[1]["errors"][0]["line"], 5);
+    EXPECT_EQ(files[1]["errors"][0]["file"], "bad.toml");
+    EXPECT_NE(files[1]["errors"][0]["message"], "");
+    EXPECT_EQ(files[2]["ok"], true);
+    EXPECT_EQ(files[2]["warnings"].size(), 1u);
+}
+
 TEST_F(Check, EscapesControlCharactersOfNames) {
     write("odd\x1b[31m.toml", R"([render]
 size = [8, 8]
@@ -81,6 +99,10 @@ TEST_F(Info, SpeaksJson) {
     EXPECT_EQ(info["scene"]["triangles"], 4);
     EXPECT_EQ(info["camera"]["eye"].size(), 3u);
     EXPECT_FALSE(info["materials"].empty());
+    EXPECT_EQ(info["settings"]["size"], (nlohmann::json{640, 480}));
+    EXPECT_EQ(info["settings"]["spp"], 4);
+    EXPECT_EQ(info["settings"]["clamp"], false);
+    EXPECT_EQ(info["settings"]["integrator"], "whitted");
 }
 
 TEST_F(Info, FailsWhenStdoutIsFull) {
@@ -188,6 +210,36 @@ TEST_F(New, OverwritesOnlyByForce) {
     EXPECT_NE(refused.err.find("--force overwrites it"), std::string::npos) << refused.err;
     EXPECT_EQ(glint("new -o good.toml --force").exit, 0);
     EXPECT_EQ(content("good.toml"), glint("new").out);
+}
+
+TEST_F(New, WritesTheStageOfAMesh) {
+    ASSERT_EQ(glint("new --from mesh.ply --up z -o stage.toml").exit, 0);
+    const std::string stage = content("stage.toml");
+    for (const char* word : {"[camera]", "file = \"mesh.ply\"", "[[plane]]", "[[light]]"})
+        EXPECT_NE(stage.find(word), std::string::npos) << word << "\n" << stage;
+    ASSERT_EQ(glint("mesh.ply --up z --spp 1 -q -o mesh.pfm").exit, 0);
+    ASSERT_EQ(glint("stage.toml --spp 1 -q -o stage.pfm").exit, 0);
+    EXPECT_EQ(glint("diff mesh.pfm stage.pfm --tolerance 1e-4 -q").exit, 0);
+    EXPECT_EQ(glint("new --from mesh.ply --up z").out, stage);
+    EXPECT_EQ(glint("new glass --from mesh.ply").exit, 2);
+}
+
+TEST_F(New, FitsTheTurntableToTheMesh) {
+    for (const char* scale : {"0.01", "1000"}) {
+        std::string small = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                            "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+                            "end_header\n0 0 0\n";
+        small += std::string(scale) + " 0 0\n0 " + scale + " 0\n0 0 " + scale + "\n3 0 1 2\n3 0 1 3\n";
+        write("model.ply", small);
+        ASSERT_EQ(glint("new mesh --from model.ply --up y --force -o turn.toml").exit, 0);
+        const Outcome check = glint("check turn.toml");
+        EXPECT_EQ(check.exit, 0) << check.err;
+        EXPECT_EQ(check.err, "");
+        const auto info = nlohmann::json::parse(glint("info turn.toml --json").out)["scene"];
+        const double width = info["bounds_max"][0].get<double>() - info["bounds_min"][0].get<double>();
+        EXPECT_GT(width, std::stod(scale));
+        EXPECT_LT(width, 3 * std::stod(scale));
+    }
 }
 
 TEST_F(New, NamesACommandThatRendersTheFile) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -88,7 +89,7 @@ TEST_F(Explain, ColoursTerminalsOnly) {
 
 TEST_F(Explain, TellsWhereShadowRaysBegin) {
     const std::string line = "explain cabinet.toml --pixel 30,20 --spp 1";
-    const std::string text = glint(line).out;
+    const std::string text = glint(line + " --steps").out;
     const auto count = [&text](const std::string& words) {
         std::size_t found = 0;
         for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
@@ -103,11 +104,75 @@ TEST_F(Explain, TellsWhereShadowRaysBegin) {
     EXPECT_EQ(count("shadow ray from ("), rays);
 }
 
+std::size_t line_count(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_F(Explain, ShowsATreeWithALineForEachRayThatMatters) {
+    const std::string line = "explain cabinet.toml --pixel 22,18";
+    const Outcome tree = glint(line);
+    EXPECT_EQ(tree.exit, 0);
+    const json rays = json::parse(glint(line + " --format json").out)["samples"][0]["rays"];
+    EXPECT_LT(line_count(tree.out), rays.size() + 6);
+    for (const char* word : {"  0  100.0 %  primary → sphere \"glass\" (cabinet.toml:34:1) at ",
+                             "├─ reflected → background", "└─ refracted → "})
+        EXPECT_NE(tree.out.find(word), std::string::npos) << word << "\n" << tree.out;
+    EXPECT_NE(tree.err.find("--ray N"), std::string::npos) << tree.err;
+    const std::string faint = glint(line + " -D material.floor.reflectivity=0.001").out;
+    EXPECT_NE(faint.find("└─ + 1 ray below 0.1 %\n"), std::string::npos) << faint;
+
+    const std::string ray = glint(line + " --ray 0").out;
+    EXPECT_NE(ray.find("light arriving"), std::string::npos) << ray;
+    const std::string steps = glint(line + " --steps").out;
+    EXPECT_GT(line_count(steps), 10 * line_count(tree.out));
+    EXPECT_NE(steps.find("point light.1 (cabinet.toml:"), std::string::npos) << steps;
+}
+
+TEST_F(Explain, TellsWhereRaysOfLittleWeightAreLeftOut) {
+    const std::string tree = glint("explain cabinet.toml --pixel 22,18 -D whitted.min_weight=0.5").out;
+    EXPECT_NE(tree.find(", 1 branch below min_weight left out: ("), std::string::npos) << tree;
+}
+
+TEST_F(Explain, RefusesRaysAndSamplesThatDoNotExist) {
+    const std::string line = "explain cabinet.toml --pixel 30,20 --spp 3 ";
+    const Outcome sample = glint(line + "--sample 3");
+    EXPECT_EQ(sample.exit, 2);
+    EXPECT_NE(sample.err.find("there is no sample 3"), std::string::npos) << sample.err;
+    EXPECT_NE(sample.err.find("has 3, numbered from 0"), std::string::npos) << sample.err;
+    EXPECT_EQ(glint(line + "--ray 999").exit, 2);
+    EXPECT_EQ(glint(line + "--steps --format json").exit, 2);
+}
+
+TEST_F(Explain, ChoosesTheFormatByTheExtension) {
+    const std::string line = "explain cabinet.toml --pixel 30,20 -o ";
+    for (const auto& [name, begin] :
+         {std::pair("a.json", "{\"scene\""), std::pair("a.svg", "<svg "),
+          std::pair("a.html", "<!doctype html>"), std::pair("a.txt", "pixel 30,20")}) {
+        EXPECT_EQ(glint(line + name).exit, 0) << name;
+        EXPECT_TRUE(content(name).starts_with(begin)) << name << "\n" << content(name).substr(0, 80);
+    }
+    ASSERT_EQ(glint(line + "b.json --format text").exit, 0);
+    EXPECT_TRUE(content("b.json").starts_with("pixel 30,20"));
+}
+
+TEST_F(Explain, NumbersAsKeyPathsDo) {
+    const json found = json::parse(glint("explain cabinet.toml --pixel 30,39 --format json").out);
+    const json& ray = found["samples"][0]["rays"][0];
+    EXPECT_EQ(ray["hit"]["label"], "plane.0");
+    EXPECT_EQ(ray["hit"]["object"], 0);
+    EXPECT_EQ(ray["hit"]["where"], "cabinet.toml:30:1");
+    EXPECT_EQ(ray["lights"][0]["label"], "point light.1");
+    EXPECT_EQ(ray["lights"][0]["light"], 1);
+    EXPECT_EQ(ray["lights"][0]["where"], "cabinet.toml:49:1");
+}
+
 TEST_F(Explain, TellsOfEverySample) {
     const Outcome outcome = glint("explain cabinet.toml --pixel 30,20 --spp 3");
-    for (const char* word :
-         {"sample 1 ", "sample 2 ", "sample 3 ", "samples", "ambient stands for indirect light"})
+    for (const char* word : {"sample 0 ", "sample 1 ", "sample 2 ", "samples", "the rays of sample 0\n"})
         EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+    EXPECT_NE(
+        glint("explain cabinet.toml --pixel 30,20 --spp 3 --sample 2").out.find("the rays of sample 2\n"),
+        std::string::npos);
     EXPECT_EQ(
         json::parse(glint("explain cabinet.toml --pixel 30,20 --spp 3 --format json").out)["samples"].size(),
         3u);
@@ -186,6 +251,8 @@ const refused = [];
 document.addEventListener('securitypolicyviolation', e => refused.push(e.blockedURI));
 const told = (list, at) => Object.fromEntries(list.map(s => page.steps[s[0]][0]).map(s => [s, at(s)]));
 ready.then(() => {
+  const first = { pixel: [shown.x, shown.y], pinned };
+  pinned = false;
   const found = [], r = $('canvas').getBoundingClientRect();
   for (let row = 0; row < page.rows; ++row) for (let column = 0; column < page.columns; ++column) {
     $('picture').dispatchEvent(new MouseEvent('mousemove', { bubbles: true,
@@ -194,7 +261,7 @@ ready.then(() => {
     for (const name of names) if ($('layer-' + name)) {
       $('layer-' + name).click(); layers[name] = sum_shown(shown); $('layer-' + name).click(); }
     found.push({ pixel: [shown.x, shown.y], color: shown.color, sum: sum_shown(shown), layers,
-      terms: Object.fromEntries(names.map((n, i) => [n, shown.terms[i]])), text: $('pixel').textContent,
+      first: found.length === 0 ? first : null, terms: Object.fromEntries(names.map((n, i) => [n, shown.terms[i]])), text: $('pixel').textContent,
       boxes: document.querySelectorAll('.ray').length,
       rays: shown.rays.map(ray => ({ kind: ray.shape.kind, label: ray.shape.label, steps: told(ray.shape.steps, ray.at),
         lights: ray.lights.map(l => ({ label: l.shape.label, steps: told(l.shape.steps, l.at) })) })) });
@@ -316,6 +383,22 @@ TEST_F(Page, ShowsTheNumbersOfTheJsonWithoutANetwork) {
     }
     EXPECT_EQ(visit["asked"], json::array()) << "no request";
     EXPECT_EQ(visit["refused"], json::array());
+}
+
+TEST_F(Page, OpensAtThePixel) {
+    if (browser().empty()) GTEST_SKIP() << "no chromium here: the page was not opened";
+    const std::string scene = "cabinet.toml --spp 1";
+    const json visit = visited(scene + " --grid 7x5 --pixel 31,22");
+    const json& first = visit["found"][0]["first"];
+    EXPECT_EQ(first["pixel"], (json{31, 22}));
+    EXPECT_EQ(first["pinned"], true);
+    for (const json& place : visit["found"])
+        if (place["pixel"] == first["pixel"]) {
+            const std::string json_of = glint("explain " + scene + " --pixel 31,22 --format json").out;
+            EXPECT_TRUE(same(place["color"], json::parse(json_of)["color"]));
+            return;
+        }
+    FAIL() << "the pixel is on no place of the page";
 }
 
 } // namespace

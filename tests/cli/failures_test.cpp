@@ -1,5 +1,6 @@
 // Messages and exit codes of exceptions that no scene small enough for a test provokes.
 
+#include "../common/out_of_memory.h"
 #include "commands.h"
 #include "failures.h"
 
@@ -54,7 +55,7 @@ void allocate_too_much() { throw std::bad_alloc(); }
 TEST(FailuresDeathTest, MemoryThatIsLackingWhereNothingMayBeThrownEndsLikeElsewhere) {
     EXPECT_EXIT(
         {
-            end_without_memory_if_uncaught();
+            end_if_bad_alloc_is_uncaught();
             []() noexcept { allocate_too_much(); }();
         },
         testing::ExitedWithCode(exit_code::resource), "error: out of memory");

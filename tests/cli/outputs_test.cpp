@@ -70,6 +70,34 @@ TEST_F(Outputs, AreCheckedBeforeRendering) {
     expect_refused("cd /proc && $G \"$OLDPWD/good.toml\"", 4, "-o names another file");
 }
 
+TEST_F(Outputs, HaveNamesThatFileSystemsTake) {
+    const std::string name(300, 'n');
+    expect_refused("$G long.toml -o " + name + ".png", 4, "choose a shorter name; -o names another file");
+    expect_refused("$G long.toml --stats " + name, 4, "choose a shorter name; --stats names");
+    expect_refused("$G new -o " + name, 4, "choose a shorter name");
+    expect_refused("$G " + name, 2, "neither a command nor a file");
+    expect_refused("$G " + name + ".toml", 3, "cannot read the file: File name too long");
+    expect_refused("$G diff " + name + " " + name, 3, "File name too long");
+}
+
+TEST_F(Outputs, DoNotReplaceAFileThatIsMountedByItself) {
+    const std::string mount = "unshare -m sh -c 'touch a.png b.png && mount --bind a.png b.png && ";
+    if (shell(mount + "true'").exit != 0) GTEST_SKIP() << "nothing can be mounted here";
+    expect_refused(mount + "$G long.toml -o b.png'", 4, "mount its folder");
+}
+
+TEST_F(Outputs, MayGoToDevices) {
+    EXPECT_EQ(glint("good.toml -o /dev/null --stats /dev/null").exit, 0);
+    EXPECT_EQ(glint("diff garbage.png /dev/zero").exit, 3);
+}
+
+TEST_F(Outputs, OfASingleFrameHaveItsNumber) {
+    const Outcome outcome = glint("good.toml --frames 7");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_TRUE(exists("good-0007.png"));
+    EXPECT_FALSE(exists("good.png"));
+}
+
 TEST_F(Outputs, FollowALinkToAFileThatIsNotThereYet) {
     fs::create_symlink("empty/x.png", path("link.png"));
     EXPECT_EQ(glint("good.toml -o link.png").exit, 0);
@@ -85,7 +113,7 @@ TEST_F(Outputs, GoIntoPipesThatHaveAName) {
 
 TEST_F(Outputs, LeaveNothingBehindBeyondTheLimitOnTheSizeOfFiles) {
     for (const std::string line :
-         {"good.toml -o a.pfm", "explain good.toml --pixel 8,6 -o a.txt", "new -o a.toml"})
+         {"good.toml -o a.pfm", "explain good.toml --pixel 8,6 --steps -o a.txt", "new -o a.toml"})
         expect_refused("ulimit -f 1; $G " + line, 4, "raise the limit on the size of files");
     expect_refused("ulimit -f 1; $G good.toml", 4, "-o names another file");
 }
@@ -122,6 +150,40 @@ TEST_F(Outputs, ComeFromNoFolderOnStdin) {
     for (const std::string line : {"- -o a.pfm", "info -", "check -", "explain - --pixel 1,1"})
         expect_refused("$G " + line + " </", 3, "Is a directory");
     expect_refused("$G - <&-", 3, "<stdin>: error: ");
+}
+
+TEST_F(Outputs, AreNotMadeByADryRun) {
+    const std::string before = listing();
+    const Outcome outcome = glint("long.toml --dry-run");
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("long.png: 1024×1024, 4000 spp\n"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("\n  picture  12.0 MiB\n  writing  3.0 MiB\n"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(glint("long.toml --dry-run -o no/x.png").exit, 4);
+    EXPECT_EQ(listing(), before);
+}
+
+TEST_F(Outputs, AreRefusedForWhichThereIsNoMemory) {
+    if (sanitized || !GLINT_EXR) GTEST_SKIP() << "needs addresses, or OpenEXR";
+    // Writing an EXR takes its picture once more.
+    const std::string limit = "ulimit -v 2000000; $G long.toml --size 10000x10000 ";
+    expect_refused(limit + "-o x.exr", 5, "rendering (scene 512 B, picture 1.1 GiB, writing 1.1 GiB) takes");
+    expect_refused(limit + "--layers -o x.exr", 5, "render in parts with --crop");
+    EXPECT_EQ(shell(limit + "--crop 0,0,9,9 --spp 1 -o x.exr").exit, 0);
+}
+
+// A scene may read meshes below its own folder; where that cannot be known, none.
+TEST_F(Outputs, AndInputsMayLieInFoldersWhosePathIsTooLong) {
+    write("mesh.toml", "[material.m]\n[[mesh]]\nfile = \"mesh.ply\"\nmaterial = \"m\"\n");
+    Setting setting;
+    setting.environment = {"H=" + path(".")};
+    const std::string descend =
+        "d=$(printf %0250d 0); for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17; do "
+        "mkdir $d && cd -P $d; done; cp \"$H\"/mesh.toml \"$H\"/mesh.ply .; ";
+    const Outcome outcome =
+        shell(descend + "$G check mesh.toml; $G mesh.toml --allow-outside -o a.png", setting);
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("the path cannot be resolved"), std::string::npos) << outcome.err;
 }
 
 } // namespace

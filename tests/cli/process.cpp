@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -53,6 +54,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     // Whoever runs the tests may ignore signals; the program must not inherit that.
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGHUP, SIG_DFL);
     std::signal(SIGPIPE, SIG_DFL);
     if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(127);
     execve(words[0], words.data(), environment.data());
@@ -67,15 +69,19 @@ bool drain(int file, std::string& text) {
     return count > 0 || (count < 0 && errno == EINTR);
 }
 
-/// Reads both streams until they end; sends the signal when its text comes.
+/// Reads both streams until they end; sends the signal when its text or its time comes.
 void listen(pid_t child, Pipe& out, Pipe& err, const Setting& setting, Outcome& outcome) {
+    using Clock = std::chrono::steady_clock;
+    const auto due = Clock::now() + std::chrono::milliseconds(setting.signal_after);
     bool sent = setting.signal == 0;
     while (out.read_end >= 0 || err.read_end >= 0) {
         std::array<pollfd, 2> waiting{{{out.read_end, POLLIN, 0}, {err.read_end, POLLIN, 0}}};
-        if (poll(waiting.data(), waiting.size(), -1) < 0) continue;
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now());
+        const int limit = sent || left.count() < 0 ? -1 : static_cast<int>(left.count());
+        if (poll(waiting.data(), waiting.size(), limit) < 0) continue;
         if (waiting[0].revents != 0 && !drain(out.read_end, outcome.out)) out.close_read();
         if (waiting[1].revents != 0 && !drain(err.read_end, outcome.err)) err.close_read();
-        if (!sent && outcome.err.find(setting.signal_when) != std::string::npos) {
+        if (!sent && Clock::now() >= due && outcome.err.find(setting.signal_when) != std::string::npos) {
             kill(child, setting.signal);
             sent = true;
         }

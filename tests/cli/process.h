@@ -19,6 +19,7 @@ struct Setting {
     std::vector<std::string> environment; ///< "NAME=value"; PATH and HOME are passed on
     std::string signal_when;              ///< when stderr holds this text …
     int signal = 0;                       ///< … this signal is sent, once
+    int signal_after = 0;                 ///< … but not before so many milliseconds
     std::string out_file;                 ///< stdout goes to this file instead
 };
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <unistd.h>
 
 namespace glint::test {
@@ -35,6 +36,30 @@ std::string hash_of(const Outcome& outcome) {
 
 class Render : public CliTest {};
 
+TEST_F(Render, WarnsOfABlackPicture) {
+    const Outcome dim = glint("good.toml -D light.0.intensity=1e-9 -o a.png");
+    EXPECT_EQ(dim.exit, 0);
+    EXPECT_NE(dim.err.find("warning: the picture is all but black"), std::string::npos) << dim.err;
+    EXPECT_EQ(glint("good.toml -o a.png").err.find("black"), std::string::npos);
+    EXPECT_EQ(glint("good.toml -D light.0.intensity=1e-9 --show normal -o a.png").err.find("black"),
+              std::string::npos);
+}
+
+TEST_F(Render, TurnsABareMeshSixWays) {
+    std::set<std::string> pictures;
+    for (const char* up : {"x", "y", "z", "-x", "-y", "-z"}) {
+        const std::string options = std::string(" --up ") + up + " --size 32x24 --spp 1 -q -o ";
+        const Outcome outcome = glint("mesh.ply" + options + "a.pfm");
+        ASSERT_EQ(outcome.exit, 0) << up << ": " << outcome.err;
+        pictures.insert(content("a.pfm"));
+        Setting setting;
+        setting.input = content("mesh.ply");
+        ASSERT_EQ(glint("-" + options + "b.pfm", setting).exit, 0) << up;
+        EXPECT_EQ(content("b.pfm"), content("a.pfm")) << up << ", from stdin";
+    }
+    EXPECT_EQ(pictures.size(), 6u);
+}
+
 TEST_F(Render, WithoutACommandIsRender) {
     EXPECT_EQ(glint("good.toml -o a.png").exit, 0);
     EXPECT_EQ(glint("render good.toml -o b.png").exit, 0);
@@ -53,6 +78,18 @@ TEST_F(Render, ClosesWithOneLineThatSaysWhatWasDone) {
     const std::string measured = outcome.err.substr(0, outcome.err.size() - end.size());
     EXPECT_EQ(without_numbers(measured), "a.png: #×#, # spp, # object, # s, # Mrays/s");
     EXPECT_EQ(measured.rfind("a.png: 16×12, 4 spp, 1 object, ", 0), 0u) << outcome.err;
+}
+
+TEST_F(Render, TakesMoreSamplesWhereNeighboursDiffer) {
+    const Outcome outcome = glint("good.toml --spp 1..16 --stats s.json -o a.pfm");
+    EXPECT_NE(outcome.err.find("a.pfm: 16×12, 1..16 spp, "), std::string::npos) << outcome.err;
+    const auto stats = nlohmann::json::parse(content("s.json"));
+    EXPECT_GT(stats["samples_per_pixel"], 1.0);
+    EXPECT_LT(stats["samples_per_pixel"], 16.0);
+    ASSERT_EQ(glint("good.toml --spp 16 -o b.pfm -D render.max_spp=64").exit, 0);
+    EXPECT_EQ(hash_of(glint("good.toml --spp 16 -o c.pfm")),
+              hash_of(glint("good.toml --spp 16..16 -o d.pfm")));
+    EXPECT_EQ(content("b.pfm"), content("c.pfm")) << "a fixed number ends adaptive samples";
 }
 
 TEST_F(Render, ShowsMoreThanTheLight) {
@@ -192,7 +229,10 @@ TEST_F(Render, TellsItsStatisticsAsJson) {
     EXPECT_EQ(stats["complete"], true);
     EXPECT_EQ(stats["scene"]["spheres"], 1);
     EXPECT_EQ(stats["rays"]["primary"], 16 * 12 * 4);
-    EXPECT_EQ(stats["settings"]["max_depth"], "3");
+    EXPECT_EQ(stats["left_out"]["rays"], 0);
+    EXPECT_EQ(stats["left_out"]["share"], 0.0);
+    EXPECT_EQ(stats["settings"]["max_depth"], 3);
+    EXPECT_EQ(stats["settings"]["min_weight"], 1e-5);
     EXPECT_EQ(stats["hash"].get<std::string>().size(), 32u);
     EXPECT_GE(stats["seconds"]["total"].get<double>(), stats["seconds"]["render"].get<double>());
 }
@@ -228,6 +268,12 @@ TEST_F(Render, ReportsProgressAsJson) {
     const Outcome outcome = glint("good.toml --progress json");
     const std::string first = outcome.err.substr(0, outcome.err.find('\n'));
     EXPECT_EQ(nlohmann::json::parse(first)["event"], "progress") << outcome.err;
+    const std::string last = outcome.err.substr(outcome.err.rfind('\n', outcome.err.size() - 2) + 1);
+    const auto picture = nlohmann::json::parse(last);
+    EXPECT_EQ(picture["event"], "picture");
+    EXPECT_EQ(picture["output"], "good.png");
+    EXPECT_EQ(picture["complete"], true);
+    EXPECT_EQ(picture["hash"].get<std::string>().size(), 32u);
 }
 
 TEST_F(Render, SetsValuesOfTheScene) {
@@ -255,7 +301,7 @@ TEST_F(Render, RefusesAPictureBeyondTheMemory) {
     if (!GLINT_EXR || memory > 96.0 * (1 << 30)) GTEST_SKIP() << "no picture is too large for this machine";
     const Outcome outcome = glint("good.toml --size 65536x16384 --layers -o a.exr");
     EXPECT_EQ(outcome.exit, 5) << outcome.err;
-    EXPECT_NE(outcome.err.find("render it in parts with --crop"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("render in parts with --crop"), std::string::npos) << outcome.err;
 }
 
 } // namespace

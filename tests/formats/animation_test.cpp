@@ -173,6 +173,18 @@ TEST(Animate, WhatIsWrongIsSaidWhereItIs) {
     }
 }
 
+TEST(Animate, AFrameTakesNoLongerWhereKeyframesAreMany) {
+    constexpr int count = 100000;
+    std::string frames = "[", values = "[";
+    for (int i = 0; i < count; ++i) {
+        frames += std::to_string(i) + ", ";
+        values += std::to_string(1 + i % 7) + ", ";
+    }
+    const auto scene = parse(animated("sphere.ball.radius", frames + "]", values + "]"));
+    for (int frame = 0; frame < count; frame += 50)
+        ASSERT_EQ(std::get<SphereShape>(scene_at(scene, frame).objects[0].shape).radius, 1 + frame % 7);
+}
+
 TEST(Animate, AFaultOfOneFrameNamesTheFrame) {
     const std::string text = animated("camera.eye", "[0, 10]", "[[0, -10, 2], [0, 10, -2]]");
     EXPECT_NO_THROW(moved(text, 4));

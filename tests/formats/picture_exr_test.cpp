@@ -64,6 +64,42 @@ TEST_F(Exr, CarriesAlphaAndMetadata) {
               nullptr);
 }
 
+TEST_F(Exr, APartKeepsItsPlace) {
+    PictureOptions options;
+    options.x = 5;
+    options.y = 7;
+    options.full_width = 20;
+    options.full_height = 10;
+    const Image part = varied_image(3, 2);
+    write_picture(file("a.exr"), part, options);
+    const Imf::InputFile read(file("a.exr").c_str(), 0);
+    EXPECT_EQ(read.header().dataWindow(), Imath::Box2i({5, 7}, {7, 8}));
+    EXPECT_EQ(read.header().displayWindow(), Imath::Box2i({0, 0}, {19, 9}));
+    EXPECT_EQ(read_picture(file("a.exr")).image.pixels, part.pixels);
+    options.full_width = 7;
+    expect_error(ErrorKind::usage, {"does not lie within the whole", "7 x 10"},
+                 [&] { write_picture(file("b.exr"), part, options); });
+}
+
+TEST_F(Exr, MayBePackedMoreThanDeflateCan) {
+    // One colour in blocks of cosines is a few bytes for 256 rows.
+    Imf::Header header(4096, 4096);
+    header.compression() = Imf::DWAB_COMPRESSION;
+    std::vector<half> pixels(4096, half(0.5f));
+    Imf::FrameBuffer buffer;
+    for (const char* name : {"R", "G", "B"}) {
+        header.channels().insert(name, Imf::Channel(Imf::HALF));
+        buffer.insert(name, Imf::Slice(Imf::HALF, reinterpret_cast<char*>(pixels.data()), sizeof(half), 0));
+    }
+    {
+        Imf::OutputFile out(file("a.exr").c_str(), header, 0);
+        out.setFrameBuffer(buffer);
+        out.writePixels(4096);
+    }
+    EXPECT_LT(fs::file_size(file("a.exr")), 4096u * 4096u * 2u / 1032u);
+    EXPECT_EQ(read_picture(file("a.exr")).image.height, 4096);
+}
+
 TEST_F(Exr, LayersAddUpToThePictureToTheBit) {
     // A picture that is the float sum of its terms, in their order, must be so after a trip through the file.
     const Image first = varied_image(19, 21);

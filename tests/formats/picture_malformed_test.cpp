@@ -126,10 +126,10 @@ TEST_F(MalformedExr, HeadersThatLie) {
     EXPECT_REFUSED(with(window + 8, 0x7fffffff), "2147483648 x 40");
     EXPECT_REFUSED(with(window + 8, 0xffffffff), "0 x 40");
     EXPECT_REFUSED(with(window + 12, 60000), "damaged EXR");
-    Bytes large = with(window + 8, 60000);
-    std::copy_n(with(window + 12, 16000).begin() + static_cast<std::ptrdiff_t>(window) + 12, 4,
+    Bytes large = with(window + 8, 6000);
+    std::copy_n(with(window + 12, 1600).begin() + static_cast<std::ptrdiff_t>(window) + 12, 4,
                 large.begin() + static_cast<std::ptrdiff_t>(window) + 12);
-    EXPECT_REFUSED(large, "the EXR is too short for 60001 x 16001 pixels");
+    EXPECT_REFUSED(large, "damaged EXR");
     EXPECT_REFUSED(with(window, 0x80000000U), "65,536 pixels a side");
     EXPECT_REFUSED(with(length_field("channels", "chlist"), 0x7fffffff),
                    "an attribute is longer than the file");

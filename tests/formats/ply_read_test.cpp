@@ -163,7 +163,7 @@ TEST(PlyRead, ReadsNumbersAlikeInEveryLocale) {
     const LoadedMesh loaded = parse(ascii("1", "0", "0.5 1.25 -1234.75\n"));
     std::setlocale(LC_ALL, c_before.c_str());
     std::locale::global(before);
-    EXPECT_EQ(loaded.mesh->positions[0], vec3(0.5f, 1.25f, -1234.75f));
+    EXPECT_EQ(loaded.mesh->origin + Vec3(loaded.mesh->positions[0]), Vec3(0.5, 1.25, -1234.75));
 }
 
 TEST(PlyRead, PassesOverUnknownElementsAndPropertiesWithListsInThem) {
@@ -325,7 +325,8 @@ TEST(PlyWarn, OfAFileWithoutFacesAndDropPointsThatAreNotFinite) {
     EXPECT_EQ(cloud.mesh->positions.size(), 3u);
     const LoadedMesh holes = parse(points + "nan nan nan 1 1 1\n1 2 3 255 255 255\n4 inf 6 0 0 0\n");
     EXPECT_EQ(holes.warnings.size(), 2u);
-    EXPECT_EQ(holes.mesh->positions, (std::vector<vec3>{{1, 2, 3}}));
+    ASSERT_EQ(holes.mesh->positions.size(), 1u);
+    EXPECT_EQ(holes.mesh->origin + Vec3(holes.mesh->positions[0]), Vec3(1, 2, 3));
     EXPECT_EQ(holes.mesh->colors, (std::vector<vec3>{{1, 1, 1}}));
     expect_warned(
         parse("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
@@ -421,13 +422,26 @@ TEST(PlyRead, SaysWhatRoundingLosesFarFromTheOrigin) {
         const std::string row = offset + ".25 0 0\n" + offset + ".75 0 0\n" + offset + ".25 1 0\n3 0 1 2\n";
         return parse(replaced(ascii("3", "1", row), "property float x", "property double x")).warnings;
     };
-    const auto found = warnings("5412349");
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].message.find("single precision moves its vertices by up to 0.25, about 250 pixels"),
-              std::string::npos)
-        << found[0].message;
     EXPECT_TRUE(warnings("12").empty());
     EXPECT_TRUE(warnings("1024").empty());
+    EXPECT_TRUE(warnings("5412349").empty()) << "has an origin of its own";
+
+    Bytes body;
+    body.vertex(5412349, 0, 0).vertex(5412350, 0, 0).vertex(5412349, 1, 0).u8(3).i32(0).i32(1).i32(2);
+    const LoadedMesh floats = parse(header(binary_format(std::endian::little), "3", "1") + std::string(body));
+    ASSERT_EQ(floats.warnings.size(), 1u);
+    EXPECT_NE(floats.warnings[0].message.find(
+                  "single precision moves its vertices by up to 0.32, about 323 pixels"),
+              std::string::npos)
+        << floats.warnings[0].message;
+}
+
+TEST(PlyRead, IgnoresVerticesWithoutFacesWhenItChoosesAnOrigin) {
+    const LoadedMesh loaded =
+        parse(replaced(ascii("4", "1", "0 0 0\n5412349.25 8 0\n5412349.75 8 0\n5412349.25 9 0\n3 1 2 3\n"),
+                       "property float x", "property double x"));
+    EXPECT_TRUE(loaded.warnings.empty());
+    EXPECT_EQ(loaded.mesh->origin.x + double(loaded.mesh->positions[2].x), 5412349.75);
 }
 
 TEST(PlyRead, MayBeCancelledBetweenThePassesAfterItsBody) {

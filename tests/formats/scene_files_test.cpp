@@ -236,6 +236,30 @@ TEST(SceneFiles, ABareMeshTakesOverridesOfSettings) {
     EXPECT_EQ(absent[0].location.file, "-D sphere.0.radius=1");
 }
 
+TEST(SceneFiles, OverridesReachABareMeshAndItsStage) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.ply", triangle_ply);
+    const auto plain = load_scene(path).description;
+    const auto d = load_scene(path, overriding({"mesh.0.normals=smooth", "mesh.mesh.crease_angle=40",
+                                                "light.1.intensity=7", "plane.floor.visible=false"}))
+                       .description;
+    const auto& mesh = std::get<MeshShape>(d.objects[0].shape);
+    EXPECT_EQ(mesh.normals, NormalsMode::smooth);
+    EXPECT_EQ(mesh.crease_angle, 40);
+    EXPECT_FALSE(d.objects[1].visible);
+    EXPECT_EQ(std::get<PointLight>(d.lights[1].kind).intensity, 7);
+    EXPECT_EQ(std::get<PointLight>(d.lights[1].kind).position,
+              std::get<PointLight>(plain.lights[1].kind).position)
+        << "the rest stays";
+    // The floor lies below the mesh as it then is.
+    const auto large = load_scene(path, overriding({"mesh.0.scale=10"})).description;
+    const auto offset = [](const SceneDescription& s) {
+        return std::get<PlaneShape>(s.objects[1].shape).offset;
+    };
+    EXPECT_NEAR(offset(large), 10 * offset(plain), 1e-9);
+    EXPECT_THROW(load_scene(path, overriding({"mesh.0.file=b.ply"})), Error);
+}
+
 TEST(SceneFiles, WhatIsNoSceneIsRefusedInWords) {
     const TemporaryFolder folder;
     const auto message = [&](const std::string& path) {
@@ -251,6 +275,14 @@ TEST(SceneFiles, WhatIsNoSceneIsRefusedInWords) {
               "this is a folder / a scene (.toml) or a mesh (.ply) was expected");
     EXPECT_EQ(message(folder.write("a.obj", "v 0 0 0\n")),
               "meshes of type .obj cannot be read / convert it to PLY");
+    EXPECT_EQ(message(folder.write("a.XYZ", "0 0 0\n")),
+              "point clouds of type .xyz cannot be read / convert it to PLY");
+    EXPECT_EQ(message(folder.write("a.pcd", "# .PCD v.7\n")),
+              "point clouds of type .pcd cannot be read / convert it to PLY");
+    EXPECT_EQ(message(folder.write("a.step", "ISO-10303-21;\n")),
+              "solid models of type .step cannot be read / export it as PLY");
+    EXPECT_EQ(message(folder.write("a.lz4", "\x04\x22\x4d\x18")),
+              "compressed files of type .lz4 cannot be read / decompress it first");
     EXPECT_EQ(message(folder.write("a.png", std::string("\x89PNG\r\n\x1a\n\0\0\0", 11))),
               "a zero byte: this is not a text file / expected a scene file (TOML) or a PLY mesh");
     EXPECT_NE(message(folder.write("b.ply", "[camera]\n")), "");

@@ -2,6 +2,8 @@
 
 #include "scene_support.h"
 
+#include "formats/scene/key_path.h"
+
 namespace glint::test {
 namespace {
 
@@ -74,6 +76,29 @@ TEST(SceneOverrides, FindTablesByNumberWithinTheirTypeUnlessThatIsAName) {
     EXPECT_EQ(std::get<SphereShape>(with({"sphere.1.radius=7"}).objects[2].shape).radius, 7);
 }
 
+TEST(SceneOverrides, FindEachOfVeryManyTablesByName) {
+    using namespace formats;
+    constexpr std::size_t count = 100000;
+    const SceneSource source({}, "many.toml", {});
+    Problems problems(source);
+    TreeValue root;
+    root.entries.push_back({"sphere", {}, {}});
+    std::vector<TreeValue>& spheres = root.entries[0].value.items;
+    for (std::size_t i = 0; i < count; ++i) {
+        TreeValue name;
+        name.kind = TreeValue::Kind::text;
+        name.text = "ball " + std::to_string(i);
+        spheres.emplace_back().entries.push_back({"name", {}, std::move(name)});
+    }
+    KeyPaths paths(root, problems);
+    for (std::size_t i = 0; i < count; ++i)
+        ASSERT_EQ(paths.find("sphere.ball " + std::to_string(i) + ".radius", {}).table, &spheres[i]);
+    // Names change as other values do.
+    paths.put(paths.find("sphere.3.name", {}), read_value("nine", {}), {});
+    EXPECT_EQ(paths.find("sphere.nine.radius", {}).table, &spheres[3]);
+    EXPECT_EQ(paths.find("sphere.ball 3.radius", {}).table, nullptr);
+}
+
 TEST(SceneOverrides, AddKeysThatTheTableLacks) {
     EXPECT_EQ(with({"sphere.ball.priority=2"}).objects[0].priority, 2);
     EXPECT_EQ(with({"sphere.ball.transform=[{ translate = [1, 0, 0] }]"}).objects[0].transform[3].x, 1);
@@ -126,7 +151,12 @@ TEST(SceneOverrides, PathsThatLeadNowhereAreErrors) {
         {"whitted.a.b=3", "[whitted] has no parts named \"a\"", "whitted.max_depth=…"},
         {"material.glas.index=1", "no material \"glas\"", "did you mean \"glass\"?"},
         {"sphere.bal.radius=1", "no sphere \"bal\"", "did you mean \"ball\"?"},
-        {"sphere.radius=1", "which \"sphere\"?", "sphere.NAME."},
+        {"sphere.radius=1", "which \"sphere\"?", "sphere.ball.radius=…"},
+        {"light.intensity=3", "which \"light\"?", "the scene has 2, numbered from 0: light.0.intensity=…"},
+        {"sphere.ball=3", "\"sphere.0\" is a table, not a value", "sphere.0."},
+        {"light.0.intensity=1e400", "the number 1e400 is out of range", "1.8e308"},
+        {"light.0.intensity=.5", "\".5\" begins with a point", "write 0.5"},
+        {"sphere.ball.center=1,2,3", "a list without brackets", "[1, 2, 3]"},
         {"light.2.intensity=1", "no light \"2\"", "the scene has 2, numbered from 0"},
         {"light.-1.intensity=1", "no light \"-1\"", "numbered from 0"},
         {"plane.0.offset=1", "no plane \"0\"", "the scene has no plane"},

@@ -1,12 +1,12 @@
 #pragma once
 // What the tests of scene files share.
 
+#include "../kit/temporary_folder.h"
+
 #include "glint/scene_files.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -30,29 +30,6 @@ inline std::vector<Diagnostic> errors_of(std::string_view text, std::vector<Over
     }
     return {};
 }
-
-/// A fresh folder that goes away with the object.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "glint-XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string at(const std::string& name) const { return (path_ / name).string(); }
-    /// Writes a file, with the folders above it; its path.
-    std::string write(const std::string& name, const std::string& text) const {
-        std::filesystem::create_directories((path_ / name).parent_path());
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return at(name);
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// A scene with one material "m" before the given text.
 inline std::string with_material(const std::string& text) { return "[material.m]\n" + text; }

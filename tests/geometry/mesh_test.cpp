@@ -81,6 +81,8 @@ TEST(Closed, FailsWithoutOneTriangleOrWithOneTurned) {
     TestMesh turned = cube();
     std::swap(turned.triangles[5].x, turned.triangles[5].y);
     EXPECT_FALSE(is_closed(turned.positions, turned.triangles));
+    EXPECT_TRUE(has_no_holes(turned.positions, turned.triangles));
+    EXPECT_FALSE(has_no_holes(open.positions, open.triangles));
     EXPECT_FALSE(is_closed(turned.positions, {}));
 }
 
@@ -103,6 +105,17 @@ TEST(Volume, OfACubeIsOneWhereverItStandsAndTurnsWithItsWinding) {
     for (uvec3& t : mesh.triangles) std::swap(t.x, t.y);
     EXPECT_DOUBLE_EQ(signed_volume(mesh.positions, mesh.triangles), -1.0);
     EXPECT_EQ(signed_volume(mesh.positions, {}), 0.0);
+}
+
+TEST(SharpestEdge, IsTheLeastAngleBetweenFaces) {
+    TestMesh mesh = cube();
+    EXPECT_DOUBLE_EQ(sine_at_sharpest_edge(mesh.positions, mesh.triangles), 1) << "no edge below 90°";
+    for (vec3& p : mesh.positions) p.x += p.z * 3.0f; // sides lean at a slope of 1 : 3
+    for (const TestMesh& leaning : {mesh, soup_of(mesh)})
+        EXPECT_NEAR(sine_at_sharpest_edge(leaning.positions, leaning.triangles), 1 / std::sqrt(10.0), 1e-12);
+    mesh.triangles.emplace_back(0, 1, 2); // the back of a face
+    EXPECT_NEAR(sine_at_sharpest_edge(mesh.positions, mesh.triangles), 1 / std::sqrt(10.0), 1e-12);
+    EXPECT_EQ(sine_at_sharpest_edge({}, {}), 1);
 }
 
 TEST(Degenerate, IsATriangleWithARepeatedCornerOrOnALine) {
@@ -146,6 +159,25 @@ TEST(SmoothNormals, WeighByAngleSoThatACubesPointAlongItsDiagonals) {
             EXPECT_LT(glm::length(normals[i] - expected), 1e-6f) << "vertex " << i;
         }
     }
+}
+
+TEST(Creases, LeaveACubeFlatAndATentSmooth) {
+    const TestMesh box = cube();
+    const CreasedMesh sharp = split_at_creases(box.positions, box.triangles, std::cos(1.0));
+    ASSERT_EQ(sharp.source.size(), 24u) << "four vertices for each side";
+    for (std::size_t i = 0; i < box.triangles.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = sharp.triangles[i][k];
+            EXPECT_EQ(sharp.source[vertex], box.triangles[i][k]);
+            const vec3& n = sharp.normals[vertex];
+            EXPECT_EQ(std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)}), 1.0f);
+        }
+    // At 90° and more the edges of a cube are smooth.
+    const CreasedMesh round = split_at_creases(box.positions, box.triangles, -1);
+    EXPECT_EQ(round.source.size(), box.positions.size());
+    const std::vector<vec3> expected = smooth_normals(box.positions, box.triangles);
+    for (std::size_t i = 0; i < round.source.size(); ++i)
+        EXPECT_EQ(round.normals[i], expected[round.source[i]]);
 }
 
 TEST(SmoothNormals, AreZeroWithoutAFaceAndWhereFacesCancel) {

@@ -97,10 +97,10 @@ std::string refusal(const std::vector<std::string>& arguments) {
 
 TEST(Meshgen, RefusesWhatItDoesNotUnderstand) {
     EXPECT_EQ(refusal({}), "no shape given | expected glint-meshgen SHAPE -o FILE; see --help");
-    EXPECT_EQ(refusal({"gyriod"}), "there is no shape called 'gyriod' | did you mean gyroid?");
+    EXPECT_EQ(refusal({"gyriod"}), "there is no shape called 'gyriod' | did you mean \"gyroid\"?");
     EXPECT_EQ(refusal({"torus"}), "no output given | add -o FILE.ply");
     EXPECT_EQ(refusal({"torus", "--colours", "-o", "x.ply"}),
-              "unknown option --colours | did you mean --colors?");
+              "unknown option --colours | did you mean \"--colors\"?");
     EXPECT_EQ(refusal({"torus", "-o"}), "-o needs a value | see glint-meshgen --help");
     EXPECT_EQ(refusal({"torus", "--triangles", "many"}),
               "'many' is no value for --triangles | expected a whole number from 20 to 20000000");

@@ -371,5 +371,22 @@ TEST(Extent, IsTight) {
     EXPECT_EQ(wide.high, 1.0);
 }
 
+TEST(Sides, CoincideWhereCentreAxisAndRadiusDo) {
+    const double error = 1e-7;
+    const QuadricShape ball = make_sphere({1, 2, 3}, 2);
+    EXPECT_TRUE(same_side(ball, ball, error));
+    EXPECT_FALSE(same_side(ball, make_sphere({1, 2, 3}, 2.001), error));
+    EXPECT_FALSE(same_side(ball, make_sphere({1, 2, 3.001}, 2), error));
+    const QuadricShape tube = make_cylinder({0, 0, 1}, {0, 0, 1}, 3, 2);
+    EXPECT_TRUE(same_side(tube, make_cylinder({0, 0, 9}, {0, 0, -1}, 7, 2), error)) << "longer, reversed";
+    EXPECT_FALSE(same_side(tube, make_cylinder({0, 0.001, 1}, {0, 0, 1}, 3, 2), error));
+    EXPECT_FALSE(same_side(tube, make_cylinder({0, 0, 1}, {0, 0, 1}, 3, 1.999), error));
+    const QuadricShape hat = make_cone({0, 0, 0}, {0, 0, 1}, 2, 1);
+    EXPECT_TRUE(same_side(hat, make_cone({0, 0, 1}, {0, 0, 1}, 1, 0.5), error)) << "its tip";
+    EXPECT_FALSE(same_side(hat, make_cone({0, 0, 1}, {0, 0, 1}, 1, 0.6), error));
+    EXPECT_FALSE(same_side(hat, tube, error));
+    EXPECT_FALSE(same_side(make_disk({0, 0, 0}, {0, 0, 1}, 1), make_disk({0, 0, 0}, {0, 0, 1}, 1), error));
+}
+
 } // namespace
 } // namespace glint::geometry

@@ -24,8 +24,8 @@ TEST(Surface, RoundedPointsCoverTheExactOnes) {
 }
 
 TEST(Surface, ReversedTrianglesTurnTheirNormalsOnly) {
-    const SurfacePoint front = triangle_surface(a, b, c, 0.25, 0.5, dvec3(0, 0, 1), false);
-    const SurfacePoint back = triangle_surface(a, b, c, 0.25, 0.5, dvec3(0, 0, 1), true);
+    const SurfacePoint front = triangle_surface(a, b, c, 0.25, 0.5, edge_margin, dvec3(0, 0, 1), false);
+    const SurfacePoint back = triangle_surface(a, b, c, 0.25, 0.5, edge_margin, dvec3(0, 0, 1), true);
     EXPECT_EQ(front.p, vec3(0.25f, 0.5f, 1.0f));
     EXPECT_EQ(front.n, vec3(0, 0, 1));
     EXPECT_EQ(back.p, front.p);
@@ -38,9 +38,9 @@ TEST(Surface, InstancesMovePointsAndTurnNormalsByTheInverseTranspose) {
     linear[0][0] = 2; // x is stretched
     const dmat3 inverse = glm::inverse(linear);
     const vec3 slanted(0.0f, 1.0f, 0.0f);
-    const SurfacePoint point = instance_surface(a, b, slanted, 0.5, 0.25, dvec3(0, 0, 1), linear, inverse,
-                                                dvec3(10, 20, 30), 1e-6, false);
-    const SurfacePoint local = triangle_surface(a, b, slanted, 0.5, 0.25, dvec3(0, 0, 1), false);
+    const SurfacePoint point = instance_surface(a, b, slanted, 0.5, 0.25, edge_margin, dvec3(0, 0, 1), linear,
+                                                inverse, dvec3(10, 20, 30), 1e-6, false);
+    const SurfacePoint local = triangle_surface(a, b, slanted, 0.5, 0.25, edge_margin, dvec3(0, 0, 1), false);
     EXPECT_EQ(point.p, vec3(11.0f, 20.25f, 30.75f));
     EXPECT_NEAR(dot(point.n, vec3(2, 0, 0)), 0, 1e-7) << "normal to the stretched edge";
     EXPECT_NEAR(dot(point.n, vec3(0, 1, -1)), 0, 1e-7);
@@ -49,7 +49,8 @@ TEST(Surface, InstancesMovePointsAndTurnNormalsByTheInverseTranspose) {
 
 TEST(Surface, PointsKeepOffTheEdgesOfTheirTriangle) {
     for (const dvec2 weights : {dvec2(0.5, 0.5), dvec2(0, 0.25), dvec2(1, 0), dvec2(1e-9, 0.5)}) {
-        const SurfacePoint point = triangle_surface(a, b, c, weights.x, weights.y, dvec3(0, 0, 1), false);
+        const SurfacePoint point =
+            triangle_surface(a, b, c, weights.x, weights.y, edge_margin, dvec3(0, 0, 1), false);
         const dvec3 p(point.p);
         const double error = point.p_error.x;
         for (const double distance : {p.x, p.y, (1 - p.x - p.y) / std::sqrt(2.0)}) {
@@ -62,8 +63,10 @@ TEST(Surface, PointsKeepOffTheEdgesOfTheirTriangle) {
 
 TEST(Surface, TrianglesSmallerThanTheirErrorsKeepTheirPointsApart) {
     const vec3 far(1e6f, 0, 0);
-    const SurfacePoint at_b = triangle_surface(far + a, far + b, far + c, 1, 0, dvec3(0, 0, 1), false);
-    const SurfacePoint at_c = triangle_surface(far + a, far + b, far + c, 0, 1, dvec3(0, 0, 1), false);
+    const SurfacePoint at_b =
+        triangle_surface(far + a, far + b, far + c, 1, 0, edge_margin, dvec3(0, 0, 1), false);
+    const SurfacePoint at_c =
+        triangle_surface(far + a, far + b, far + c, 0, 1, edge_margin, dvec3(0, 0, 1), false);
     EXPECT_GT(glm::length(at_b.p - at_c.p), 1.0f);
 }
 

@@ -1,8 +1,10 @@
 // The GPU's pictures against the CPU's: at least 99.9 % of the pixels within 1/255, and those within 1e-5 on
 // average.
 
+#include "closed_solids.h"
 #include "gallery.h"
 #include "gpu_kit.h"
+#include "scene_kit.h"
 
 #include "glint/scene_files.h"
 
@@ -57,7 +59,9 @@ class GpuScenes : public testing::TestWithParam<fs::path> {};
 TEST_P(GpuScenes, LookAsOnTheCpu) {
     GLINT_NEEDS_GPU();
     if (shows_the_cat(GetParam()) && !fs::exists(cat)) GTEST_SKIP() << "there is no " << cat;
-    expect_agreement(small_scene(GetParam(), 1), GetParam().filename().string());
+    SceneDescription scene = small_scene(GetParam(), 1);
+    scene.render.integrator = Integrator::whitted; // others have no shader
+    expect_agreement(scene, GetParam().filename().string());
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& file) { return word_of(file.param); }
@@ -84,6 +88,60 @@ TEST(GpuAgreement, EveryKindOfObjectLightAndMaterialLooksAsOnTheCpu) {
         exhibit.scene.render.height = 120;
         expect_agreement(exhibit.scene, exhibit.name);
     }
+}
+
+TEST(GpuAgreement, SurfacesInOnePlaceLookAsOnTheCpu) {
+    GLINT_NEEDS_GPU();
+    SceneDescription scene = kit::empty_scene(Vec3(0), Vec3(0, 1, 0), 96, 50);
+    scene.render.background = Vec3(0.5, 0.6, 0.8);
+    const auto paint = [](double red, double mirror) {
+        Material m = kit::matte(0.6);
+        m.color = Vec3(red, 1 - red, 0.5);
+        m.reflectivity = mirror;
+        return m;
+    };
+    Material clear = kit::glass(1.5, 0.8);
+    clear.fresnel = true;
+    const auto stands = [](double x, double y) {
+        return PolyhedronShape{PolyhedronKind::box, Vec3(x, y, 0.5), Vec3(1)};
+    };
+    kit::add(scene, kit::mesh_of(kit::box_mesh(Vec3(0, 0, 0.5), Vec3(1))), clear).name = "cube";
+    kit::add(scene, stands(1.5, 0), clear);
+    kit::add(scene, PlaneShape{}, paint(0.3, 0.3));
+    kit::add(scene, RectangleShape{Vec3(-1.5, -1.5, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)}, paint(0.9, 0));
+    kit::add(scene, stands(-1.5, 1.5), paint(0.6, 0));
+    kit::add(scene, InstanceShape{"cube"}, kit::glass(1.3, 0.7)).transform[3] = dvec4(0.3, 0.2, 1, 1);
+    kit::add(scene, SphereShape{Vec3(1.5, -1.5, 0.5), 0.5}, clear);
+    kit::add_light(scene, Vec3(-3, -4, 6), 40);
+    for (const Vec3& eye : {Vec3(2.3, -5, 3), Vec3(-4, 3, 1), Vec3(1, -3, -4)}) {
+        scene.camera->eye = eye;
+        scene.camera->direction = -eye;
+        expect_agreement(scene, "from z = " + std::to_string(eye.z));
+    }
+}
+
+TEST(GpuAgreement, ScenesFarFromZeroLookAsOnTheCpu) {
+    GLINT_NEEDS_GPU();
+    for (const kit::Exhibit& exhibit : kit::gallery())
+        if (exhibit.name == "instances" || exhibit.name == "spots")
+            expect_agreement(kit::moved(exhibit.scene, Vec3(5e5, 5.4e6, 312)), exhibit.name);
+}
+
+TEST(GpuAgreement, NoRayLeavesAClosedSolid) {
+    GLINT_NEEDS_GPU();
+    const auto expect_all = [](const std::vector<kit::Exhibit>& solids, float right) {
+        for (kit::Exhibit solid : solids) {
+            solid.scene.render.width = 32;
+            solid.scene.render.height = 24;
+            gpu()->prepare(build_scene(solid.scene));
+            const Image image = gpu()->render().image;
+            EXPECT_EQ(std::count(image.pixels.begin(), image.pixels.end(), right),
+                      static_cast<std::ptrdiff_t>(image.pixels.size()))
+                << solid.name;
+        }
+    };
+    expect_all(kit::mirror_rooms(), 0);
+    expect_all(kit::invisible_solids(), 1);
 }
 
 TEST(GpuAgreement, EveryFilterLooksAsOnTheCpu) {

@@ -27,9 +27,9 @@ scene::SceneData balls() {
 }
 
 /// Numbers of solids begin with 1.
-std::vector<std::uint32_t> listed(const rendering::InteriorList* list) {
-    std::vector<std::uint32_t> numbers;
-    for (; list != nullptr; list = list->rest) numbers.push_back(list->object + 1);
+std::vector<std::uint32_t> listed(const rendering::InteriorList* list, const scene::SceneData& scene) {
+    std::vector<std::uint32_t> numbers = rendering::solids_of(list, scene);
+    for (std::uint32_t& number : numbers) ++number;
     return numbers;
 }
 std::vector<std::uint32_t> listed(const uvec4& list) {
@@ -50,7 +50,7 @@ TEST(GpuInteriors, AreEnteredAndLeftAsOnTheCpu) {
             const bool entering = random() % 3 != 0 && !interiors_full(packed);
             list = rendering::crossed(list, object, entering, scene, arena);
             packed = entering ? interiors_with(packed, object + 1) : interiors_without(packed, object + 1);
-            ASSERT_EQ(listed(packed), listed(list));
+            ASSERT_EQ(listed(packed), listed(list, scene));
         }
     }
 }

@@ -33,6 +33,16 @@ ProgressiveOptions from(int coarsest, const CancelFlag* cancel = nullptr) {
     return options;
 }
 
+TEST(GpuProgressive, RefusesAdaptiveSamples) {
+    GLINT_NEEDS_GPU();
+    SceneDescription scene = exhibit("mirrors", 1);
+    scene.render.max_spp = 8;
+    GpuProgressive progressive;
+    EXPECT_NE(refusal([&] { progressive.start(build_scene(scene)); })
+                  .find("progressive pictures on graphics cards have no adaptive samples"),
+              std::string::npos);
+}
+
 TEST(GpuProgressive, ComesToTheBitsOfTheWholePicture) {
     GLINT_NEEDS_GPU();
     struct Case {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint::gpu {
 namespace {
@@ -78,6 +79,23 @@ TEST(GpuRenderer, CountsTheRaysOfTheCpu) {
     near(ours.reflected_rays, cpu.reflected_rays);
     near(ours.refracted_rays, cpu.refracted_rays);
     near(ours.shadow_rays, cpu.shadow_rays);
+    near(ours.left_out_rays, cpu.left_out_rays);
+}
+
+TEST(GpuRenderer, LeavesOutTheRaysThatTheCpuLeavesOut) {
+    GLINT_NEEDS_GPU();
+    SceneDescription description = exhibit("nested");
+    description.whitted.min_weight = 0.05;
+    const Scene scene = build_scene(description);
+    gpu()->prepare(scene);
+    const Picture ours = gpu()->render();
+    const Picture cpu = render(scene);
+    EXPECT_GT(cpu.stats.left_out_rays, 0u);
+    EXPECT_NEAR(static_cast<double>(ours.stats.left_out_rays), static_cast<double>(cpu.stats.left_out_rays),
+                0.001 * static_cast<double>(cpu.stats.left_out_rays) + 2);
+    const Agreement found = agreement(ours.image, cpu.image);
+    EXPECT_LE(found.far, 0.001);
+    EXPECT_LE(found.error, 1e-5);
 }
 
 TEST(GpuRenderer, ACropIsAPartOfTheWhole) {
@@ -122,6 +140,27 @@ TEST(GpuRenderer, CancellingLeavesAnIncompletePicture) {
     EXPECT_TRUE(gpu()->render(options).complete);
 }
 
+TEST(GpuRenderer, ACoarsePictureFirstChangesNoFinishedPictureAndShowsInACancelledOne) {
+    GLINT_NEEDS_GPU();
+    gpu()->prepare(build_scene(exhibit("mirrors")));
+    RenderOptions options;
+    options.coverage = true;
+    const Picture expected = gpu()->render(options);
+    options.coarse_first = true;
+    const Picture finished = gpu()->render(options);
+    EXPECT_EQ(finished.image.pixels, expected.image.pixels);
+    EXPECT_EQ(finished.coverage, expected.coverage);
+    CancelFlag cancel{false};
+    options.cancel = &cancel;
+    options.progress = [&](const Progress& progress) { cancel = progress.fraction > 0.01; };
+    const Picture coarse = gpu()->render(options);
+    EXPECT_FALSE(coarse.complete);
+    double difference = 0;
+    for (std::size_t i = 0; i < coarse.coverage.size(); ++i)
+        difference += std::abs(double(coarse.coverage[i]) - expected.coverage[i]);
+    EXPECT_LT(difference / static_cast<double>(coarse.coverage.size()), 0.1);
+}
+
 TEST(GpuRenderer, TellsOfItsProgress) {
     GLINT_NEEDS_GPU();
     gpu()->prepare(build_scene(exhibit("mirrors")));
@@ -149,6 +188,25 @@ TEST(GpuRenderer, MoreThanEightSolidsAroundARayAreRefused) {
     EXPECT_NE(
         refusal([&] { gpu()->prepare(build_scene(scene)); }).find("the camera is in 9 transparent solids"),
         std::string::npos);
+}
+
+TEST(GpuRenderer, TakesMoreSamplesWhereNeighboursDifferAsTheCpuDoes) {
+    GLINT_NEEDS_GPU();
+    for (const int samples : {1, 2}) {
+        SceneDescription description = exhibit("mirrors", samples);
+        description.render.max_spp = 8;
+        expect_agreement(description, "adaptive");
+        const Scene scene = build_scene(description);
+        gpu()->prepare(scene);
+        RenderOptions options;
+        options.terms = true;
+        options.coverage = true;
+        options.crop = Rect{7, 3, 21, 13};
+        const Picture ours = gpu()->render(options);
+        const Picture theirs = render(scene, options);
+        expect_agreement(ours.image, theirs.image, "part of an adaptive picture");
+        EXPECT_NEAR(double(ours.stats.primary_rays), double(theirs.stats.primary_rays), 8 * 2);
+    }
 }
 
 TEST(GpuRenderer, ADeviceThatIsNotThereIsRefused) {

@@ -85,8 +85,10 @@ TEST(GpuTree, HoldsEverythingOnce) {
         if (tree.root == invalid_index) continue;
         Found found;
         visit(tree, tree.root, 0, found);
-        EXPECT_EQ(found.triangles.size(), world.mesh_tree.triangles - world.mesh_tree.left_out)
-            << exhibit.name;
+        std::size_t triangles = 0;
+        for (const trace::MeshTree* mesh : {&world.mesh_tree, &world.wide_tree})
+            triangles += mesh->triangles - mesh->left_out;
+        EXPECT_EQ(found.triangles.size(), triangles) << exhibit.name;
         EXPECT_EQ(found.quadrics.size(), world.quadrics.size()) << exhibit.name;
         EXPECT_EQ(found.instances.size(), world.instances.size()) << exhibit.name;
         for (std::size_t i = 0; i < world.shared_meshes.size(); ++i) {

@@ -51,10 +51,11 @@ class GpuShaders : public testing::Test {
 std::vector<ProgramChoice> all_choices() {
     std::vector<ProgramChoice> choices;
     for (const bool glass : {false, true}) {
-        for (const bool instances : {false, true}) {
+        for (const auto& [instances, contacts] : {std::pair(false, false), {true, false}, {false, true}}) {
             ProgramChoice c;
             c.glass = glass;
             c.instances = instances;
+            c.contacts = contacts;
             choices.push_back(c);
             c.terms = true;
             choices.push_back(c);
@@ -74,8 +75,9 @@ std::vector<ProgramChoice> all_choices() {
 TEST_F(GpuShaders, CompileForVulkan) {
     for (const ProgramChoice& c : all_choices())
         EXPECT_EQ(complaint(shader_source(c)), "")
-            << "glass " << c.glass << ", instances " << c.instances << ", terms " << c.terms
-            << ", first hits " << c.first_hit << ", rays " << c.rays << ", counts " << c.count;
+            << "glass " << c.glass << ", instances " << c.instances << ", contacts " << c.contacts
+            << ", terms " << c.terms << ", first hits " << c.first_hit << ", rays " << c.rays << ", counts "
+            << c.count;
     EXPECT_EQ(complaint(show_source()), "");
 }
 

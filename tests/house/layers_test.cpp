@@ -116,6 +116,7 @@ TEST(Layers, AProgramThatLooksBehindThePublicHeadersIsFound) {
 
 TEST(Layers, ProgramsDoNotIncludeEachOther) {
     EXPECT_EQ(joined(complaints({"apps/cli/pages/a.cpp", "#include \"../text.h\"\n"})), "");
+    EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"../common/text.h\"\n"})), "");
     EXPECT_EQ(joined(complaints({"apps/cli/a.cpp", "#include \"../viewer/text.h\"\n"})),
               "apps/cli/a.cpp:1: programs use public headers and their own, not \"../viewer/text.h\"");
 }

@@ -120,12 +120,14 @@ std::string against_foreign(const Source& source, const std::string& owner, cons
     return {};
 }
 
-/// Does a relative name, seen from a file of apps/cli, lead to a file of apps/cli?
+/// Does a relative name, seen from a file of apps/cli, lead to a file of apps/cli or apps/common?
 bool stays_in_program(const std::string& path, const std::string& name) {
     const std::filesystem::path target =
         (std::filesystem::path(path).parent_path() / name).lexically_normal();
     const std::string program = part(path, 0) + "/" + part(path, 1) + "/";
-    return find_room(part(name, 0)) == nullptr && target.generic_string().starts_with(program);
+    const std::string found = target.generic_string();
+    return find_room(part(name, 0)) == nullptr &&
+           (found.starts_with(program) || found.starts_with("apps/common/"));
 }
 
 /// Why a file may not include one of our headers; empty if it may.

@@ -96,6 +96,13 @@ TEST(DifferenceHeat, RunsFromBlackThroughBlueAndYellowToWhite) {
     for (std::size_t i = 0; i < 15; ++i) EXPECT_FLOAT_EQ(heat.pixels[i], expected[i]) << "value " << i;
 }
 
+TEST(DifferenceHeat, ShowsAlpha) {
+    const Image same = gray(2, 1, 0.5f);
+    const std::vector<float> alpha{1, 0};
+    const Image heat = glint::difference_heat(same, same, 1, alpha);
+    EXPECT_EQ(heat.pixels, (std::vector<float>{0, 0, 0, 1, 1, 1}));
+}
+
 TEST(DifferenceHeat, ShowsAnyDifferenceInWhiteAtAScaleOfZero) {
     Image b = gray(2, 1, 0.5f);
     b.at(1, 0)[0] = no_number;

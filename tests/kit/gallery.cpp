@@ -236,6 +236,15 @@ SceneDescription balanced() {
     return scene;
 }
 
+/// On a slab a thousand times as wide as what stands there.
+SceneDescription wide_ground() {
+    SceneDescription scene = studio();
+    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(3, 4, -2.07), Vec3(2000, 2000, 2)},
+        shiny(Vec3(0.8, 0.7, 0.6), 0.2, 10, 0.3));
+    add_solids(scene, tinted_glass(1.3, Vec3(0.2, 0.1, 0.4), true));
+    return scene;
+}
+
 SceneDescription points() {
     SceneDescription scene = studio();
     Mesh cloud = sphere_mesh(1.2, 6);
@@ -271,6 +280,7 @@ std::vector<Exhibit> gallery() {
             {"nested", nested()},
             {"inside_glass", inside_glass()},
             {"balanced", balanced()},
+            {"wide_ground", wide_ground()},
             {"points", points()}};
 }
 

@@ -94,6 +94,21 @@ Material& material_of_object(SceneDescription& scene, std::size_t object) {
     throw Error(ErrorKind::internal, "the object has no material");
 }
 
+SceneDescription moved(SceneDescription scene, const Vec3& by) {
+    for (Object& object : scene.objects) {
+        // An instance is transformed after its mesh, which is moved already.
+        const bool instance = std::holds_alternative<InstanceShape>(object.shape);
+        const Vec3 already = instance ? glm::dmat3(object.transform) * by : Vec3(0);
+        object.transform[3] += glm::dvec4(by - already, 0);
+    }
+    for (Light& light : scene.lights) {
+        if (auto* point = std::get_if<PointLight>(&light.kind)) point->position += by;
+        if (auto* spot = std::get_if<SpotLight>(&light.kind)) spot->position += by;
+    }
+    if (scene.camera) scene.camera->eye += by;
+    return scene;
+}
+
 MeshShape mesh_of(Mesh mesh) {
     MeshShape shape;
     shape.data = std::make_shared<const Mesh>(std::move(mesh));

@@ -38,6 +38,9 @@ void add_ambient(SceneDescription& scene, const Vec3& color);
 /// The material of an object of the scene.
 Material& material_of_object(SceneDescription& scene, std::size_t object);
 
+/// The scene with everything in it moved.
+SceneDescription moved(SceneDescription scene, const Vec3& by);
+
 MeshShape mesh_of(Mesh mesh);
 /// A sphere about the origin as a closed mesh: `rings` · 2 · `rings` quads cut in two, outward, with vertex
 /// normals.

@@ -1,5 +1,6 @@
 // The pool runs exactly the requested number of threads, uses all and joins all.
 
+#include "parallel/resources.h"
 #include "parallel/task_pool.h"
 
 #include <gtest/gtest.h>

@@ -29,11 +29,16 @@ TEST(Cancel, BeforeTheStartLeavesNothing) {
     options.cancel = &cancel;
     options.coverage = true;
     options.terms = true;
-    const Picture picture = rendered(glowing(64), options);
-    EXPECT_FALSE(picture.complete);
-    EXPECT_TRUE(is_black(picture));
-    EXPECT_EQ(picture.stats.primary_rays, 0u);
-    EXPECT_EQ(picture.stats.threads, 0);
+    for (const bool coarse_first : {false, true}) {
+        options.coarse_first = coarse_first;
+        const Picture picture = rendered(glowing(64), options);
+        EXPECT_FALSE(picture.complete);
+        EXPECT_EQ(picture.image.pixels.size(), 3u * 64 * 64);
+        EXPECT_EQ(picture.coverage.size(), 64u * 64);
+        EXPECT_TRUE(is_black(picture));
+        EXPECT_EQ(picture.stats.primary_rays, 0u);
+        EXPECT_EQ(picture.stats.threads, 0);
+    }
 }
 
 TEST(Cancel, KeepsFinishedTilesWholeAndTheOthersBlack) {
@@ -68,6 +73,60 @@ TEST(Cancel, KeepsFinishedTilesWholeAndTheOthersBlack) {
         }
         EXPECT_EQ(bright, done);
     }
+}
+
+/// A picture in tiles of 8 pixels, cancelled after some tiles of its last pass.
+Picture cancelled_after(std::uint64_t tiles, const SceneDescription& scene, RenderOptions options) {
+    CancelFlag cancel{false};
+    options.threads = 1;
+    options.tile_size = 8;
+    options.coarse_first = true;
+    options.cancel = &cancel;
+    double fraction = 0;
+    options.progress = [&](const Progress& progress) {
+        EXPECT_GE(progress.fraction, fraction);
+        fraction = progress.fraction;
+        // The last pass begins when the tiles of the previews are done.
+        if (progress.fraction > 1.0 / 17 && tiles-- == 0) cancel = true;
+    };
+    return rendered(scene, options);
+}
+
+TEST(Cancel, LeavesACoarsePictureWhereOneWasMadeFirst) {
+    for (const int samples : {1, 4, 16}) {
+        SceneDescription scene = glowing(64);
+        scene.render.spp = samples;
+        RenderOptions options;
+        options.terms = true;
+        options.coverage = true;
+        for (const bool covered : {false, true}) {
+            if (covered) add(scene, SphereShape{Vec3(0), 1000}, lamp(Vec3(1)));
+            const Picture picture = cancelled_after(5, scene, options);
+            EXPECT_FALSE(picture.complete);
+            for (std::size_t i = 0; i < picture.image.pixels.size(); ++i) {
+                EXPECT_EQ(picture.image.pixels[i], covered ? 1.0f : 0.0f);
+                EXPECT_EQ(picture.terms[static_cast<std::size_t>(Term::emission)].pixels[i],
+                          picture.image.pixels[i]);
+            }
+            for (const float share : picture.coverage) EXPECT_EQ(share, covered ? 1.0f : 0.0f);
+        }
+    }
+}
+
+TEST(Cancel, ACoarsePictureFirstChangesNoFinishedPicture) {
+    SceneDescription scene = glowing(45);
+    add(scene, SphereShape{Vec3(0), 1}, matte(0.5));
+    add_light(scene, Vec3(3, -4, 5), 40);
+    RenderOptions options;
+    options.terms = true;
+    options.coverage = true;
+    const Picture expected = rendered(scene, options);
+    options.coarse_first = true;
+    const Picture picture = rendered(scene, options);
+    EXPECT_EQ(picture.image.pixels, expected.image.pixels);
+    EXPECT_EQ(picture.coverage, expected.coverage);
+    for (std::size_t t = 0; t < expected.terms.size(); ++t)
+        EXPECT_EQ(picture.terms[t].pixels, expected.terms[t].pixels);
 }
 
 TEST(Cancel, ReachesIntoARayTreeThatWouldNeverEnd) {
@@ -108,10 +167,11 @@ TEST(Progress, IsMonotoneAndEndsWithEverything) {
         options.tile_size = 8;
         options.progress = [&](const Progress& progress) { told.push_back(progress); };
         const Picture picture = rendered(glowing(64), options);
-        ASSERT_EQ(told.size(), 64u);
+        ASSERT_EQ(told.size(), 65u);
         for (std::size_t i = 0; i < told.size(); ++i) {
             EXPECT_EQ(told[i].tiles, 64u);
-            EXPECT_EQ(told[i].tiles_done, i + 1);
+            EXPECT_EQ(told[i].tiles_done, i);
+            EXPECT_DOUBLE_EQ(told[i].fraction, static_cast<double>(i) / 64);
             if (i == 0) continue;
             EXPECT_GT(told[i].rays, told[i - 1].rays);
             EXPECT_GE(told[i].seconds, told[i - 1].seconds);

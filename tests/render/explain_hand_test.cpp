@@ -75,6 +75,25 @@ TEST_F(ByHand, TheTreeHasTheRaysOfTheDrawing) {
     EXPECT_EQ(ray(3).end, RayEnd::depth_limit);
 }
 
+// The mirror ray of the ball weighs 0.1, the ray out of the ball 0.25.
+TEST(LeftOut, RaysAreNamedWhereTheyWouldBegin) {
+    SceneDescription scene = ball_before_a_mirror();
+    scene.materials.front().reflectivity = 0.1;
+    scene.whitted.min_weight = 0.3;
+    const Explanation e = explain(build_scene(scene), 0, 0);
+    const std::vector<ExplainedRay>& rays = e.samples.at(0).rays;
+    ASSERT_EQ(rays.size(), 2u);
+    EXPECT_EQ(rays[0].end, RayEnd::bounced);
+    EXPECT_EQ(rays[0].why, "goes on; the mirror ray has a weight below min_weight, and is left out");
+    EXPECT_STREQ(step_of(rays[0].steps, "W_R").note, "below min_weight: this ray is left out");
+    EXPECT_STREQ(step_of(rays[0].steps, "W_T").note, "");
+    EXPECT_EQ(rays[0].left_out, 1);
+    EXPECT_EQ(rays[1].left_out, 2);
+    EXPECT_EQ(rays[1].end, RayEnd::min_weight);
+    EXPECT_EQ(rays[1].why, "ends: what would go on has a weight below min_weight, and is left out");
+    expect_near(step_of(rays[1].steps, "W_T").result.value, glm::vec3(0.25f));
+}
+
 TEST_F(ByHand, WeightsHalveAtEachSurface) {
     expect_near(ray(0).weight, glm::vec3(1));
     expect_near(ray(1).weight, glm::vec3(0.5f));
@@ -95,7 +114,7 @@ TEST_F(ByHand, IndicesTurnOverAtTheFarSide) {
 // Lamp 1: r = 5, n·l = 4/5, 36.87°, E = 50 · 0.8/25 = 1.6, D = 1.6 · (1, 0.5, 0.25) · 0.5.
 TEST_F(ByHand, TheFirstLampArrivesWhole) {
     const ExplainedLight& lamp = ray(2).lights.at(0);
-    EXPECT_EQ(lamp.label, "point light 1");
+    EXPECT_EQ(lamp.label, "point light.0");
     EXPECT_NEAR(lamp.distance, 5, 1e-5);
     EXPECT_NEAR(lamp.cosine, 0.8, 1e-6);
     EXPECT_NEAR(lamp.degrees, 36.8698976, 1e-4);
@@ -153,7 +172,7 @@ TEST_F(ByHand, TheFormulasAreThoseOfTheReport) {
     EXPECT_STREQ(arriving.section, "2.2");
     EXPECT_EQ(step_of(lamp.steps, "D").formula, "E ⊙ c · k_d · s");
     EXPECT_EQ(step_of(ray(2).lights.at(1).steps, "s").formula, "τ₁ · τ₂");
-    EXPECT_EQ(step_of(ray(2).steps, "ΣD").formula, "D₁ + D₂ + D₃");
+    EXPECT_EQ(step_of(ray(2).steps, "ΣD").formula, "D₀ + D₁ + D₂");
     EXPECT_EQ(step_of(ray(2).steps, "reflection").formula, "L_R · w_R");
     EXPECT_EQ(step_of(ray(0).steps, "transmission").formula, "L_T · w_T");
     EXPECT_EQ(step_of(ray(2).steps, "L").formula, "ambient + diffuse + reflection");

@@ -51,7 +51,9 @@ TEST_P(ExplanationOf, EveryPixelSumsToThePictureBitForBit) {
 
 TEST_P(ExplanationOf, SamplesMakeThePixelHoweverManyThereAre) {
     for (const int spp : {2, 5, 16, 23}) {
-        const Scene scene = build_scene(sized(16, 12, spp));
+        SceneDescription description = sized(16, 12, spp);
+        description.render.filter = PixelFilter::mitchell; // has samples of negative weight
+        const Scene scene = build_scene(description);
         const Picture picture = render(scene);
         Explainer explainer(scene);
         for (int y = 0; y < 12; ++y)
@@ -105,19 +107,25 @@ TEST(ExplainedPixels, AreTheSameOnAnyNumberOfThreads) {
     EXPECT_THROW(explain_pixels(scene, std::vector<PixelCoord>{{0, 0}, {16, 0}}), Error);
 }
 
-TEST(Labels, CountAllObjectsAndAllLights) {
+TEST(Labels, CountAsKeyPathsDo) {
     SceneDescription scene = empty_scene();
     scene.objects.clear();
     scene.lights.clear();
     add(scene, SphereShape{Vec3(0), 1}, Material{});
     add(scene, PlaneShape{}, Material{});
+    add(scene, SphereShape{Vec3(5), 1}, Material{});
     scene.objects[0].name = "ball";
     scene.lights.push_back({AmbientLight{}, {}});
     scene.lights.push_back({SpotLight{}, {}});
-    EXPECT_EQ(object_label(scene, 0), "sphere \"ball\"");
-    EXPECT_EQ(object_label(scene, 1), "plane #2");
-    EXPECT_EQ(light_label(scene, 0), "ambient light 1");
-    EXPECT_EQ(light_label(scene, 1), "spot light 2");
+    scene.lights.push_back({PointLight{}, {}, "key"});
+    const std::vector<std::uint32_t> numbers = object_numbers(scene);
+    EXPECT_EQ(numbers, (std::vector<std::uint32_t>{0, 0, 1}));
+    EXPECT_EQ(object_label(scene.objects[0], numbers[0]), "sphere \"ball\"");
+    EXPECT_EQ(object_label(scene.objects[1], numbers[1]), "plane.0");
+    EXPECT_EQ(object_label(scene.objects[2], numbers[2]), "sphere.1");
+    EXPECT_EQ(light_label(scene, 0), "ambient light.0");
+    EXPECT_EQ(light_label(scene, 1), "spot light.1");
+    EXPECT_EQ(light_label(scene, 2), "point light \"key\"");
 }
 
 } // namespace

@@ -18,11 +18,12 @@ namespace {
 
 using namespace kit;
 
-Scene exhibit(int samples) {
+Scene exhibit_scene(int samples) {
     SceneDescription scene = gallery().front().scene;
     scene.render.width = 21;
     scene.render.height = 13;
     scene.render.spp = samples;
+    scene.render.filter = PixelFilter::mitchell; // has samples of negative weight
     return build_scene(scene);
 }
 
@@ -62,12 +63,12 @@ void expect_same(Film& film, const Picture& expected, const std::string& what) {
 
 TEST(Film, ShardsOfTilesJoinToTheWhole) {
     for (const int samples : {1, 6}) {
-        const Scene scene = exhibit(samples);
+        const Scene scene = exhibit_scene(samples);
         const RenderOptions options = in_tiles(4);
         Film whole(film_layout(scene.render_settings(), options));
         for (const int i : {2, 0, 1}) {
             EXPECT_FALSE(whole.is_complete());
-            whole.join(film_of(scene, options, one_pass(samples), {i, 3}));
+            whole.join(film_of(scene, options, picture_passes({samples}, {}), {i, 3}));
         }
         EXPECT_TRUE(whole.is_complete());
         expect_same(whole, render(scene, options), std::to_string(samples) + " samples");
@@ -78,7 +79,7 @@ TEST(Film, ShardsOfSamplesJoinToTheWholeInAnyOrder) {
     std::mt19937 random(7);
     for (const int samples : {2, 5, 16, 23, 37})
         for (const int shards : {2, 3, 5}) {
-            const Scene scene = exhibit(samples);
+            const Scene scene = exhibit_scene(samples);
             const RenderOptions options = in_tiles(16);
             std::vector<int> order;
             for (int i = 0; i < shards; ++i) order.push_back(i);
@@ -95,7 +96,7 @@ TEST(Film, RandomCancelsSavesAndLoadsChangeNoBit) {
     std::mt19937 random(11);
     for (int trial = 0; trial < 12; ++trial) {
         const int samples = 1 + static_cast<int>(random() % 40);
-        const Scene scene = exhibit(samples);
+        const Scene scene = exhibit_scene(samples);
         const RenderOptions options = in_tiles(trial % 2 == 0 ? 4 : 8);
         // What others have begun.
         const auto passes = sample_shard(samples, {static_cast<int>(random() % 3), 3});
@@ -104,9 +105,10 @@ TEST(Film, RandomCancelsSavesAndLoadsChangeNoBit) {
             film = Film::load(film.save());
             CancelFlag cancel{false};
             int tiles = static_cast<int>(random() % 8);
-            run(scene, film, one_pass(samples), {}, &cancel, [&](const Progress&) { cancel = --tiles <= 0; });
+            run(scene, film, picture_passes({samples}, {}), {}, &cancel,
+                [&](const Progress&) { cancel = --tiles <= 0; });
         }
-        run(scene, film, one_pass(samples));
+        run(scene, film, picture_passes({samples}, {}));
         EXPECT_TRUE(film.is_complete());
         film = Film::load(film.save());
         expect_same(film, render(scene, options), std::to_string(samples) + " samples");
@@ -114,11 +116,11 @@ TEST(Film, RandomCancelsSavesAndLoadsChangeNoBit) {
 }
 
 TEST(Film, PassesThatDoubleGoOnAfterALoad) {
-    const Scene scene = exhibit(11);
+    const Scene scene = exhibit_scene(11);
     RenderOptions options;
     options.show = Aov::diffuse;
     Film film(film_layout(scene.render_settings(), options));
-    for (const Pass& pass : refining_passes(1, 11)) {
+    for (const Pass& pass : refining_passes(1, {11})) {
         run(scene, film, {pass});
         film = Film::load(film.save());
     }
@@ -126,25 +128,25 @@ TEST(Film, PassesThatDoubleGoOnAfterALoad) {
 }
 
 TEST(Film, WhatIsDoneIsNotMeasuredAgain) {
-    const Scene scene = exhibit(4);
+    const Scene scene = exhibit_scene(4);
     const RenderOptions options = in_tiles(4);
-    Film film = film_of(scene, options, one_pass(4), {0, 2});
+    Film film = film_of(scene, options, picture_passes({4}, {}), {0, 2});
     Film odd(film_layout(scene.render_settings(), options));
-    EXPECT_EQ(run(scene, film, one_pass(4)), run(scene, odd, one_pass(4), {1, 2}));
+    EXPECT_EQ(run(scene, film, picture_passes({4}, {})), run(scene, odd, picture_passes({4}, {}), {1, 2}));
     EXPECT_TRUE(film.is_complete());
 }
 
 TEST(Film, RefinesWhatWasRenderedInPart) {
-    const Scene scene = exhibit(6);
+    const Scene scene = exhibit_scene(6);
     const RenderOptions options = in_tiles(4);
-    Film film = film_of(scene, options, one_pass(6), {1, 3});
-    run(scene, film, refining_passes(8, 6));
+    Film film = film_of(scene, options, picture_passes({6}, {}), {1, 3});
+    run(scene, film, refining_passes(8, {6}));
     EXPECT_TRUE(film.is_complete());
     expect_same(film, render(scene, options), "refined");
 }
 
 TEST(Film, ManyBlocksWithGapsCanBeSaved) {
-    const Scene scene = exhibit(256);
+    const Scene scene = exhibit_scene(256);
     RenderOptions options;
     options.tile_size = 16;
     options.crop = Rect{3, 2, 2, 2};
@@ -157,8 +159,8 @@ TEST(Film, ManyBlocksWithGapsCanBeSaved) {
 }
 
 TEST(Film, APlainPictureKeepsNoSums) {
-    const Scene scene = exhibit(16);
-    const Film film = film_of(scene, {}, one_pass(16));
+    const Scene scene = exhibit_scene(16);
+    const Film film = film_of(scene, {}, picture_passes({16}, {}));
     const std::size_t image = film.image().pixels.size() * sizeof(float);
     EXPECT_LT(film.save().size(), image + 200);
 }
@@ -173,17 +175,17 @@ std::string refusal(const std::function<void()>& f) {
 }
 
 TEST(Film, RefusesToJoinWhatDoesNotFit) {
-    const Scene scene = exhibit(4);
+    const Scene scene = exhibit_scene(4);
     const RenderOptions options = in_tiles(4);
     Film film = film_of(scene, options, {{1, false, 0, 2}}, {0, 2});
     const std::vector<std::byte> before = film.save();
-    EXPECT_EQ(refusal([&] { film.join(film_of(scene, options, one_pass(4))); }),
+    EXPECT_EQ(refusal([&] { film.join(film_of(scene, options, picture_passes({4}, {}))); }),
               "both films have the same samples");
-    EXPECT_EQ(refusal([&] { film.join(Film(film_layout(exhibit(5).render_settings(), options))); }),
+    EXPECT_EQ(refusal([&] { film.join(Film(film_layout(exhibit_scene(5).render_settings(), options))); }),
               "the films differ in their samples per pixel");
     EXPECT_EQ(refusal([&] { film.join(Film(film_layout(scene.render_settings(), in_tiles(8)))); }),
               "the films differ in their tile size");
-    const Scene one_sample = exhibit(1);
+    const Scene one_sample = exhibit_scene(1);
     RenderOptions shown;
     Film light(film_layout(one_sample.render_settings(), shown));
     shown.show = Aov::depth;
@@ -206,7 +208,8 @@ void set_check_sum(std::vector<std::byte>& film) {
 }
 
 TEST(Film, TakesNoMemoryForWhatOnlyItsHeaderClaims) {
-    std::vector<std::byte> film = film_of(exhibit(4), in_tiles(8), one_pass(4), {0, 2}).save();
+    std::vector<std::byte> film =
+        film_of(exhibit_scene(4), in_tiles(8), picture_passes({4}, {}), {0, 2}).save();
     set_check_sum(film);
     EXPECT_NO_THROW(Film::load(film));
     const std::int32_t width_height_and_tile[] = {30000, 30000, 1};
@@ -220,7 +223,7 @@ TEST(Film, TakesNoMemoryForWhatOnlyItsHeaderClaims) {
 }
 
 TEST(Film, DamageIsFoundWhereverItIs) {
-    const std::vector<std::byte> sound = film_of(exhibit(4), in_tiles(8), {{1, false, 0, 2}}, {0, 2}).save();
+    const std::vector<std::byte> sound = film_of(exhibit_scene(4), in_tiles(8), {{1, false, 0, 2}}, {0, 2}).save();
     EXPECT_NO_THROW(Film::load(sound));
     for (std::size_t at = 0; at < sound.size(); at += 1 + at / 16) {
         std::vector<std::byte> damaged = sound;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace glint::rendering {
 
 using scene::SceneData;
@@ -28,21 +30,16 @@ SceneData balls(const std::vector<std::uint32_t>& ranks) {
     return scene;
 }
 
-std::vector<std::uint32_t> listed(const InteriorList* list) {
-    std::vector<std::uint32_t> objects;
-    for (; list != nullptr; list = list->rest) objects.push_back(list->object);
-    return objects;
-}
-
 using Objects = std::vector<std::uint32_t>;
 
-TEST(InteriorList, TheHighestRankStandsFirstWhateverTheOrderOfEntering) {
+TEST(InteriorList, TheHighestRankOwnsTheSpaceWhateverTheOrderOfEntering) {
     const SceneData scene = balls({2, 0, 1});
     InteriorArena arena;
     for (const Objects& order : {Objects{0, 1, 2}, Objects{2, 1, 0}, Objects{1, 2, 0}, Objects{0, 2, 1}}) {
         const InteriorList* list = nullptr;
         for (const std::uint32_t object : order) list = entered(list, object, scene, arena);
-        EXPECT_EQ(listed(list), (Objects{0, 2, 1}));
+        EXPECT_EQ(list->owner, 0u);
+        EXPECT_EQ(solids_of(list, scene), (Objects{0, 2, 1}));
     }
 }
 
@@ -51,18 +48,19 @@ TEST(InteriorList, LeavingTakesOneEntryAway) {
     InteriorArena arena;
     const InteriorList* list = nullptr;
     for (const std::uint32_t object : {0u, 1u, 2u, 1u}) list = entered(list, object, scene, arena);
-    EXPECT_EQ(listed(list), (Objects{2, 1, 1, 0}));
-    EXPECT_EQ(listed(left(list, 1, arena)), (Objects{2, 1, 0}));
-    EXPECT_EQ(listed(left(list, 2, arena)), (Objects{1, 1, 0}));
-    EXPECT_EQ(listed(left(list, 0, arena)), (Objects{2, 1, 1}));
+    EXPECT_EQ(solids_of(list, scene), (Objects{2, 1, 1, 0}));
+    EXPECT_EQ(solids_of(left(list, 1, scene, arena), scene), (Objects{2, 1, 0}));
+    EXPECT_EQ(solids_of(left(list, 2, scene, arena), scene), (Objects{1, 1, 0}));
+    EXPECT_EQ(left(list, 2, scene, arena)->owner, 1u);
+    EXPECT_EQ(solids_of(left(list, 0, scene, arena), scene), (Objects{2, 1, 1}));
 }
 
 TEST(InteriorList, LeavingWhatWasNotEnteredChangesNothing) {
     const SceneData scene = balls({0, 1, 2});
     InteriorArena arena;
     const InteriorList* list = entered(entered(nullptr, 0, scene, arena), 2, scene, arena);
-    EXPECT_EQ(left(list, 1, arena), list);
-    EXPECT_EQ(left(nullptr, 1, arena), nullptr);
+    EXPECT_EQ(left(list, 1, scene, arena), list);
+    EXPECT_EQ(left(nullptr, 1, scene, arena), nullptr);
 }
 
 TEST(InteriorList, ListsThatOthersShareStayAsTheyAre) {
@@ -71,15 +69,29 @@ TEST(InteriorList, ListsThatOthersShareStayAsTheyAre) {
     const InteriorList* shared = entered(entered(nullptr, 0, scene, arena), 2, scene, arena);
     entered(shared, 1, scene, arena);
     entered(shared, 3, scene, arena);
-    left(shared, 0, arena);
-    EXPECT_EQ(listed(shared), (Objects{2, 0}));
+    left(shared, 0, scene, arena);
+    EXPECT_EQ(solids_of(shared, scene), (Objects{2, 0}));
+}
+
+TEST(InteriorList, WalkingThroughNestedSolidsCopiesNothing) {
+    constexpr std::uint32_t count = 1000;
+    std::vector<std::uint32_t> ranks(count);
+    std::iota(ranks.rbegin(), ranks.rend(), 0u); // the outermost owns the space of all
+    const SceneData scene = balls(ranks);
+    InteriorArena arena;
+    std::vector<const InteriorList*> lists{nullptr};
+    for (std::uint32_t i = 0; i < count; ++i) lists.push_back(entered(lists.back(), i, scene, arena));
+    for (std::uint32_t i = count; i > 0; --i) {
+        EXPECT_EQ(lists[i]->owner, 0u);
+        EXPECT_EQ(left(lists[i], i - 1, scene, arena), lists[i - 1]);
+    }
 }
 
 TEST(InteriorList, AcrossEntersOrLeaves) {
     const SceneData scene = balls({0, 1});
     InteriorArena arena;
     const InteriorList* in = crossed(nullptr, 1, true, scene, arena);
-    EXPECT_EQ(listed(in), Objects{1});
+    EXPECT_EQ(solids_of(in, scene), Objects{1});
     EXPECT_EQ(crossed(in, 1, false, scene, arena), nullptr);
 }
 
@@ -106,12 +118,11 @@ TEST(InteriorList, TheOwnerGivesTheIndex) {
 TEST(InteriorArena, HoldsMoreThanOneBlockAndForgets) {
     InteriorArena arena;
     const InteriorList* list = nullptr;
-    for (std::uint32_t i = 0; i < 1000; ++i) list = arena.push(i, list);
-    const Objects all = listed(list);
-    ASSERT_EQ(all.size(), 1000u);
-    for (std::uint32_t i = 0; i < 1000; ++i) EXPECT_EQ(all[i], 999 - i);
+    for (std::uint32_t i = 0; i < 1000; ++i) list = arena.push({i, i, list});
+    for (std::uint32_t i = 1000; i > 0; --i, list = list->rest) ASSERT_EQ(list->object, i - 1);
+    EXPECT_EQ(list, nullptr);
     arena.clear();
-    EXPECT_EQ(listed(arena.push(7, nullptr)), Objects{7});
+    EXPECT_EQ(arena.push({7, 7, nullptr})->object, 7u);
 }
 
 } // namespace

@@ -80,13 +80,30 @@ TEST(Nesting, HiddenSurfacesShowNothingAndCostNothing) {
     EXPECT_EQ(seen.tree.nodes.size(), 3u);
 }
 
-TEST(Nesting, AnOpaqueThingInsideGlassThatOwnsTheSpaceIsHidden) {
-    SceneDescription scene = in_sky();
-    add(scene, SphereShape{Vec3(0), 0.5}, matte());
-    add(scene, SphereShape{Vec3(0), 1}, glass(1));
-    EXPECT_EQ(along_x(scene).light, vec3(1.0f));
-    scene.objects[0].priority = 1;
-    EXPECT_EQ(along_x(scene).light, vec3(0.0f));
+TEST(Nesting, OpaqueThingsAreNeverHidden) {
+    // Wholly in the glass, and with a half of it outside; whatever the order and the priorities.
+    for (const double x : {0.0, -1.0})
+        for (const bool first : {true, false})
+            for (const int priority : {-1, 0, 1}) {
+                SceneDescription scene = in_sky();
+                add(scene, SphereShape{Vec3(x, 0, 0), 0.5}, lamp(Vec3(0.25))).priority = priority;
+                add(scene, SphereShape{Vec3(0), 1}, glass(1));
+                if (!first) std::swap(scene.objects[0], scene.objects[1]);
+                EXPECT_EQ(along_x(scene).light, vec3(0.25f)) << x << first << priority;
+            }
+}
+
+TEST(Nesting, ThingsInWaterThatStandsLaterInTheFileAreSeenUnderIt) {
+    SceneDescription scene = empty_scene();
+    add(scene, CylinderShape{Vec3(0, 0, -3), Vec3(0, 0, 1), 4, 0.5}, lamp(Vec3(1, 0, 0)));
+    add(scene, DiskShape{Vec3(3, 0, -2), Vec3(0, 0, 1), 1}, lamp(Vec3(0, 1, 0)));
+    add(scene, PlaneShape{Vec3(0, 0, 1), -3}, lamp(Vec3(0, 0, 1)));
+    add(scene, PlaneShape{Vec3(0, 0, 1), 0, true}, absorbing(1, Vec3(0.5)));
+    const double across = std::sqrt(1.25);
+    EXPECT_NEAR(look(scene, Vec3(-1.5, 0, 1), Vec3(1, 0, -0.5)).light.x, 1, 1e-6) << "above the water";
+    EXPECT_NEAR(look(scene, Vec3(-1.5, 0, 1), Vec3(0.5, 0, -1)).light.x, std::exp(-0.5 * across), 1e-6);
+    EXPECT_NEAR(look(scene, Vec3(3, 0, 1), Vec3(0, 0, -1)).light.y, std::exp(-1.0), 1e-6);
+    EXPECT_NEAR(look(scene, Vec3(5, 0, 1), Vec3(0, 0, -1)).light.z, std::exp(-1.5), 1e-6);
 }
 
 TEST(Nesting, PanesAreNeverHidden) {
@@ -110,10 +127,10 @@ TEST(Nesting, HiddenSurfacesAreNoShadowCrossings) {
 }
 
 TEST(Nesting, ShadowsFromInsideKnowWhatTheyAreIn) {
-    // A matte plane in the middle of a big glass ball; a ball of lower rank inside it hides nothing of the
-    // light.
+    // A matte plane in the middle of a big glass ball; a glass ball of lower rank inside it takes nothing of
+    // the light.
     SceneDescription scene = empty_scene();
-    add(scene, SphereShape{Vec3(0, 0, 1), 0.5}, matte());
+    add(scene, SphereShape{Vec3(0, 0, 1), 0.5}, glass(1.5, 0.5));
     add(scene, PlaneShape{}, matte());
     add(scene, SphereShape{Vec3(0), 3}, glass(1.5, 0.5));
     add_light(scene, Vec3(0, 0, 2), 4);

@@ -200,6 +200,21 @@ TEST(Render, CoverageIsFilteredAsTheLightIs) {
     }
 }
 
+/// RMSE of the filter's noise with 16 samples on a ball's outline, against its own picture of many.
+double noise_of(PixelFilter filter) {
+    SceneDescription scene = lamp_ball(24);
+    scene.render.filter = filter;
+    scene.render.spp = 16;
+    const Picture few = rendered(scene);
+    scene.render.spp = 512;
+    return compare(few.image, rendered(scene).image, 0, 1).rmse;
+}
+
+TEST(Render, TheDefaultFilterIsNoNoisierThanABox) {
+    EXPECT_LE(noise_of(RenderSettings().filter), noise_of(PixelFilter::box));
+    EXPECT_GE(noise_of(PixelFilter::mitchell), 1.5 * noise_of(PixelFilter::box));
+}
+
 TEST(Render, WithCoverageTheBackgroundIsLeftOut) {
     SceneDescription scene = lamp_ball(32);
     scene.render.spp = 16;
@@ -248,7 +263,20 @@ TEST(Render, CountsEveryRay) {
     EXPECT_EQ(stats.shadow_rays, 64u);
     EXPECT_EQ(stats.refracted_rays, 0u);
     EXPECT_EQ(stats.rays(), 192u);
+    EXPECT_EQ(stats.left_out_rays, 0u);
     EXPECT_GT(stats.wall_seconds, 0);
+}
+
+TEST(Render, BoundsTheShareOfTheRaysThatItLeavesOut) {
+    SceneDescription scene = empty_scene(Vec3(0, 0, 1), Vec3(0, 0, -1), 8);
+    add(scene, PlaneShape{}, mirror(0.25));
+    scene.whitted.min_weight = 0.5;
+    const Scene built = build_scene(scene);
+    const RenderStats stats = render(built).stats;
+    EXPECT_EQ(stats.reflected_rays, 0u);
+    EXPECT_EQ(stats.left_out_rays, 64u);
+    EXPECT_EQ(left_out_share(stats, built), 0.5);
+    EXPECT_EQ(left_out_share(RenderStats{}, built), 0.0);
 }
 
 TEST(Render, ManySamplesApproachTheAreaThatIsCovered) {
@@ -274,7 +302,7 @@ TEST(PictureSettings, NameWhatDecidesThePicture) {
     EXPECT_EQ(value("glint.size"), "4x4");
     EXPECT_EQ(value("glint.spp"), "1");
     EXPECT_EQ(value("glint.seed"), "7");
-    EXPECT_EQ(value("glint.filter"), "mitchell");
+    EXPECT_EQ(value("glint.filter"), "box");
     EXPECT_EQ(value("glint.shadows"), "opaque");
     EXPECT_EQ(value("glint.max_depth"), "8");
     EXPECT_EQ(value("glint.clamp"), "false");

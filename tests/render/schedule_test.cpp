@@ -15,9 +15,29 @@ namespace {
 TEST(Schedule, PreviewsHalveTheStepAndSamplesDouble) {
     const std::vector<Pass> expected{{4, false, 0, 0}, {2, true, 0, 0},  {1, true, 0, 0}, {1, false, 0, 1},
                                      {1, false, 1, 1}, {1, false, 2, 2}, {1, false, 4, 3}};
-    EXPECT_EQ(refining_passes(4, 7), expected);
-    EXPECT_EQ(refining_passes(1, 1), (std::vector<Pass>{{1, false, 0, 0}}));
-    for (const int step : {0, -2, 3, 128}) EXPECT_THROW(refining_passes(step, 1), Error);
+    EXPECT_EQ(refining_passes(4, {7}), expected);
+    EXPECT_EQ(refining_passes(1, {1}), (std::vector<Pass>{{1, false, 0, 0}}));
+    for (const int step : {0, -2, 3, 128}) EXPECT_THROW(refining_passes(step, {1}), Error);
+}
+
+TEST(Schedule, AdaptiveSamplesBeginWithAsManyAsThePixelsHad) {
+    const std::vector<Pass> expected{{1, false, 0, 0},       {1, false, 0, 1},       {1, false, 1, 1},
+                                     {1, false, 0, 2, true}, {1, false, 2, 2, true}, {1, false, 4, 3, true}};
+    EXPECT_EQ(refining_passes(1, {2, 7}), expected);
+    EXPECT_EQ(picture_passes({1, 16}, {}), (std::vector<Pass>{{1, false, 0, 1}, {1, false, 0, 16, true}}));
+}
+
+TEST(Schedule, PreviewsBeforeAPictureTakeAtMostASixteenthOfIt) {
+    RenderOptions options;
+    EXPECT_EQ(picture_passes({4}, options), (std::vector<Pass>{{1, false, 0, 4}}));
+    options.coarse_first = true;
+    for (const int samples : {1, 2, 3, 4, 15, 16, 1 << 20}) {
+        const std::vector<Pass> passes = picture_passes({samples}, options);
+        EXPECT_EQ(passes.back(), (Pass{1, false, 0, samples}));
+        const int step = passes[passes.size() - 2].step;
+        EXPECT_LE(16, step * step * samples) << samples;
+        EXPECT_TRUE(step == 1 || step * step * samples < 64) << samples;
+    }
 }
 
 TEST(Schedule, ShardsOfSamplesAreAlignedBlocksThatMakeTheWhole) {
@@ -50,7 +70,7 @@ TEST(Schedule, TilesCoverTheAreaOnce) {
 }
 
 TEST(Schedule, TheCursorCountsWorkBySamples) {
-    ScheduleCursor cursor(refining_passes(2, 2));
+    ScheduleCursor cursor(refining_passes(2, {2}));
     EXPECT_EQ(cursor.reached(0).step, 0);
     EXPECT_EQ(cursor.reached(0).fraction, 0);
     const double all = 0.25 + 0.75 + 1 + 1;
@@ -89,7 +109,7 @@ struct SteppingExecutor {
 
 TEST(ScheduleRun, EndsTheFirstPassAndLaterMakesOneStepAtLeast) {
     SteppingExecutor executor;
-    ScheduleRun run(executor, refining_passes(2, 1));
+    ScheduleRun run(executor, refining_passes(2, {1}));
     run.run(0);
     EXPECT_EQ(executor.steps, (std::vector<std::size_t>{0, 0, 1, 1, 2, 2}));
     EXPECT_EQ(run.reached().step, 2);
@@ -111,7 +131,7 @@ TEST(ScheduleRun, GoesOnWithinATileThatWasCancelled) {
     SteppingExecutor executor;
     CancelFlag cancel{false};
     Progress last;
-    ScheduleRun run(executor, one_pass(1), &cancel, [&](const Progress& progress) {
+    ScheduleRun run(executor, picture_passes({1}, {}), &cancel, [&](const Progress& progress) {
         last = progress;
         cancel = executor.steps.size() == 3;
     });

@@ -95,6 +95,31 @@ TEST(BuildScene, AnInstanceOfAnInvisibleMeshIsVisible) {
     EXPECT_EQ(look(scene, Vec3(0), Vec3(-1, 0, 0)).light, vec3(0.0f));
 }
 
+TEST(BuildScene, FindsMaterialsAndMeshesAmongVeryMany) {
+    constexpr std::uint32_t count = 30000;
+    SceneDescription scene = empty_scene();
+    const MeshShape box = mesh_of(box_mesh(Vec3(0), Vec3(2)));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Material material = matte();
+        material.name = "paint " + std::to_string(i);
+        scene.materials.push_back(material);
+        Object mesh;
+        mesh.name = "box " + std::to_string(i);
+        mesh.shape = box;
+        mesh.material = material.name;
+        mesh.visible = false;
+        scene.objects.push_back(mesh);
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Object instance;
+        instance.shape = InstanceShape{"box " + std::to_string(i)};
+        instance.visible = false;
+        scene.objects.push_back(instance);
+    }
+    const Scene scene_data = build_scene(scene);
+    for (std::uint32_t i = 0; i < 2 * count; ++i) ASSERT_EQ(scene_data.data().objects[i].material, i % count);
+}
+
 TEST(BuildScene, AnInstanceComposesTheMeshsTransformWithItsOwn) {
     SceneDescription scene = empty_scene();
     MeshShape shape = mesh_of(box_mesh(Vec3(0), Vec3(2)));

@@ -60,13 +60,30 @@ dvec2 on_picture(const SceneDescription& scene, const CameraDescription& camera,
     return dvec2(glm::dot(d, right) / (depth * k * aov), glm::dot(d, up) / (depth * k));
 }
 
-// How near to the edge of the picture the farthest vertex of the first object comes: 1 is the edge.
+const glm::vec3 outlier(900, -5000, 300);
+
+// Points on a ball, spread evenly.
+Mesh ball_cloud() {
+    Mesh cloud;
+    constexpr int count = 600;
+    for (int i = 0; i < count; ++i) {
+        const double z = (2.0 * i + 1) / count - 1, r = std::sqrt(1 - z * z), turn = 137.507764 * i;
+        cloud.positions.emplace_back(r * cos_degrees(turn), r * sin_degrees(turn), z);
+    }
+    return cloud;
+}
+
+// How near to the edge of the picture the farthest vertex of the first object comes, without the outlier: 1
+// is the edge.
 double filled(const SceneDescription& scene) {
     const CameraDescription camera = fit_camera(scene);
     const Object& object = scene.objects.at(0);
+    const Mesh& mesh = *std::get<MeshShape>(object.shape).data;
     double most = 0;
-    for (const glm::vec3& v : std::get<MeshShape>(object.shape).data->positions) {
-        const dvec2 at = on_picture(scene, camera, dvec3(object.transform * dvec4(v, 1)));
+    for (const glm::vec3& v : mesh.positions) {
+        if (v == outlier) continue;
+        const dvec3 p = mesh.origin + dvec3(v);
+        const dvec2 at = on_picture(scene, camera, dvec3(object.transform * dvec4(p, 1)));
         most = std::max({most, std::abs(at.x), std::abs(at.y)});
     }
     return most;
@@ -138,9 +155,24 @@ TEST(PreviewScene, IsValidAndFilledForAnySizeAndPlace) {
 }
 
 TEST(PreviewScene, FillsPicturesOfAnyShapeFromAnyDirection) {
-    const std::vector<Mesh> meshes{to_mesh(geometry::make_box(dvec3(0), dvec3(1))), landscape(2),
+    const auto box = [](double x, double y, double z) {
+        return to_mesh(geometry::make_box(dvec3(0), dvec3(x, y, z)));
+    };
+    Mesh with_outlier = ball_cloud(), far = pyramid_along(dvec3(1, 0, 0));
+    with_outlier.positions.push_back(outlier);
+    far.origin = dvec3(500120.25, 5412345.75, 312.5);
+    const std::vector<Mesh> meshes{box(1, 1, 1),
+                                   box(0.1, 0.2, 9),
+                                   box(9, 0.1, 0.2),
+                                   box(0.1, 9, 0.2),
+                                   box(8, 6, 0.01),
+                                   box(6, 0.01, 8),
+                                   landscape(2),
                                    pyramid_along(dvec3(0, 0, 1)),
-                                   to_mesh(geometry::make_box(dvec3(0), dvec3(0.1, 9, 0.2)))};
+                                   to_mesh(geometry::make_icosahedron(dvec3(0), 1)),
+                                   ball_cloud(),
+                                   with_outlier,
+                                   far};
     const std::vector<dvec3> directions{{0, 1, 0},  {1, 0, 0}, {-1, -2, -1},
                                         {0, 0, -1}, {0, 0, 1}, {3, -1, 2}};
     const std::array<std::array<int, 2>, 5> sizes{{{640, 480}, {120, 360}, {360, 120}, {64, 64}, {1000, 50}}};
@@ -151,7 +183,10 @@ TEST(PreviewScene, FillsPicturesOfAnyShapeFromAnyDirection) {
             scene.render.height = height;
             for (const dvec3& direction : directions) {
                 scene.framing.direction = direction;
-                EXPECT_NEAR(filled(scene), 0.78, 1e-3) << width << " " << height;
+                // The spheres about the points of a cloud take up a part of it.
+                const bool cloud = mesh.triangles.empty();
+                EXPECT_NEAR(filled(scene), cloud ? 0.71 : 0.78, cloud ? 0.04 : 1e-3)
+                    << &mesh - meshes.data() << " " << width << " " << height;
             }
         }
     }
@@ -190,7 +225,7 @@ TEST(PreviewScene, TakesFlatMeshes) {
     Mesh square;
     square.positions = {{0, 0, 3}, {1, 0, 3}, {1, 1, 3}, {0, 1, 3}};
     square.triangles = {{0, 1, 2}, {0, 2, 3}};
-    for (Axis up : {Axis::y, Axis::z}) {
+    for (Axis up : {Axis::x, Axis::y, Axis::z, Axis::minus_x, Axis::minus_y, Axis::minus_z}) {
         const SceneDescription scene = staged(square, up);
         EXPECT_TRUE(find_errors(scene).empty());
         EXPECT_NEAR(filled(scene), 0.78, 1e-9);
@@ -200,16 +235,14 @@ TEST(PreviewScene, TakesFlatMeshes) {
 TEST(PreviewScene, TakesPointCloudsDownToOnePoint) {
     Mesh cloud;
     cloud.positions = {{1, 2, 3}, {2, 2, 3}};
-    EXPECT_NEAR(filled(staged(cloud)), 0.78, 1e-9);
+    // The spheres about the points are a quarter of their distance in radius.
+    EXPECT_NEAR(filled(staged(cloud)), 0.78 / 1.5, 0.05);
 
     cloud.positions = {{1e6f, 0, 0}};
     const SceneDescription scene = staged(cloud);
     EXPECT_TRUE(find_errors(scene).empty());
-    const MeshShape& point = std::get<MeshShape>(scene.objects[0].shape);
-    ASSERT_TRUE(point.point_radius.has_value());
-    EXPECT_GT(*point.point_radius, 0);
     EXPECT_NEAR(filled(scene), 0, 1e-9);
-    EXPECT_GT(glm::length(fit_camera(scene).eye - dvec3(1e6, 0, 0)), *point.point_radius);
+    EXPECT_GT(glm::length(fit_camera(scene).eye - dvec3(1e6, 0, 0)), 2) << "outside its sphere of radius 1";
 }
 
 TEST(PreviewScene, RefusesWhatHasNothingToShow) {

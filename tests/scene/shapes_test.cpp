@@ -128,6 +128,26 @@ TEST(Shapes, SupportIsThatOfThePointsThatAreHit) {
     }
 }
 
+TEST(Support, OfManyInstancesLooksAtTheMeshForFew) {
+    SceneDescription scene = empty_scene();
+    Object& mesh = add(scene, mesh_of(sphere_mesh(1, 100)), matte());
+    mesh.name = "ball";
+    mesh.visible = false;
+    std::get<MeshShape>(mesh.shape).scale = Vec3(1, 2, 3);
+    Numbers random;
+    for (unsigned i = 0; i < 2000; ++i) {
+        Object& ball = add(scene, InstanceShape{"ball"}, std::string());
+        ball.transform = rotation(i);
+        ball.transform[3] = dvec4(random.point() * 100.0, 1);
+    }
+    const dvec3 d = random.point();
+    double most = -1e9;
+    for (const Object& object : scene.objects)
+        if (object.visible) most = std::max(most, support(scene, object, d).value());
+    EXPECT_EQ(support(scene, d), most);
+    for (int i = 0; i < 200; ++i) EXPECT_GT(support(scene, random.point()), 0);
+}
+
 TEST(Shapes, KnowWhetherTheyBoundAVolume) {
     for (const Shape& shape : finite_shapes()) {
         const bool thin = std::holds_alternative<TriangleShape>(shape) ||

@@ -2,6 +2,8 @@
 
 #include "scene_kit.h"
 
+#include "scene/hidden_solids.h"
+
 #include <gtest/gtest.h>
 
 namespace glint::scene {
@@ -49,20 +51,59 @@ TEST(Warnings, TellOfALightInsideSomething) {
     scene.objects[0].name = "lampshade";
     std::get<PointLight>(scene.lights[0].kind).position = Vec3(0.5, 0, 0);
     scene.lights[0].where.line = 4;
-    EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
+    EXPECT_EQ(warned(scene), Messages{"point light.0 is inside sphere \"lampshade\""});
     EXPECT_EQ(warnings(build_scene(scene)).at(0).location.line, 4);
     SpotLight spot;
     spot.position = Vec3(0, 0.5, 0);
     scene.lights[0].kind = spot;
-    EXPECT_EQ(warned(scene), Messages{"the light is inside sphere \"lampshade\""});
+    EXPECT_EQ(warned(scene), Messages{"spot light.0 is inside sphere \"lampshade\""});
     scene.objects[0].visible = false;
     EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, LetLampsOfGlassShine) {
+    SceneDescription scene = plain();
+    add(scene, SphereShape{Vec3(5, -5, 5), 1}, glass(1.5)).name = "bulb";
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.whitted.shadows = Shadows::opaque;
+    EXPECT_EQ(warned(scene), Messages{"point light.0 is inside sphere \"bulb\""});
+}
+
+TEST(Warnings, TellOfACameraAndALightBehindAWall) {
+    SceneDescription scene = plain();
+    add(scene, RectangleShape{Vec3(-50, -6, -50), Vec3(100, 0, 0), Vec3(0, 0, 100)}, "clay").name = "wall";
+    EXPECT_EQ(warned(scene), (Messages{"the camera sees nothing but rectangle \"wall\"",
+                                       "point light.0 lights nothing that the camera sees: "
+                                       "rectangle \"wall\" is in between"}));
+    scene.camera->eye.y = -5.9;
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.camera->eye.y = -9;
+    scene.objects.pop_back();
+    PlaneShape plane;
+    plane.normal = Vec3(1, 0, 0);
+    plane.offset = 3;
+    add(scene, plane, "clay");
+    EXPECT_EQ(warned(scene),
+              Messages{"point light.0 lights nothing that the camera sees: plane.0 is in between"});
+    scene.objects.back().material = "";
+    scene.objects.pop_back();
+    add(scene, plane, glass(1.5));
+    EXPECT_EQ(warned(scene), Messages{}) << "a window";
+}
+
+TEST(Warnings, TellOfAFieldOfViewInRadians) {
+    SceneDescription scene = plain();
+    scene.camera->fov = 0.785;
+    EXPECT_EQ(warned(scene), Messages{"a field of view of 0.785° is very narrow"});
+    EXPECT_EQ(warnings(build_scene(scene)).at(0).hint, "fov is in degrees; 0.785 radians are 45°");
+    scene.camera->fov = 2;
+    EXPECT_EQ(warned(scene), Messages{}) << "a telescope";
 }
 
 TEST(Warnings, TellOfACameraInsideSomething) {
     SceneDescription scene = plain();
     scene.camera->eye = Vec3(0, 0.5, 0);
-    EXPECT_EQ(warned(scene), Messages{"the camera is inside sphere"});
+    EXPECT_EQ(warned(scene), Messages{"the camera is inside sphere.0"});
     scene.camera->eye = Vec3(0, 1.5, 0);
     EXPECT_EQ(warned(scene), Messages{});
 }
@@ -75,9 +116,24 @@ TEST(Warnings, TellWhereSinglePrecisionIsCoarserThanPixels) {
     add(scene, SphereShape{far, 1}, "clay");
     const Messages found = warned(scene);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].find("single precision has steps of 0.6 there"), std::string::npos) << found[0];
+    EXPECT_NE(found[0].find("precision moves sphere.1 by up to 0.6, about "), std::string::npos) << found[0];
     scene.camera->eye = Vec3(0, -10, 0);
     EXPECT_EQ(warned(scene), Messages{}) << "from far away";
+    scene.camera->eye = far - Vec3(0, 10, 0);
+    scene.objects.erase(scene.objects.begin());
+    EXPECT_EQ(warned(scene), Messages{}) << "all in one place";
+}
+
+TEST(Warnings, TellOfPointsThatAreNotFramed) {
+    SceneDescription scene = plain();
+    Mesh cloud;
+    for (int i = 0; i < 100; ++i) cloud.positions.emplace_back(i % 5, 9 + i / 20, i / 5 % 4);
+    cloud.positions.emplace_back(1e4f);
+    add(scene, mesh_of(cloud), "clay").name = "cloud";
+    EXPECT_EQ(warned(scene), Messages{});
+    scene.camera.reset();
+    EXPECT_EQ(warned(scene), Messages{"1 of the 101 points of mesh \"cloud\" lie far from the others and are "
+                                      "not framed"});
 }
 
 TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {
@@ -97,6 +153,16 @@ TEST(Warnings, FindClosedMeshesAroundCameraAndLightWithAndWithoutGlass) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
+TEST(Warnings, OfManyLightsInOneMeshLookAtItOnce) {
+    constexpr std::size_t count = 4000;
+    SceneDescription scene = plain();
+    scene.objects.clear();
+    add(scene, mesh_of(sphere_mesh(3, 100)), "clay");
+    scene.lights.clear();
+    for (std::size_t i = 0; i < count; ++i) add_light(scene, Vec3(2.0 * double(i) / count, 0, 0));
+    EXPECT_EQ(warned(scene).size(), count);
+}
+
 TEST(Warnings, TellOfMaterialsThatGiveMoreThanTheyGet) {
     SceneDescription scene = plain();
     Material& m = scene.materials[0];
@@ -104,6 +170,9 @@ TEST(Warnings, TellOfMaterialsThatGiveMoreThanTheyGet) {
     m.reflectivity = 0.3;
     EXPECT_EQ(warned(scene), Messages{"material \"clay\" gives 1.10 times the light that it gets"});
     EXPECT_EQ(warnings(build_scene(scene)).at(0).location.line, 3);
+    scene.whitted.energy_chosen = true;
+    EXPECT_EQ(warned(scene), Messages{}) << "it is meant";
+    scene.whitted.energy_chosen = false;
     scene.whitted.energy = Energy::balanced;
     EXPECT_EQ(warned(scene), Messages{});
     scene.whitted.energy = Energy::report;
@@ -131,54 +200,24 @@ TEST(Warnings, TellOfOpenMeshesMadeOfGlass) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
-TEST(Warnings, TellOfCoincidentGlassFaces) {
+TEST(Warnings, TellOfGlassMeshesWithAFaceTurned) {
     SceneDescription scene = plain();
-    const auto box_at = [](double x) { return PolyhedronShape{PolyhedronKind::box, Vec3(x, 0, 0), Vec3(1)}; };
-    add(scene, box_at(5), glass(1.5)).name = "left";
-    add(scene, box_at(6), glass(1.3)).name = "right";
-    const Messages found = warned(scene);
-    ASSERT_FALSE(found.empty());
-    EXPECT_EQ(
-        found[0],
-        "polyhedron \"left\" and polyhedron \"right\" have coincident faces, of glass or against glass");
-    for (const double x : {6.001, 5.999}) {
-        std::get<PolyhedronShape>(scene.objects[2].shape).center.x = x;
-        EXPECT_EQ(warned(scene), Messages{}) << x;
+    Mesh box = box_mesh(Vec3(5, 0, 0), Vec3(1));
+    std::swap(box.triangles[0].x, box.triangles[0].y);
+    add(scene, mesh_of(box), glass(1.5)).name = "vase";
+    EXPECT_EQ(warned(scene),
+              Messages{"mesh \"vase\" is made of glass, but not all its faces are wound alike"});
+}
+
+TEST(Warnings, AreNoneForGlassThatStandsOnSomething) {
+    for (const double height : {-1.0, -0.999}) {
+        SceneDescription scene = plain();
+        PlaneShape floor;
+        floor.offset = -1;
+        add(scene, floor, "clay");
+        add(scene, CylinderShape{Vec3(5, 0, height), Vec3(0, 0, 1), 2, 1}, glass(1.5));
+        EXPECT_EQ(warned(scene), Messages{});
     }
-    std::get<PolyhedronShape>(scene.objects[2].shape).center.x = 6;
-    scene.objects[2].material = "clay";
-    EXPECT_EQ(warned(scene).size(), 1u) << "against an opaque box";
-    scene.objects[1].material = "clay";
-    EXPECT_EQ(warned(scene), Messages{}) << "both opaque";
-}
-
-TEST(Warnings, TellOfGlassThatStandsOnSomethingFlat) {
-    const Shape stands[] = {PolyhedronShape{PolyhedronKind::box, Vec3(5, 0, 1), Vec3(2)},
-                            CylinderShape{Vec3(5, 0, 0), Vec3(0, 0, 1), 2, 1}};
-    PlaneShape floor;
-    floor.offset = -1;
-    const Shape grounds[] = {floor, PolyhedronShape{PolyhedronKind::box, Vec3(6, 1, -1.5), Vec3(9, 9, 1)},
-                             DiskShape{Vec3(5.5, 0, -1), Vec3(0, 0, 1), 3}};
-    for (const Shape& ground : grounds)
-        for (const Shape& stand : stands)
-            for (const double height : {-1.0, -0.999}) {
-                SceneDescription scene = plain();
-                add(scene, ground, "clay").name = "ground";
-                Object& glass_object = add(scene, stand, glass(1.5));
-                glass_object.transform[3] = dvec4(0, 0, height, 1);
-                EXPECT_EQ(warned(scene).size(), height == -1 ? 1u : 0u);
-            }
-    SceneDescription scene = plain();
-    add(scene, floor, "clay");
-    add(scene, SphereShape{Vec3(5, 0, 1), 2}, glass(1.5));
-    EXPECT_EQ(warned(scene), Messages{}) << "a sphere touches in a point";
-}
-
-TEST(Warnings, AreNoneForFacesThatOnlyShareAnEdge) {
-    SceneDescription scene = plain();
-    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(5, 0, 0), Vec3(1)}, glass(1.5));
-    add(scene, PolyhedronShape{PolyhedronKind::box, Vec3(6, 1, 0), Vec3(1)}, "clay");
-    EXPECT_EQ(warned(scene), Messages{});
 }
 
 TEST(Warnings, TellOfDepthsAtWhichRaysBranchAmongMirrors) {
@@ -198,6 +237,8 @@ TEST(Warnings, TellOfDepthsAtWhichRaysBranchAmongMirrors) {
     scene.whitted.max_depth = 16;
     EXPECT_EQ(warned(scene), Messages{});
     scene.whitted.max_depth = 50;
+    EXPECT_EQ(warned(scene), Messages{}) << "their weight ends them";
+    scene.whitted.min_weight = 0;
     EXPECT_EQ(warned(scene), Messages{"max_depth = 50 lets rays that branch at sphere \"ball\" among mirrors "
                                       "become up to 2^50 a sample"});
     scene.objects[1].visible = false;
@@ -208,9 +249,10 @@ TEST(Warnings, TellOfDepthsAtWhichRaysBranchAmongMirrors) {
     EXPECT_EQ(warned(scene), Messages{}) << "rays do not branch";
 }
 
-TEST(Warnings, TellOfThingsHiddenInsideGlassThatOwnsTheirSpace) {
+TEST(Warnings, TellOfGlassHiddenInsideGlassThatOwnsItsSpace) {
     SceneDescription scene = plain();
-    scene.objects[0].name = "pearl";
+    scene.objects.clear();
+    add(scene, SphereShape{}, glass(1.3)).name = "pearl";
     add(scene, SphereShape{Vec3(0), 2}, glass(1.5)).name = "shell";
     EXPECT_EQ(warned(scene),
               Messages{"sphere \"pearl\" is hidden inside sphere \"shell\", which owns the space"});
@@ -218,13 +260,31 @@ TEST(Warnings, TellOfThingsHiddenInsideGlassThatOwnsTheirSpace) {
     EXPECT_EQ(warned(scene), Messages{});
     scene.objects[0].priority = 0;
     std::get<SphereShape>(scene.objects[0].shape).center.x = 1.5;
-    EXPECT_EQ(warned(scene),
-              Messages{"sphere \"pearl\" is partly hidden inside sphere \"shell\", which owns the space"});
-    std::get<SphereShape>(scene.objects[0].shape).center.x = 3;
-    EXPECT_EQ(warned(scene), Messages{}) << "it touches";
+    EXPECT_EQ(warned(scene), Messages{}) << "a part of it shows";
+    std::get<SphereShape>(scene.objects[0].shape).center.x = 0;
+    scene.objects[0].material = "clay";
+    EXPECT_EQ(warned(scene), Messages{}) << "opaque things are never hidden";
 }
 
-TEST(Warnings, TellOfWhatWaterHides) {
+/// Concentric balls of glass; each owns the space of those before it, or of those behind it.
+SceneDescription nested_balls(int count, bool inner_owns) {
+    SceneDescription scene = plain();
+    add(scene, SphereShape{}, glass(1));
+    Object ball = scene.objects.back();
+    scene.objects.clear();
+    for (int i = 0; i < count; ++i) {
+        ball.shape = SphereShape{Vec3(0), 1 + (inner_owns ? count - i : i) * 0.001};
+        scene.objects.push_back(ball);
+    }
+    return scene;
+}
+
+TEST(Warnings, OfManyNestedSolidsTakeFewRays) {
+    EXPECT_EQ(warned(nested_balls(1000, true)), Messages{});
+    EXPECT_EQ(warned(nested_balls(300, false)).size(), max_hidden_solids);
+}
+
+TEST(Warnings, AreNoneForOpaqueThingsInWater) {
     SceneDescription scene = plain();
     scene.objects.clear();
     add(scene, CylinderShape{Vec3(0, 0, -3), Vec3(0, 0, 1), 4, 0.5}, "clay").name = "pole";
@@ -237,13 +297,11 @@ TEST(Warnings, TellOfWhatWaterHides) {
     water.solid = true;
     add(scene, water, glass(1.33)).name = "water";
     scene.camera->eye = Vec3(0, -9, 3);
-    EXPECT_EQ(warned(scene),
-              (Messages{"cylinder \"pole\" is partly hidden inside plane \"water\", which owns the space",
-                        "disk \"leaf\" is hidden inside plane \"water\", which owns the space",
-                        "plane \"bed\" is hidden inside plane \"water\", which owns the space"}));
-    for (Object& object : scene.objects) object.priority = 1;
-    scene.objects.back().priority = 0;
     EXPECT_EQ(warned(scene), Messages{});
+    scene.objects[0].material = scene.objects.back().material;
+    scene.objects[0].transform[3].z = -2;
+    EXPECT_EQ(warned(scene),
+              Messages{"cylinder \"pole\" is hidden inside plane \"water\", which owns the space"});
 }
 
 } // namespace

@@ -2,9 +2,9 @@
 
 #include "session/explain_command.h"
 
-#include <gtest/gtest.h>
+#include "../kit/temporary_folder.h"
 
-#include <unistd.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -33,14 +33,9 @@ values = [[0, 0, 0], [0, 0, 1]]
 
 class ExplainCommandTest : public testing::Test {
   protected:
-    ExplainCommandTest()
-        : folder_(fs::temp_directory_path() / ("glint-command-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-        std::ofstream(file()) << moving_ball;
-    }
-    ~ExplainCommandTest() override { fs::remove_all(folder_); }
+    ExplainCommandTest() { folder_.write("a ball's.toml", moving_ball); }
 
-    std::string file() const { return (folder_ / "a ball's.toml").string(); }
+    std::string file() const { return folder_.at("a ball's.toml"); }
 
     /// The file as the window shows it, at a frame or without animation.
     ShownFile shown(const std::vector<Override>& changes = {}, std::optional<double> frame = {}) const {
@@ -59,7 +54,7 @@ class ExplainCommandTest : public testing::Test {
         return command;
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST(Quoted, OnlyWhereAShellWouldTakeItApart) {

@@ -2,6 +2,8 @@
 
 #include "session/session.h"
 
+#include "../kit/temporary_folder.h"
+
 #include "scene_kit.h"
 #include "wait_until.h"
 
@@ -11,11 +13,11 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sys/stat.h>
 #include <thread>
 
 namespace glint::viewer {
@@ -42,14 +44,9 @@ intensity = 40
 
 class SessionTest : public testing::Test {
   protected:
-    SessionTest() : folder_(fs::temp_directory_path() / ("glint-session-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~SessionTest() override { fs::remove_all(folder_); }
-
     /// Replaces a file atomically, as editors do.
     std::string write(const std::string& name, const std::string& text) const {
-        const fs::path path = folder_ / name;
+        const fs::path path = folder_.at(name);
         std::ofstream(path.string() + ".new") << text;
         fs::rename(path.string() + ".new", path);
         return path.string();
@@ -93,7 +90,7 @@ class SessionTest : public testing::Test {
         return wait_until([&] { return !session.load_status().problems.empty(); });
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(SessionTest, OpensAFileAndFinishesThePictureThatRenderGives) {
@@ -117,19 +114,62 @@ TEST_F(SessionTest, TurnsAroundWhatThePicturesMiddleShows) {
     };
     expect_target(Vec3(0, -1, 0));
     session.move([](CameraControl& c) { c.fly(0, 0, 0.4); });
-    session.pick_orbit_target();
+    session.orbit(0.1, 0);
     expect_target(Vec3(0, -1, 0));
     // Orbiting and zooming keep the target, although other parts of the ball are now in the middle.
-    session.move([](CameraControl& c) { c.orbit(1.5, 0); });
-    session.pick_orbit_target();
+    session.orbit(1.4, 0);
     expect_target(Vec3(0, -1, 0));
     session.move([](CameraControl& c) { c.zoom(1); });
-    session.pick_orbit_target();
+    session.orbit(0.1, 0.1);
     expect_target(Vec3(0, -1, 0));
     // The middle shows nothing: the distance stays.
     session.move([](CameraControl& c) { c.reset(), c.pan(2, 0); });
-    session.pick_orbit_target();
+    session.orbit(0, 0);
     EXPECT_NEAR(session.camera().target_distance(), 5, 1e-5);
+}
+
+TEST_F(SessionTest, OrbitingStaysInARoom) {
+    Session session(options());
+    session.open(write("room.toml", std::string(ball_text) + R"(
+[[polyhedron]]
+kind = "box"
+size = [8, 14, 8]
+material = "red"
+[[rectangle]]
+corner = [3, -7, -4]
+u = [0, 14, 0]
+v = [0, 0, 8]
+material = "red"
+)"));
+    ASSERT_TRUE(is_shown(session, 1));
+    const Vec3 target = session.camera().target();
+    for (int turn = 0; turn < 200; ++turn) {
+        session.orbit(0.05, 0);
+        const Vec3 eye = session.camera().camera().eye;
+        ASSERT_LT(eye.x, 3) << turn << ": through the rectangle";
+        ASSERT_GT(eye.x, -4) << turn << ": out of the box";
+        ASSERT_LT(std::abs(eye.y), 7) << turn;
+        EXPECT_LT(glm::length(session.camera().target() - target), 1e-4);
+    }
+    EXPECT_GT(session.camera().target_distance(), 1.5) << "near walls, not in the ball";
+}
+
+TEST_F(SessionTest, AnEmptiedFileAndAPipeAreReported) {
+    Session session(options());
+    const std::string path = write("ball.toml", ball_text);
+    session.open(path);
+    ASSERT_TRUE(is_shown(session, 1));
+    write("ball.toml", "");
+    EXPECT_TRUE(wait_until([&] { return !session.load_status().problems.empty(); }));
+    EXPECT_EQ(session.load_status().problems.at(0).message, "the file is empty");
+    EXPECT_EQ(session.scene()->scene.stats().objects, 1u) << "the picture stays";
+    const std::string pipe = folder_.at("pipe.toml");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    session.open(pipe);
+    EXPECT_TRUE(wait_until([&] {
+        const LoadStatus status = session.load_status();
+        return !status.busy && status.path == pipe && !status.problems.empty();
+    }));
 }
 
 TEST_F(SessionTest, CameraSizeAndWhatIsShownLeadToTheirPictures) {
@@ -210,19 +250,19 @@ TEST_F(SessionTest, ABrokenFileIsToldWhileTheLastGoodSceneStays) {
 }
 
 TEST_F(SessionTest, SavingAMeshShowsItToo) {
-    write_ply((folder_ / "shape.ply").string(), kit::box_mesh(Vec3(0), Vec3(1)));
+    write_ply(folder_.at("shape.ply"), kit::box_mesh(Vec3(0), Vec3(1)));
     Session session(options());
     session.open(write("scene.toml", ball_text + "[[mesh]]\nfile = \"shape.ply\"\nmaterial = \"red\"\n"));
     ASSERT_TRUE(is_shown(session, 1));
     EXPECT_EQ(session.scene()->scene.stats().triangles, 12u);
-    write_ply((folder_ / "shape.ply").string(), kit::sphere_mesh(1, 8));
+    write_ply(folder_.at("shape.ply"), kit::sphere_mesh(1, 8));
     ASSERT_TRUE(is_shown(session, 2));
     EXPECT_GT(session.scene()->scene.stats().triangles, 12u);
 }
 
 TEST_F(SessionTest, AFileThatIsNotThereIsTold) {
     Session session(options());
-    session.open((folder_ / "nothing.toml").string());
+    session.open(folder_.at("nothing.toml"));
     ASSERT_TRUE(has_problem(session));
     EXPECT_FALSE(session.scene());
     write("nothing.toml", ball_text);
@@ -316,7 +356,7 @@ TEST_F(SessionTest, EverythingAtOnceEndsInTheRightPicture) {
 }
 
 TEST_F(SessionTest, ClosesWhileALargeMeshIsRead) {
-    const std::string path = (folder_ / "large.ply").string();
+    const std::string path = folder_.at("large.ply");
     write_ply(path, kit::sphere_mesh(1, 150));
     for (int delay = 0; delay < 100; delay += 9) {
         Session session(options());
@@ -326,7 +366,7 @@ TEST_F(SessionTest, ClosesWhileALargeMeshIsRead) {
 }
 
 TEST_F(SessionTest, GivingUpAFileLeavesTheSceneBefore) {
-    const std::string large = (folder_ / "large.ply").string();
+    const std::string large = folder_.at("large.ply");
     write_ply(large, kit::sphere_mesh(1, 150));
     Session session(options());
     session.open(write("ball.toml", ball_text));

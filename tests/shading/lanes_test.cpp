@@ -99,7 +99,7 @@ constexpr std::size_t width = 16; ///< rays at a time: as many as the widest vec
                             limited.highlight.y,                                                             \
                             limited.clamp.x,                                                                 \
                             local_sum(local).z,                                                              \
-                            pick(is_worth_shadow_ray(m, arrival), 1.0f, 0.0f),                               \
+                            pick(is_worth_shadow_ray(modes, s, m, arrival), 1.0f, 0.0f),                     \
                             pick(has_bounces(m), 1.0f, 0.0f),                                                \
                             mirror.origin.y,                                                                 \
                             mirror.direction.x,                                                              \

@@ -69,13 +69,22 @@ TEST(ShadowRay, EndsAtALightWithAPosition) {
 TEST(ShadowRay, IsSentForLightThatArrivesAndIsShown) {
     SurfaceRecord s = ground();
     MaterialRecord m = matte();
-    EXPECT_TRUE(is_worth_shadow_ray(m, light_arrival(lamp(light_point), s)));
+    s.v = normalize(vec3(1, 0, 1));
+    const auto is_sent = [&] {
+        return is_worth_shadow_ray(WhittedModes{}, s, m, light_arrival(lamp(light_point), s));
+    };
+    EXPECT_TRUE(is_sent());
     m.diffuse = 0;
-    EXPECT_FALSE(is_worth_shadow_ray(m, light_arrival(lamp(light_point), s)));
+    EXPECT_FALSE(is_sent());
     m.highlight = 0.1f;
-    EXPECT_TRUE(is_worth_shadow_ray(m, light_arrival(lamp(light_point), s)));
+    m.shininess = 10;
+    EXPECT_TRUE(is_sent());
+    m.shininess = 1e6f;
+    EXPECT_FALSE(is_sent()) << "the highlight is elsewhere";
+    m.diffuse = 0.1f;
+    EXPECT_TRUE(is_sent());
     s.p.z = 3;
-    EXPECT_FALSE(is_worth_shadow_ray(m, light_arrival(lamp(light_point), s))) << "the light is below";
+    EXPECT_FALSE(is_sent()) << "the light is below";
 }
 
 TEST(ShadowTransmittance, IsTheTransparencyUnlessShadowsAreOpaque) {

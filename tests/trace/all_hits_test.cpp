@@ -59,6 +59,22 @@ TEST(Crossings, EndAtTmax) {
     expect_walk_is_crossings(world, ray);
 }
 
+TEST(Crossings, AreNotSoughtBehindOneThatEndsTheSearch) {
+    const World world = world_of(pile(20));
+    const Ray ray = ray_from({0.75f, 0.25f, 0}, {0, 0, 1});
+    std::vector<Hit> hits;
+    int asked = 0;
+    const auto ends_at = [&](std::uint32_t object) {
+        return [&asked, object](const Hit& hit) { return ++asked, hit.object == object; };
+    };
+    EXPECT_FALSE(world.all_hits(ray, hits, ends_at(7)));
+    EXPECT_LE(asked, 20);
+    asked = 0;
+    EXPECT_TRUE(world.all_hits(ray, hits, ends_at(99)));
+    EXPECT_EQ(asked, 20);
+    EXPECT_EQ(hits.size(), 20u);
+}
+
 TEST(Crossings, OfASharedEdgeCountOnce) {
     const World world = world_of(pile(3));
     const Ray ray = ray_from({0.5f, 0.5f, 0}, {0, 0, 1});

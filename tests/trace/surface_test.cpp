@@ -36,6 +36,32 @@ TEST(Surface, OfATriangleIsInItsPlane) {
     EXPECT_EQ(at.n, vec3(0, 0, -1));
 }
 
+TEST(Surface, OfAWideTriangleHasTheErrorOfThePointNotOfTheTriangle) {
+    WorldInput input;
+    input.meshes = {square(3, 0)};
+    input.meshes[0].wide = true;
+    for (vec3& p : input.meshes[0].positions) {
+        p = (p - vec3(0.5f, 0.25f, 0)) * 0x1p23f;
+        p.z = p.x * 0.25f - p.y * 0.5f;
+    }
+    const World world = world_of(input);
+    const dvec3 normal = glm::normalize(dvec3(-0.25, 0.5, 1));
+    Numbers random(5);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3 target = vec3(random.point());
+        const Ray ray = ray_from(target + vec3(0, 0, 3), {0, 0, -1});
+        const Hit hit = world.closest(ray);
+        ASSERT_TRUE(hit);
+        const SurfacePoint at = world.surface(ray, hit);
+        EXPECT_NEAR(at.p.x, target.x, 1e-6f);
+        EXPECT_LT(std::abs(glm::dot(dvec3(at.p), normal)), 2e-7);
+        EXPECT_LT(at.p_error.x, 4e-7f);
+        const vec3 up(random.direction() + normal * 1.1);
+        EXPECT_FALSE(world.closest(ray_from(offset_ray_origin(at.p, at.p_error, at.n, up), up)));
+        EXPECT_FALSE(world.occluded(ray_from(offset_ray_origin(at.p, at.p_error, at.n, up), up)));
+    }
+}
+
 TEST(Surface, OfQuadricsHasOutwardNormals) {
     WorldInput input;
     input.quadrics.push_back({0, 7, make_sphere({1, 2, 3}, 2.0)});

@@ -243,6 +243,19 @@ TEST(WorldInstances, TooSqueezedToBePlacedAreBaked) {
     EXPECT_EQ(hits[0].object, 4u);
 }
 
+TEST(WorldInstances, OfDenormalSizeAreHit) {
+    for (const double size : {1e-20, 1e-30, 1e-39, 1e-42}) {
+        WorldInput input;
+        input.shared_meshes = {shared_ball(6)};
+        dmat4 m(size);
+        m[3] = dvec4(0, 0, 0, 1);
+        input.instances = {{0, 0, m, false}};
+        const World world = world_of(input);
+        EXPECT_TRUE(world.closest(ray_from({0, 0, 1}, {0, 0, -1}))) << size;
+        EXPECT_TRUE(world.occluded(ray_from(vec3(0, 0, static_cast<float>(5 * size)), {0, 0, -1}))) << size;
+    }
+}
+
 TEST(WorldInstances, FillTheBounds) {
     WorldInput input;
     input.shared_meshes = {shared_square()};

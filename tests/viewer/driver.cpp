@@ -25,8 +25,7 @@ constexpr double time_limit = 30;
 void Screen::SetUp() {
     for (const char* program : {"Xvfb", "xdotool"})
         if (!is_installed(program)) GTEST_SKIP() << program << " is not installed: the window is not tested";
-    folder_ = fs::temp_directory_path() / ("glint_window_" + std::to_string(getpid()));
-    fs::create_directory(folder_);
+    folder_ = std::make_unique<TemporaryFolder>();
     server_ = std::make_unique<Child>(std::vector<std::string>{"Xvfb", "-displayfd", "3", "-screen", "0",
                                                                "1400x900x24", "-nolisten", "tcp"},
                                       std::vector<std::string>{}, path("server_log"));
@@ -38,7 +37,7 @@ void Screen::SetUp() {
 void Screen::TearDown() {
     viewer_.reset();
     server_.reset();
-    if (!folder_.empty()) fs::remove_all(folder_);
+    folder_.reset();
 }
 
 std::vector<std::string> Screen::display_setting() const {
@@ -68,7 +67,7 @@ std::string Screen::content(const std::string& name) const {
 
 bool Screen::exists(const std::string& name) const { return fs::exists(path(name)); }
 
-std::string Screen::path(const std::string& name) const { return (fs::path(folder_) / name).string(); }
+std::string Screen::path(const std::string& name) const { return folder_->at(name); }
 
 nlohmann::json Screen::map() const { return nlohmann::json::parse(content("map")); }
 

@@ -2,6 +2,7 @@
 // Drives glint-view on an X server of its own by mouse and keys. Positions of widgets and the state of the
 // window come from the file of --ui-map.
 
+#include "../kit/temporary_folder.h"
 #include "child.h"
 
 #include "glint/image.h"
@@ -71,7 +72,7 @@ class Screen : public testing::Test {
     std::vector<std::string> display_setting() const;
     void xdotool(const std::string& line) const;
 
-    std::string folder_;
+    std::unique_ptr<TemporaryFolder> folder_;
     std::string display_;
     std::unique_ptr<Child> server_;
     std::unique_ptr<Child> viewer_;

@@ -79,10 +79,25 @@ TEST_F(Files, WaitsForAFileWhenGivenNone) {
     EXPECT_EQ(viewer().ended(), 0) << log();
 }
 
-TEST_F(Files, AFileThatIsNotThereIsTold) {
-    open("missing.toml");
+TEST_F(Files, OffersExamples) {
+    open("");
+    ASSERT_TRUE(wait_for_widget("button:examples"));
+    click("button:examples");
+    ASSERT_TRUE(wait_for_widget("file:castle.toml"));
+    click("file:castle.toml");
+    ASSERT_TRUE(wait_for_state("status", "ready"));
+    EXPECT_FALSE(has("open"));
+    press("ctrl+o");
+    EXPECT_TRUE(wait_for_widget("open"));
+}
+
+TEST_F(Files, AFileThatWasNeverShownIsAnErrorAtTheEnd) {
+    write("bad.toml", "[sphere");
+    open("bad.toml");
     ASSERT_TRUE(wait_for_widget("errors"));
-    EXPECT_NE(state("error").get<std::string>().find("missing.toml"), std::string::npos);
+    EXPECT_GE(seconds_to_close(), 0);
+    EXPECT_EQ(viewer().ended(), 3);
+    EXPECT_NE(log().find("bad.toml:1"), std::string::npos) << log();
 }
 
 } // namespace

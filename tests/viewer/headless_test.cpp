@@ -1,6 +1,7 @@
 // Without a display: the command line needs no window system, and says what the window needs.
 
 #include "../cli/process.h"
+#include "../kit/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -24,15 +25,14 @@ TEST(Headless, TheCommandLineLinksNoWindowSystem) {
 }
 
 TEST(Headless, WithoutTheWindowInstalledOneIsTold) {
-    const fs::path folder = fs::temp_directory_path() / ("glint_alone_" + std::to_string(getpid()));
-    fs::create_directory(folder);
+    const TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
     fs::copy_file(GLINT_PROGRAM, folder / "glint");
     Setting setting;
     setting.folder = folder.string();
     // The first PATH of an environment counts.
     setting.environment = {"PATH=" + folder.string()};
     const Outcome outcome = run_program({(folder / "glint").string(), "view", "scene.toml"}, setting);
-    fs::remove_all(folder);
     EXPECT_EQ(outcome.exit, 7);
     EXPECT_NE(outcome.err.find("no glint-view beside glint"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("render to a file"), std::string::npos) << outcome.err;
@@ -40,6 +40,12 @@ TEST(Headless, WithoutTheWindowInstalledOneIsTold) {
 }
 
 #ifdef GLINT_VIEW_PROGRAM
+
+TEST(Headless, AFileThatIsNotThereIsToldWithoutAWindow) {
+    const Outcome outcome = run_glint({"view", "nosuch.toml"}, {});
+    EXPECT_EQ(outcome.exit, 3);
+    EXPECT_EQ(outcome.err, "nosuch.toml: error: there is no such file\n");
+}
 
 TEST(Headless, WithoutADisplayOneLineSaysWhatToDo) {
     const Outcome outcome = run_glint({"view", GLINT_SOURCE_DIR "/scenes/report/diffuse.toml"}, {});

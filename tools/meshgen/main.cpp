@@ -1,5 +1,6 @@
 // glint-meshgen: procedural meshes and scenes for examples, tests and benchmarks.
 
+#include "embedded.h"
 #include "request.h"
 #include "scenes.h"
 
@@ -34,7 +35,7 @@ void write_mesh(const Request& request) {
 int run(const std::vector<std::string>& arguments) {
     const std::optional<Request> request = parse_request(arguments);
     if (!request) {
-        std::fputs(help_text().c_str(), stdout);
+        std::fputs(embedded_texts[help_text].text, stdout);
     } else if (is_scene(request->kind)) {
         write_scene(*request);
     } else {

@@ -2,7 +2,8 @@
 
 #include "request.h"
 
-#include <charconv>
+#include "scene/text.h"
+
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -18,13 +19,10 @@ const std::vector<std::pair<std::string, Kind>>& kinds() {
     return all;
 }
 
+constexpr const char* see_help = "see glint-meshgen --help";
+
 [[noreturn]] void refuse(const std::string& message, const std::string& hint) {
     throw Error(ErrorKind::usage, message, hint);
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
-    const std::optional<std::string> nearest = nearest_name(word, names);
-    return nearest ? "did you mean " + *nearest + "?" : "see glint-meshgen --help";
 }
 
 Kind parse_kind(const std::string& word) {
@@ -33,17 +31,15 @@ Kind parse_kind(const std::string& word) {
         if (name == word) return kind;
         names.push_back(name);
     }
-    refuse("there is no shape called '" + word + "'", suggestion(word, names));
+    refuse("there is no shape called '" + word + "'", did_you_mean(word, names, see_help));
 }
 
 int parse_count(const std::string& option, const std::string& text, int min, int max) {
-    int value = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (fault != std::errc() || end != text.data() + text.size() || value < min || value > max) {
+    const auto value = scene::parse_number<int>(text);
+    if (!value || *value < min || *value > max)
         refuse("'" + text + "' is no value for " + option,
                "expected a whole number from " + std::to_string(min) + " to " + std::to_string(max));
-    }
-    return value;
+    return *value;
 }
 
 PlyFormat parse_format(const std::string& text) {
@@ -88,11 +84,11 @@ std::size_t read_option(Request& request, const std::vector<std::string>& argume
     for (const Option& option : options()) {
         names.push_back(option.name);
         if (option.name != word) continue;
-        if (i + 1 == arguments.size()) refuse(word + " needs a value", "see glint-meshgen --help");
+        if (i + 1 == arguments.size()) refuse(word + " needs a value", see_help);
         option.set(request, arguments[i + 1]);
         return i + 2;
     }
-    refuse("unknown option " + word, suggestion(word, names));
+    refuse("unknown option " + word, did_you_mean(word, names, see_help));
 }
 
 } // namespace
@@ -112,36 +108,6 @@ std::optional<Request> parse_request(const std::vector<std::string>& arguments) 
         refuse("-p and -q have a common divisor: that is a link of several knots",
                "take coprime numbers, such as 2 and 3");
     return request;
-}
-
-std::string help_text() {
-    return R"(glint-meshgen SHAPE -o FILE.ply [options]   writes a mesh, z up, the same bytes on every machine
-glint-meshgen flake|city|spiral [-o FILE.toml]   prints a scene file with many objects
-
-Shapes
-  gyroid       a ball cut from a gyroid's sheet; closed
-  knot         a tube along a torus knot, the trefoil unless -p and -q say otherwise; closed
-  torus        closed
-  shell        a ribbed spiral shell; closed
-  icosphere    a sphere of equal triangles; closed, the nearest size that four-way cuts give
-  terrain      an island in the sea; open
-  flake        scene: spheres on spheres
-  city         scene: a city of cylinders
-  spiral       scene: a sunflower's head of shells, instances of one mesh
-
-Options
-  -o FILE            where to write
-  --triangles N      about as many triangles (100000)
-  --colors           colours for the vertices
-  --flat             no normals: flat faces
-  --format F         ascii, binary or big-endian (binary)
-  -p N, -q N         knot: turns about the axis (2) and through the hole (3)
-  --seed N           terrain: another island (1)
-  --levels N         flake: how often balls grow on balls (3)
-  --rings N          city: rings of towers (9)
-  --count N          spiral: shells (1500)
-  -h, --help         this text
-)";
 }
 
 } // namespace glint::meshgen

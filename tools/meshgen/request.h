@@ -35,7 +35,4 @@ std::optional<Request> parse_request(const std::vector<std::string>& arguments);
 /// The mesh of a request, with normals and colours if requested.
 Mesh make_mesh(const Request& request);
 
-/// The text of --help.
-std::string help_text();
-
 } // namespace glint::meshgen

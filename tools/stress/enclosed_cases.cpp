@@ -10,6 +10,7 @@
 
 #include "shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -49,22 +50,61 @@ Polyhedron random_solid(Random& random) {
     }
 }
 
-/// One convex solid, a point inside, and points of its edges, corners and rims.
-class ConvexWorld {
+/// Vertices in a ring of a torus or knot.
+constexpr int tube_sides = 8;
+
+Polyhedron polyhedron_of(const Mesh& mesh) {
+    return {{mesh.positions.begin(), mesh.positions.end()}, mesh.triangles};
+}
+
+/// With edges down to 1°.
+Polyhedron flat_solid(Random& random) {
+    const double flatness = random.uniform(0.02, 0.2);
+    const Footing footing{random.in_ball(0.5), random.direction(), random.between(3, 8), 1.0, flatness};
+    if (random.one_in(3)) return make_prism(footing);
+    if (random.one_in(2)) return make_pyramid(footing);
+    Polyhedron lens = polyhedron_of(meshgen::make_icosphere(1));
+    for (dvec3& p : lens.positions) p.z = p.z * flatness;
+    return lens;
+}
+
+Polyhedron make_solid(Enclosed kind, Random& random) {
+    switch (kind) {
+    case Enclosed::flat:
+        return flat_solid(random);
+    case Enclosed::icosphere:
+        return polyhedron_of(meshgen::make_icosphere(random.between(1, 3)));
+    case Enclosed::torus:
+        return polyhedron_of(meshgen::make_torus(random.between(5, 32), tube_sides, 1.0, 0.4));
+    case Enclosed::knot:
+        return polyhedron_of(meshgen::make_knot(random.between(48, 96), tube_sides, {}));
+    default:
+        return random_solid(random);
+    }
+}
+
+/// One closed solid, a point inside, and points of its edges, corners and rims.
+class EnclosedWorld {
   public:
-    ConvexWorld(Enclosed kind, Random& random) : random_(random), to_world_(random_offset(random, 3)) {
+    EnclosedWorld(Enclosed kind, Random& random)
+        : kind_(kind), random_(random), to_world_(random_offset(random, 3)) {
         WorldInput input;
         if (kind == Enclosed::quadric)
             add_quadric(input);
         else
-            add_mesh(kind, input);
+            add_mesh(input);
         parallel::TaskPool pool(1);
         world_ = World(std::move(input), pool);
     }
 
     const World& world() const { return world_; }
     dvec3 inside() const { return inside_; }
+    dvec3 outside() {
+        if (kind_ != Enclosed::wide) return inside_ + random_.direction() * (8.0 * scale());
+        return middle_ + (middle_ - inside_) * 8.0 + random_.in_ball(0.5) * scale();
+    }
     double scale() const { return to_world_.scale; }
+    bool is_convex() const { return kind_ != Enclosed::torus && kind_ != Enclosed::knot; }
 
     /// On an edge, in a corner or near one, else anywhere near the solid.
     dvec3 target() {
@@ -81,28 +121,57 @@ class ConvexWorld {
         dvec3 to;
     };
 
-    void add_mesh(Enclosed kind, WorldInput& input) {
-        Polyhedron solid = random_solid(random_);
-        if (kind == Enclosed::icosphere) {
-            const Mesh mesh = meshgen::make_icosphere(random_.between(1, 3));
-            solid.positions.assign(mesh.positions.begin(), mesh.positions.end());
-            solid.triangles = mesh.triangles;
-        }
-        std::vector<dvec3> corners;
-        if (kind == Enclosed::instance)
-            corners = add_instance(solid, input);
-        else {
-            input.meshes.resize(1);
-            input.meshes[0].triangles = solid.triangles;
-            for (const dvec3& p : solid.positions) {
-                input.meshes[0].positions.push_back(to_world_(p));
-                corners.push_back(dvec3(input.meshes[0].positions.back()));
-            }
-        }
+    void add_mesh(WorldInput& input) {
+        Polyhedron solid = make_solid(kind_, random_);
+        if (kind_ == Enclosed::wide) widen(solid);
+        const std::vector<dvec3> corners =
+            kind_ == Enclosed::instance ? add_instance(solid, input) : add_triangles(solid, input);
         for (const uvec3& t : solid.triangles)
             for (const auto& [from, to] : {std::pair(t.x, t.y), std::pair(t.y, t.z), std::pair(t.z, t.x)})
-                edges_.push_back({corners[from], corners[to]});
-        for (const dvec3& corner : corners) inside_ = inside_ + corner / static_cast<double>(corners.size());
+                edges_.push_back(seen_part({corners[from], corners[to]}));
+        const std::size_t around_inside = is_convex() ? corners.size() : tube_sides;
+        for (std::size_t i = 0; i < around_inside; ++i)
+            inside_ = inside_ + corners[i] / static_cast<double>(around_inside);
+        if (kind_ == Enclosed::wide) inside_ = middle_ + glm::normalize(inside_ - middle_) * scale();
+    }
+
+    /// Of an edge of a wide solid, the part near the middle of what is seen.
+    Edge seen_part(const Edge& edge) const {
+        if (kind_ != Enclosed::wide) return edge;
+        const dvec3 along = edge.to - edge.from;
+        const double length = glm::length(along);
+        const double nearest = glm::dot(middle_ - edge.from, along) / length;
+        const auto at = [&](double x) { return edge.from + along * (std::clamp(x, 0.0, length) / length); };
+        return {at(nearest - 2 * scale()), at(nearest + 2 * scale())};
+    }
+
+    /// Puts a point of an edge in the middle of what is seen, and the solid's other corners far away.
+    void widen(Polyhedron& solid) {
+        const uvec3& t = solid.triangles[random_.below(static_cast<std::uint32_t>(solid.triangles.size()))];
+        const double x = random_.one_in(4) ? 0.0 : random_.unit();
+        const dvec3 middle = solid.positions[t.x] * (1.0 - x) + solid.positions[t.y] * x;
+        const double size = std::ldexp(1.0, random_.between(10, 20));
+        for (dvec3& p : solid.positions) p = (p - middle) * size;
+        middle_ = dvec3(to_world_(dvec3(0.0)));
+    }
+
+    /// As one mesh, or each by itself; returns the corners in the world.
+    std::vector<dvec3> add_triangles(const Polyhedron& solid, WorldInput& input) {
+        WorldInput::Triangles mesh;
+        mesh.wide = kind_ == Enclosed::wide;
+        for (const dvec3& p : solid.positions) mesh.positions.push_back(to_world_(p));
+        std::vector<dvec3> corners(mesh.positions.begin(), mesh.positions.end());
+        if (kind_ == Enclosed::faces) {
+            for (const uvec3& triangle : solid.triangles) {
+                mesh.object = static_cast<std::uint32_t>(input.meshes.size());
+                mesh.triangles = {triangle};
+                input.meshes.push_back(mesh);
+            }
+        } else {
+            mesh.triangles = solid.triangles;
+            input.meshes.push_back(std::move(mesh));
+        }
+        return corners;
     }
 
     /// Turned, sheared and mirrored half the time; returns the corners in the world.
@@ -131,9 +200,9 @@ class ConvexWorld {
         const double height = random_.uniform(0.5, 1.5) * to_world_.scale;
         const double radius = random_.uniform(0.5, 1.0) * to_world_.scale;
         const bool is_cone = random_.one_in(2);
-        input.quadrics.push_back(
-            {0, 0,
-             is_cone ? make_cone(base, axis, height, radius) : make_cylinder(base, axis, height, radius)});
+        const QuadricShape shape =
+            is_cone ? make_cone(base, axis, height, radius) : make_cylinder(base, axis, height, radius);
+        input.quadrics.push_back({0, 0, shape});
         const dvec3 top = base + axis * height;
         inside_ = base + axis * (height / 4);
         const dvec3 across = glm::normalize(glm::cross(axis, random_.direction()));
@@ -148,9 +217,11 @@ class ConvexWorld {
         }
     }
 
+    Enclosed kind_;
     Random& random_;
     ScaledOffset to_world_;
     World world_;
+    dvec3 middle_{0}; ///< of what is seen of a wide solid
     dvec3 inside_{0};
     std::vector<Edge> edges_;
 };
@@ -175,8 +246,8 @@ bool is_grazing(const SurfacePoint& at, const vec3& direction) {
     return std::abs(glm::dot(at.n, direction)) < 1e-5f * glm::length(direction);
 }
 
-/// Follows a ray from inside from face to face.
-void bounce_inside(ConvexWorld& solid, Ray ray, int bounces, Tally& tally) {
+/// Follows a ray from inside from face to face, as light among mirrors for part of the way.
+void bounce_inside(EnclosedWorld& solid, Ray ray, int bounces, Random& random, Tally& tally) {
     for (int i = 0; i < bounces; ++i) {
         const Hit hit = solid.world().closest(ray);
         ++tally.rays;
@@ -187,8 +258,9 @@ void bounce_inside(ConvexWorld& solid, Ray ray, int bounces, Tally& tally) {
         ++tally.hits;
         const SurfacePoint at = solid.world().surface(ray, hit);
         if (!is_grazing(at, ray.direction) && glm::dot(at.n, ray.direction) < 0)
-            return tally.fail(describe(ray) + ": began outside the solid that it was in");
-        vec3 direction(glm::normalize(solid.target() - dvec3(at.p)));
+            return tally.fail(describe(ray) + ": began outside the solid that it was in; " + describe(hit));
+        vec3 direction = ray.direction;
+        if (!random.one_in(4)) direction = vec3(glm::normalize(solid.target() - dvec3(at.p)));
         const float out = glm::dot(direction, at.n);
         if (out > 0) direction = direction - at.n * (2 * out);
         if (is_grazing(at, direction)) return;
@@ -200,20 +272,26 @@ void bounce_inside(ConvexWorld& solid, Ray ray, int bounces, Tally& tally) {
 
 Tally run_enclosed(Enclosed kind, std::uint64_t seed, std::uint32_t rays) {
     Random random(seed);
-    ConvexWorld solid(kind, random);
+    EnclosedWorld solid(kind, random);
     Tally tally;
     while (tally.rays < rays) {
-        bounce_inside(solid, ray_of(vec3(solid.inside()), solid.target() - solid.inside()), 16, tally);
+        bounce_inside(solid, ray_of(vec3(solid.inside()), solid.target() - solid.inside()), 16, random,
+                      tally);
 
         // Through the solid from outside: into it, and out for good.
-        const dvec3 outside = solid.inside() + random.direction() * (8.0 * solid.scale());
+        const dvec3 outside = solid.outside();
         const Ray first = ray_of(vec3(outside), solid.target() - outside);
         const Hit entry = solid.world().closest(first);
         ++tally.rays;
         if (!entry) continue;
         const SurfacePoint in = solid.world().surface(first, entry);
-        // Where a ray touches an edge on the outline only, the face behind may be the one that is hit.
-        if (is_grazing(in, first.direction) || glm::dot(in.n, first.direction) > 0) continue;
+        if (is_grazing(in, first.direction)) continue;
+        if (glm::dot(in.n, first.direction) > 0) {
+            // Where a ray touches an edge of two objects, the one behind may be the one that is hit.
+            if (kind == Enclosed::faces) continue;
+            tally.fail(describe(first) + ": meets a closed solid from inside; " + describe(entry));
+            continue;
+        }
         const Ray second = spawn(in, first.direction);
         const Hit exit = solid.world().closest(second);
         ++tally.rays;
@@ -221,13 +299,13 @@ Tally run_enclosed(Enclosed kind, std::uint64_t seed, std::uint32_t rays) {
             tally.fail(describe(second) + ": is outside of the solid that it entered");
             continue;
         }
+        bounce_inside(solid, second, 8, random, tally);
         const SurfacePoint out = solid.world().surface(second, exit);
-        if (is_grazing(out, first.direction)) continue;
+        if (is_grazing(out, first.direction) || !solid.is_convex()) continue;
         const Ray third = spawn(out, first.direction);
         ++tally.rays;
         if (solid.world().closest(third))
             tally.fail(describe(third) + ": is inside of the solid that it left");
-        bounce_inside(solid, second, 8, tally);
     }
     return tally;
 }

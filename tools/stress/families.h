@@ -28,9 +28,19 @@ Tally run_inside(Closed kind, std::uint64_t seed, std::uint32_t rays);
 /// Property::crosses.
 Tally run_through(Closed kind, std::uint64_t seed, std::uint32_t rays);
 
-enum class Enclosed { polyhedron, icosphere, instance, quadric };
+enum class Enclosed {
+    polyhedron,
+    flat,  ///< pyramids, prisms and lenses with edges down to 1°
+    faces, ///< polyhedra of which each triangle is an object
+    wide,  ///< polyhedra a thousand to a million times as large as what is seen of them
+    icosphere,
+    torus,
+    knot,
+    instance, ///< sheared, and mirrored half the time
+    quadric
+};
 
-/// Property::encloses, with convex solids.
+/// Property::encloses.
 Tally run_enclosed(Enclosed kind, std::uint64_t seed, std::uint32_t rays);
 
 } // namespace glint::stress

@@ -23,13 +23,14 @@ struct Options {
     std::uint64_t rays = 10'000'000;
     int threads = 0;
     std::uint64_t seed = 1;
-    std::string family;  ///< empty: all families
+    std::string family;  ///< families whose names begin so
     bool replay = false; ///< `seed` is the seed of a single case
 };
 
 constexpr const char* usage =
     "usage: glint-stress [--rays N] [--threads T] [--seed S] [--family NAME [--replay CASE]]\n"
-    "Traces N rays through degenerate and through closed meshes; exits 1 if any result is wrong.\n";
+    "Traces N rays through degenerate and through closed meshes; exits 1 if any result is wrong.\n"
+    "NAME is a family of worlds, or the beginning of several: 'within' for rays within closed solids.\n";
 
 template <class T>
 T number(std::string_view text) {
@@ -99,7 +100,7 @@ void print(const char* name, const Tally& tally) {
 int run(const Options& options) {
     std::vector<Family> chosen;
     for (const Family& family : families())
-        if (options.family.empty() || options.family == family.name) chosen.push_back(family);
+        if (std::string_view(family.name).starts_with(options.family)) chosen.push_back(family);
     if (chosen.empty()) throw std::invalid_argument("no such family: " + options.family);
 
     parallel::TaskPool pool(options.threads);

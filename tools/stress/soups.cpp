@@ -99,6 +99,7 @@ void add_triangles(Soup kind, const ScaledOffset& to_world, Random& random, Worl
     }
     for (std::uint32_t k = 0; k < 3; ++k) {
         meshes[k].object = 7 - 2 * k;
+        meshes[k].wide = kind == Soup::mixed && random.one_in(3);
         world.meshes.push_back(std::move(meshes[k]));
     }
 }

@@ -72,10 +72,6 @@ void CameraControl::fly(double right, double up, double ahead) {
 
 void CameraControl::set_fov(double degrees) { camera_.fov = std::clamp(degrees, 1.0, 170.0); }
 
-void CameraControl::turn(double seconds, double turns_per_minute) {
-    orbit(seconds * turns_per_minute * 2 * pi / 60, 0);
-}
-
 bool CameraControl::is_home() const { return same_view(camera_, home_); }
 
 void CameraControl::reset() {
@@ -87,6 +83,13 @@ void CameraControl::reset() {
 void CameraControl::set_target(double target_distance) {
     distance_ = target_distance;
     has_picked_target_ = true;
+}
+
+void CameraControl::look_from(const Vec3& eye) {
+    const Vec3 to_target = target() - eye;
+    camera_.eye = eye;
+    distance_ = glm::length(to_target);
+    camera_.direction = to_target / distance_;
 }
 
 void CameraControl::set_camera(const CameraDescription& camera, double target_distance) {

@@ -27,8 +27,6 @@ class CameraControl {
     void fly(double right, double up, double ahead);
     /// The field of view in degrees, clamped to 1 … 170.
     void set_fov(double degrees);
-    /// Orbits as on a turntable for that time.
-    void turn(double seconds, double turns_per_minute);
     /// Back to the home camera, exactly.
     void reset();
     bool is_home() const;
@@ -37,6 +35,8 @@ class CameraControl {
     bool has_picked_target() const { return has_picked_target_; }
     /// The orbit's target, at this distance ahead of the eye.
     void set_target(double target_distance);
+    /// Moves the eye; the target stays.
+    void look_from(const Vec3& eye);
     /// Another camera; home stays.
     void set_camera(const CameraDescription& camera, double target_distance);
 

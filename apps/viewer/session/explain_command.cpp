@@ -66,7 +66,7 @@ std::string command_line(const ExplainCommand& command, const PixelQuestion& que
         fmt::format(" --size {}x{} --pixel {},{}", question.width, question.height, question.x, question.y);
     if (command.frame) line += fmt::format(" --frame {}", *command.frame);
     if (!is_scene_file(command.file) && command.load.up)
-        line += std::string(" --up ") + (*command.load.up == Axis::y ? "y" : "z");
+        line += std::string(" --up ") + std::string(name_of(*command.load.up));
     if (command.load.allow_outside) line += " --allow-outside";
     for (const Override& value : command.load.overrides) line += " -D " + quoted(value);
     return line;

@@ -19,6 +19,21 @@ std::vector<Diagnostic> problem(const std::string& path, std::string message) {
     return {{Severity::error, {path, 0, 0, {}}, std::move(message), {}, {}}};
 }
 
+/// The window reads a file again whenever it changes. Editors that empty a file before they write it have
+/// not written it yet.
+void require_written_file(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code missing;
+    const fs::file_status status = fs::status(path, missing);
+    if (missing || fs::is_directory(status)) return; // load_scene() says why that cannot be read
+    if (!fs::is_regular_file(status))
+        throw Error(ErrorKind::input, "a window shows regular files only", "write it to a file first",
+                    {.file = path});
+    if (fs::file_size(path, missing) == 0 && !missing)
+        throw Error(ErrorKind::input, "the file is empty", "it is read again when it has been written",
+                    {.file = path});
+}
+
 /// Takes the data of meshes that were not read from the scene, by file name.
 void fill_in_meshes(SceneDescription& description, const SceneDescription& known) {
     for (Object& object : description.objects) {
@@ -175,11 +190,12 @@ void SessionLoader::State::guarded(const Work& work) {
     set_status([&](LoadStatus& s) {
         s.busy = false;
         s.problems = std::move(problems);
+        ++s.changes;
     });
 }
 
 void SessionLoader::State::read(bool is_reload) {
-    set_status([&](LoadStatus& s) { s = {true, path, {"reading " + path, 0}, {}}; });
+    set_status([&](LoadStatus& s) { s = {true, path, {"reading " + path, 0}, {}, s.changes + 1}; });
     guarded([&] {
         // Before reading: a change while the file is read counts too.
         watch.watch({path});
@@ -207,6 +223,7 @@ LoadedFile SessionLoader::State::read_file() {
     LoadOptions load = options.load;
     load.cancel = &cancel;
     load.progress = report;
+    require_written_file(path);
     LoadedScene loaded = load_scene(path, load);
     watch.watch(loaded.files);
     BuildSceneOptions build = build_options();

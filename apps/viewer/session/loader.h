@@ -31,6 +31,7 @@ struct LoadStatus {
     std::string path; ///< of the file being read, or the last one read
     LoadProgress progress;
     std::vector<Diagnostic> problems; ///< why it could not be shown; empty if it is shown
+    std::uint64_t changes = 0;        ///< how often any of these has changed, other than the progress
 };
 
 /// Thread-safe. No call waits for reading or building.

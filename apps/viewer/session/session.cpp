@@ -3,6 +3,9 @@
 
 #include "glint/pick.h"
 
+#include <glm/geometric.hpp>
+
+#include <cmath>
 #include <utility>
 
 namespace glint::viewer {
@@ -94,8 +97,51 @@ void Session::move(const std::function<void(CameraControl&)>& change) {
     renderer_.set_camera(camera_.camera(), width_, height_);
 }
 
-void Session::pick_orbit_target() {
+namespace {
+
+/// What lies ahead of a point on the way to another, if it is in between.
+std::optional<Pick> pick_between(const Scene& scene, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    const double distance = glm::length(way);
+    if (!(distance > 0)) return std::nullopt;
+    const bool steep = std::abs(way.z) > 0.9 * distance;
+    const CameraDescription camera{from, way, steep ? Vec3(1, 0, 0) : Vec3(0, 0, 1), 1, FovAxis::y, {}};
+    const auto found = pick(with_view(scene, camera, 1, 1), 0.5, 0.5);
+    return found && found->distance < distance ? found : std::nullopt;
+}
+
+bool is_flat(const Shape& shape) {
+    return std::holds_alternative<PlaneShape>(shape) || std::holds_alternative<RectangleShape>(shape) ||
+           std::holds_alternative<TriangleShape>(shape) || std::holds_alternative<DiskShape>(shape);
+}
+
+} // namespace
+
+void Session::orbit(double right, double up) {
     const std::lock_guard lock(mutex_);
+    pick_orbit_target();
+    const Vec3 from = camera_.camera().eye;
+    camera_.orbit(right, up);
+    stay_before_walls(from);
+    renderer_.set_camera(camera_.camera(), width_, height_);
+}
+
+void Session::stay_before_walls(const Vec3& from) {
+    const auto& scene = scenes_[ViewSlot::main];
+    if (!scene) return;
+    const Vec3 eye = camera_.camera().eye, target = camera_.target();
+    const auto wall = pick_between(*scene, from, eye);
+    if (!wall) return;
+    if (!is_flat(scene->description().objects[wall->object].shape) && !wall->from_inside) return;
+    // Where the wall stands between the new eye and the target, or else on the way to the eye.
+    constexpr double gap = 0.02; // of the distance to the target
+    const auto seen = pick_between(*scene, eye, target);
+    const bool slides = seen && seen->object == wall->object;
+    const Vec3 point = slides ? seen->position : from;
+    camera_.look_from(slides ? point + (target - point) * gap : point);
+}
+
+void Session::pick_orbit_target() {
     const auto& scene = scenes_[ViewSlot::main];
     if (camera_.has_picked_target() || !scene) return;
     const Scene seen = with_view(*scene, camera_.camera(), width_, height_);

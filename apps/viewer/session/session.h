@@ -69,10 +69,11 @@ class Session {
 
     /// Changes the camera: session.move([](CameraControl& c) { c.orbit(0.1, 0); }).
     void move(const std::function<void(CameraControl&)>& change);
-    /// Call before the camera orbits: sets the orbit's target to what the middle of the picture shows. A
-    /// target so picked stays while the camera only orbits or zooms; so does any target while the middle
-    /// shows nothing.
-    void pick_orbit_target();
+    /// Moves the camera around what the middle of the picture shows, as CameraControl::orbit(). A target so
+    /// picked stays while the camera only orbits or zooms; so does any target while the middle shows nothing.
+    /// The eye does not pass through a wall, that is a flat object or a solid that it is in: it stays before
+    /// it, nearer to the target.
+    void orbit(double right, double up);
     CameraControl camera() const;
     void resize(int width, int height);
     int width() const { return width_; }
@@ -100,8 +101,10 @@ class Session {
     // Called on the loader's thread.
     void show_file(LoadedFile file);
     void show_edit(ViewSlot slot, Scene edited);
-    /// With `mutex_` held.
+    // With `mutex_` held.
     CameraControl home(const Scene& scene) const;
+    void pick_orbit_target();
+    void stay_before_walls(const Vec3& from);
     void set_scene(ViewSlot slot, std::optional<Scene> scene);
 
     const SessionOptions options_;

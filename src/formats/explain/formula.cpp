@@ -96,6 +96,12 @@ std::string Scope::filled_in(const Step& step) const {
     return text == step.formula || text == quantity_text(step.result, readable_digits) ? "" : text;
 }
 
+std::string origin_text(const Explanation& explanation) {
+    const glm::dvec3& origin = explanation.origin;
+    if (origin == glm::dvec3(0)) return {};
+    return "positions are relative to (" + scene::show(origin) + "), about which the scene is traced";
+}
+
 std::string number_text(float x, int digits) {
     if (std::isnan(x)) return "not a number";
     if (std::isinf(x)) return x > 0 ? "∞" : "−∞";

@@ -36,4 +36,7 @@ inline constexpr int readable_digits = 6;
 /// A number with at most `digits` digits; "∞" for infinity.
 std::string number_text(float x, int digits);
 
+/// What the positions are relative to, as a sentence; empty if that is zero.
+std::string origin_text(const Explanation& explanation);
+
 } // namespace glint::formats

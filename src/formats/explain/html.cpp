@@ -1,5 +1,6 @@
 // The interactive HTML page.
 
+#include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
 #include "formats/explain/page.h"
 #include "formats/picture/codecs.h"
@@ -30,13 +31,29 @@ std::string base64(std::span<const std::byte> bytes) {
     return out;
 }
 
+/// The cell of the grid that is shown first.
+PixelCoord first_cell(const ExplanationPage& page) {
+    if (!page.pixel) return {page.columns / 2, page.rows / 2};
+    return {page.pixel->x * page.columns / page.image.width, page.pixel->y * page.rows / page.image.height};
+}
+
 /// The pixels of one grid row.
 std::vector<PixelCoord> grid_row(const ExplanationPage& page, int row) {
     std::vector<PixelCoord> all;
     for (int column = 0; column < page.columns; ++column)
         all.push_back({(2 * column + 1) * page.image.width / (2 * page.columns),
                        (2 * row + 1) * page.image.height / (2 * page.rows)});
+    const PixelCoord first = first_cell(page);
+    if (page.pixel && first.y == row) all[static_cast<std::size_t>(first.x)] = *page.pixel;
     return all;
+}
+
+/// The first cell, and with it the pixel that was asked for, if any.
+std::string first_of(const ExplanationPage& page) {
+    const auto pair = [](const PixelCoord& at) {
+        return "[" + std::to_string(at.x) + "," + std::to_string(at.y) + "]";
+    };
+    return "\"first\":" + pair(first_cell(page)) + ",\"pixel\":" + (page.pixel ? pair(*page.pixel) : "null");
 }
 
 std::string picture(const std::string& id, const Image& image) {
@@ -106,14 +123,21 @@ std::string before_data(const ExplanationPage& page) {
            picture("final", page.image) + layers(page.terms) + "<script id=\"data\" type=\"text/plain\">";
 }
 
+/// How samples are combined, and what positions are relative to.
+std::string rule_of(const Explanation& any) {
+    const std::string rule = any.samples.size() == 1
+                                 ? any.rule
+                                 : "the pixel is made of " + std::to_string(any.samples.size()) + " samples";
+    const std::string origin = formats::origin_text(any);
+    return origin.empty() ? rule : rule + "; " + origin;
+}
+
 std::string head_of(const ExplanationPage& page, const Explanation& any) {
     return "{\"width\":" + std::to_string(page.image.width) +
            ",\"height\":" + std::to_string(page.image.height) +
            ",\"columns\":" + std::to_string(page.columns) + ",\"rows\":" + std::to_string(page.rows) +
-           ",\"samples\":" + std::to_string(any.samples.size()) + ",\"rule\":" +
-           formats::json_text(any.samples.size() == 1 ? any.rule
-                                                      : "the pixel is made of " +
-                                                            std::to_string(any.samples.size()) + " samples") +
+           ",\"samples\":" + std::to_string(any.samples.size()) +
+           ",\"rule\":" + formats::json_text(rule_of(any)) + "," + first_of(page) +
            ",\"gpu\":" + gpu_of(page) + ",";
 }
 
@@ -137,6 +161,9 @@ std::string explanation_html(const ExplanationPage& request) {
     ExplanationPage page = request;
     page.columns = std::clamp(page.columns, 1, page.image.width);
     page.rows = std::clamp(page.rows, 1, page.image.height);
+    if (page.pixel)
+        page.pixel = {std::clamp(page.pixel->x, 0, page.image.width - 1),
+                      std::clamp(page.pixel->y, 0, page.image.height - 1)};
     formats::PageData data;
     std::string head;
     for (int row = 0; row < page.rows; ++row)

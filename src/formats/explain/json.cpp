@@ -3,6 +3,7 @@
 #include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
 #include "glint/explanation_files.h"
+#include "scene/text.h"
 
 namespace glint {
 
@@ -78,7 +79,7 @@ std::string json_steps(const Scope& scope, const std::vector<const std::vector<S
 
 std::string json_blocker(const Blocker& b) {
     return Members()
-        .add("object", std::to_string(b.object))
+        .add("object", std::to_string(b.number))
         .words("label", b.label)
         .words("material", b.material)
         .add("distance", json_number(b.distance))
@@ -88,11 +89,17 @@ std::string json_blocker(const Blocker& b) {
         .object();
 }
 
+/// Where it is written; null for what comes from no file.
+std::string json_place(const Location& where) {
+    return where.line > 0 ? formats::json_text(to_string(where)) : "null";
+}
+
 std::string json_light(const ExplainedRay& ray, const ExplainedLight& light) {
     std::vector<std::string> blockers;
     for (const Blocker& b : light.blockers) blockers.push_back(json_blocker(b));
     Members members;
     members.add("light", std::to_string(light.light)).words("label", light.label);
+    members.add("where", json_place(light.where));
     members.add("direction", json_vector(light.direction)).add("distance", json_number(light.distance));
     members.add("cosine", json_number(light.cosine)).add("angle", json_number(light.degrees));
     members.add("attenuation", json_number(light.attenuation)).add("arriving", json_vector(light.arriving));
@@ -106,8 +113,9 @@ std::string json_light(const ExplainedRay& ray, const ExplainedLight& light) {
 std::string json_hit(const ExplainedRay& ray) {
     if (!ray.hit) return "null";
     return Members()
-        .add("object", std::to_string(ray.object))
+        .add("object", std::to_string(ray.number))
         .words("label", ray.label)
+        .add("where", json_place(ray.where))
         .words("material", ray.material)
         .words("side", ray.entering ? "outside" : "inside")
         .add("distance", json_number(ray.distance))
@@ -177,6 +185,7 @@ std::string explanation_json(const Explanation& e) {
     members.words("scene", e.scene);
     members.add("pixel", "[" + std::to_string(e.x) + ", " + std::to_string(e.y) + "]");
     members.add("size", "[" + std::to_string(e.width) + ", " + std::to_string(e.height) + "]");
+    members.add("relative_to", "[" + scene::show(e.origin) + "]");
     members.words("filter", e.filter).words("rule", e.rule).words("backend", "cpu");
     members.add("color", json_vector(e.color)).add("gpu", json_gpu(e));
     members.add("terms", json_terms(e.terms)).add("samples", lines(samples, 0));

@@ -142,7 +142,7 @@ std::string PageData::source_of(const ExplainedRay& ray, const Step& step) {
     if (step.formula.empty() && (topic == "diffuse" || topic == "highlight")) {
         // Results of lights are known.
         for (std::size_t i = 0; i < ray.lights.size(); ++i)
-            if (static_cast<int>(ray.lights[i].light) + 1 == subscript(symbol))
+            if (static_cast<int>(ray.lights[i].light) == subscript(symbol))
                 return source(Source::link) + "," + std::to_string(i);
     }
     if (step.formula.empty() && belongs_to_scene(topic)) {

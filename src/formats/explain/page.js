@@ -71,8 +71,9 @@ async function unpack() {
 function rays_of(column, row) {
   let [k, v] = starts[row * page.columns + column];
   const next = vector => vector ? [floats[v++], floats[v++], floats[v++]] : floats[v++];
-  const pixel = { x: Math.floor((2 * column + 1) * page.width / (2 * page.columns)),
-                  y: Math.floor((2 * row + 1) * page.height / (2 * page.rows)),
+  const asked = page.pixel && column === page.first[0] && row === page.first[1] ? page.pixel : null;
+  const pixel = { x: asked ? asked[0] : Math.floor((2 * column + 1) * page.width / (2 * page.columns)),
+                  y: asked ? asked[1] : Math.floor((2 * row + 1) * page.height / (2 * page.rows)),
                   color: next(true), terms: names.map(() => next(true)), rays: [] };
   for (let count = ints[k++]; count > 0; --count, k += 4) {
     const ray = { shape: page.shapes[ints[k]], parent: ints[k + 1] - 1, left_out: ints[k + 3], brought: {}, known: new Map() };
@@ -215,7 +216,7 @@ function tell_layers() {
   const sum = sum_shown(shown), all = on.every(x => x);
   $('pixel').replaceChildren(el('div', 'head', swatch(sum), `pixel ${shown.x},${shown.y} = `, short(shown.color)),
     el('div', 'faint', (all ? '' : 'shown terms: ' + short(sum) + '; ') + page.rule +
-      (page.samples > 1 ? '; the rays are those of sample 1' : '') + (pinned ? ' — pinned, click to release' : '')),
+      (page.samples > 1 ? '; the rays are those of sample 0' : '') + (pinned ? ' — pinned, click to release' : '')),
     ...(page.gpu ? [el('div', 'faint', on_gpu(shown))] : []));
 }
 /// What a graphics card makes of the pixel.
@@ -249,6 +250,7 @@ const ready = unpack().then(() => {
     e.preventDefault();
     const within = (x, n) => Math.max(0, Math.min(n - 1, x));
     show(within(shown.column + way[0], page.columns), within(shown.row + way[1], page.rows)); });
-  show(page.columns >> 1, page.rows >> 1);
+  pinned = page.pixel !== null;
+  show(...page.first);
   return paint();
 });

@@ -1,5 +1,6 @@
 // The ray tree of a pixel as SVG: rays from left to right, one column per bounce.
 
+#include "formats/explain/branch.h"
 #include "formats/explain/formula.h"
 #include "formats/explain/markup.h"
 #include "glint/explanation_files.h"
@@ -127,7 +128,7 @@ class SvgTree {
             if (largest(sample.rays[i].weight) >= min_weight)
                 box.children.push_back(i);
             else
-                left_out += rays_below(sample, i);
+                left_out += formats::rays_in_branch(sample, i);
         }
         if (ray.end != RayEnd::bounced) box.lines.push_back({ray.why, "faint"});
         if (left_out > 0)
@@ -136,13 +137,6 @@ class SvgTree {
         if (!ray.lights.empty() && ray.gain > 1.0000001f)
             box.lines.push_back(
                 {"gain " + number_text(ray.gain, 3) + ": more light leaves than arrives", "warn"});
-    }
-
-    static int rays_below(const ExplainedSample& sample, std::size_t index) {
-        int count = 1;
-        for (const int child : {sample.rays[index].reflected, sample.rays[index].refracted})
-            if (child >= 0) count += rays_below(sample, static_cast<std::size_t>(child));
-        return count;
     }
 
     static void add_terms(const ExplainedRay& ray, Box& box) {
@@ -235,7 +229,7 @@ class SvgTree {
     void sample_title(const ExplainedSample& s, std::size_t index, double y) {
         swatch(margin, y - 12, 14, s.radiance);
         text(margin + 22, y,
-             "sample " + std::to_string(index + 1) + " at (" + number_text(s.dx, 3) + ", " +
+             "sample " + std::to_string(index) + " at (" + number_text(s.dx, 3) + ", " +
                  number_text(s.dy, 3) + "), weight " + number_text(s.weight, 1) +
                  (s.counts ? "" : ", left out") + " = " + quantity_text(s.radiance, shown_digits),
              "what");

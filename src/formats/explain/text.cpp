@@ -1,11 +1,14 @@
 // The ray tree of a pixel as text.
 
 #include "scene/text.h"
+#include "formats/explain/branch.h"
 #include "formats/explain/formula.h"
 #include "glint/error.h"
 #include "glint/explanation_files.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace glint {
 
@@ -16,6 +19,8 @@ namespace {
 
 constexpr int digits = formats::readable_digits;
 constexpr std::size_t longest_line = 100;
+/// Branches that bring less of the sample's light are counted.
+constexpr float min_share = 1.0f / 1000;
 
 /// Terminal escape sequences, or empty strings.
 struct Colors {
@@ -38,11 +43,44 @@ std::size_t width(std::string_view text) {
 
 std::string angle(float degrees) { return number_text(degrees, 4) + "°"; }
 
+/// The largest channel.
+float brightness(const glm::vec3& light) {
+    return std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
+}
+
 class TextTree {
   public:
-    TextTree(const Explanation& explanation, bool color) : explanation_(explanation), c_(color) {}
+    TextTree(const Explanation& explanation, const ExplanationTextOptions& options)
+        : explanation_(explanation), options_(options), c_(options.color) {
+        require_index("sample", options.sample, explanation.samples.size(), "the pixel");
+        if (options.ray) require_index("ray", *options.ray, sample().rays.size(), "the sample");
+    }
 
     std::string write() {
+        write_pixel();
+        if (explanation_.samples.size() > 1) write_samples();
+        if (options_.ray)
+            write_ray_alone(sample().rays[static_cast<std::size_t>(*options_.ray)]);
+        else if (options_.steps)
+            write_ray(0, "", "");
+        else
+            write_tree();
+        return std::move(text_);
+    }
+
+  private:
+    static void require_index(const std::string& what, int index, std::size_t count, const char* owner) {
+        if (index >= 0 && static_cast<std::size_t>(index) < count) return;
+        throw Error(ErrorKind::usage, "there is no " + what + " " + std::to_string(index),
+                    std::string(owner) + " has " + std::to_string(count) + ", numbered from 0");
+    }
+
+    void line(const std::string& text) { text_ += text + "\n"; }
+    const ExplainedSample& sample() const {
+        return explanation_.samples[static_cast<std::size_t>(options_.sample)];
+    }
+
+    void write_pixel() {
         const Explanation& e = explanation_;
         const std::string size = std::to_string(e.width) + "×" + std::to_string(e.height);
         line(c_.strong + std::string("pixel ") + std::to_string(e.x) + "," + std::to_string(e.y) + c_.plain +
@@ -51,15 +89,74 @@ class TextTree {
         if (e.gpu) line("  " + other_pixel_text(e, *e.gpu));
         line("  " + e.rule + (e.samples.size() > 1 ? " (" + e.filter + " filter)" : ""));
         line("  = " + terms_text(e.terms));
-        for (std::size_t i = 0; i < e.samples.size(); ++i) {
-            if (e.samples.size() > 1) write_sample(e.samples[i], i);
-            write_ray(e.samples[i], 0, "", "");
-        }
-        return std::move(text_);
+        const std::string origin = formats::origin_text(e);
+        if (!origin.empty()) line("  " + origin);
     }
 
-  private:
-    void line(const std::string& text) { text_ += text + "\n"; }
+    /// The first samples, one per line.
+    void write_samples() {
+        constexpr std::size_t most = 16;
+        const std::size_t count = explanation_.samples.size();
+        for (std::size_t i = 0; i < std::min(count, most); ++i) write_sample(explanation_.samples[i], i);
+        if (count > most) line("… and " + std::to_string(count - most) + " more");
+        line(c_.strong + std::string("the rays of sample ") + std::to_string(options_.sample) + c_.plain);
+    }
+
+    void write_tree() {
+        line("ray   share of the light");
+        write_branch(0, "", "");
+    }
+
+    /// The part of the sample's light that comes along a ray; where the sample is black, of its weight.
+    float share(const ExplainedRay& ray) const {
+        const float all = brightness(sample().radiance);
+        return all > 0 ? brightness(ray.weight * ray.radiance) / all : brightness(ray.weight);
+    }
+
+    void write_branch(std::size_t index, const std::string& head, const std::string& body) {
+        const ExplainedRay& ray = sample().rays[index];
+        char columns[48];
+        std::snprintf(columns, sizeof columns, "%3zu %6.1f %%  ", index, 100 * double(share(ray)));
+        line(columns + head + c_.strong + ray_kind_name(ray.kind) + c_.plain + " → " + target(ray) + ": " +
+             c_.value + quantity_text(ray.radiance, 4) + c_.plain);
+        std::vector<std::size_t> shown;
+        int left_out = 0;
+        for (const int child : {ray.reflected, ray.refracted}) {
+            if (child < 0) continue;
+            const auto i = static_cast<std::size_t>(child);
+            if (share(sample().rays[i]) < min_share)
+                left_out += formats::rays_in_branch(sample(), i);
+            else
+                shown.push_back(i);
+        }
+        for (const std::size_t child : shown) {
+            const bool last = child == shown.back() && left_out == 0;
+            write_branch(child, body + (last ? "└─ " : "├─ "), body + (last ? "   " : "│  "));
+        }
+        if (left_out > 0)
+            line(std::string(14, ' ') + body + c_.faint + "└─ + " + std::to_string(left_out) +
+                 (left_out == 1 ? " ray" : " rays") + " below 0.1 %" + c_.plain);
+    }
+
+    /// What a ray meets: "sphere.0 (ball.toml:3:1) at 2.4, from inside".
+    static std::string target(const ExplainedRay& ray) {
+        if (ray.end == RayEnd::absorbed) return "nothing, " + printable(ray.why);
+        if (!ray.hit) return "background";
+        return printable(ray.label) + place(ray.where) + " at " + number_text(ray.distance, 4) +
+               (ray.entering ? "" : ", from inside") + (ray.total_reflection ? ", total reflection" : "") +
+               (ray.end == RayEnd::depth_limit ? ", depth limit" : "") + left_out(ray.left_out);
+    }
+
+    static std::string left_out(int branches) {
+        if (branches == 0) return "";
+        return ", " + std::to_string(branches) + (branches == 1 ? " branch" : " branches") +
+               " below min_weight left out";
+    }
+
+    /// Where something is written, in parentheses; empty for what comes from no file.
+    static std::string place(const Location& where) {
+        return where.line > 0 ? " (" + printable(to_string(where)) + ")" : "";
+    }
 
     /// The non-zero terms: "ambient (…) + reflection (…)".
     static std::string terms_text(const std::array<glm::vec3, term_count>& terms) {
@@ -74,32 +171,44 @@ class TextTree {
     }
 
     void write_sample(const ExplainedSample& s, std::size_t index) {
-        line("");
-        line(c_.strong + std::string("sample ") + std::to_string(index + 1) + c_.plain + " at (" +
+        line(c_.strong + std::string("sample ") + std::to_string(index) + c_.plain + " at (" +
              number_text(s.dx, digits) + ", " + number_text(s.dy, digits) +
              ") pixels from the centre, weight " + number_text(s.weight, digits) +
              (s.counts ? "" : ", left out") + " = " + c_.value + text_of(s.radiance) + c_.plain);
     }
 
-    void write_ray(const ExplainedSample& sample, std::size_t index, const std::string& head,
-                   const std::string& body) {
-        const ExplainedRay& ray = sample.rays[index];
+    /// A branch with every step.
+    void write_ray(std::size_t index, const std::string& head, const std::string& body) {
+        const ExplainedRay& ray = sample().rays[index];
         const bool branches = ray.reflected >= 0 || ray.refracted >= 0;
         const std::string inner = body + (branches ? "│ " : "  ");
-        line(head + c_.strong + ray_kind_name(ray.kind) + " ray" + c_.plain + " brings " + c_.value +
-             text_of(ray.radiance) + c_.plain + ", weight in the sample " + text_of(ray.weight));
+        line(head + title(ray));
+        write_steps_of(ray, inner);
+        if (branches) line(body + "│");
+        if (ray.reflected >= 0) write_child(ray.reflected, body, ray.refracted < 0);
+        if (ray.refracted >= 0) write_child(ray.refracted, body, true);
+    }
+
+    void write_child(int index, const std::string& body, bool last) {
+        write_ray(static_cast<std::size_t>(index), body + (last ? "└─ " : "├─ "),
+                  body + (last ? "   " : "│  "));
+    }
+
+    std::string title(const ExplainedRay& ray) const {
+        return c_.strong + std::string(ray_kind_name(ray.kind)) + " ray" + c_.plain + " brings " + c_.value +
+               text_of(ray.radiance) + c_.plain + ", weight in the sample " + text_of(ray.weight);
+    }
+
+    void write_ray_alone(const ExplainedRay& ray) {
+        line(title(ray));
+        write_steps_of(ray, "  ");
+    }
+
+    void write_steps_of(const ExplainedRay& ray, const std::string& inner) {
         write_path(ray, inner);
         for (const ExplainedLight& light : ray.lights) write_light(ray, light, inner);
         write_steps(Scope(ray), ray.steps, inner);
         line(inner + ray.why);
-        if (branches) line(body + "│");
-        if (ray.reflected >= 0) write_child(sample, ray.reflected, body, ray.refracted < 0);
-        if (ray.refracted >= 0) write_child(sample, ray.refracted, body, true);
-    }
-
-    void write_child(const ExplainedSample& sample, int index, const std::string& body, bool last) {
-        write_ray(sample, static_cast<std::size_t>(index), body + (last ? "└─ " : "├─ "),
-                  body + (last ? "   " : "│  "));
     }
 
     void write_path(const ExplainedRay& ray, const std::string& inner) {
@@ -108,9 +217,9 @@ class TextTree {
         for (const std::string& label : ray.passed_over)
             line(inner + "passes over " + printable(label) + ": hidden inside a solid that owns the space");
         if (!ray.hit) return;
-        line(inner + "hits " + c_.strong + printable(ray.label) + c_.plain + " (material " +
-             printable(ray.material) + ") from " + (ray.entering ? "outside" : "inside") + ", distance " +
-             number_text(ray.distance, digits));
+        line(inner + "hits " + c_.strong + printable(ray.label) + c_.plain + place(ray.where) +
+             ", material " + printable(ray.material) + ", from " + (ray.entering ? "outside" : "inside") +
+             ", distance " + number_text(ray.distance, digits));
         if (ray.crosses) line(inner + bending(ray));
         write_given(ray.given, inner);
     }
@@ -138,7 +247,7 @@ class TextTree {
     }
 
     void write_light(const ExplainedRay& ray, const ExplainedLight& light, const std::string& inner) {
-        line(inner + c_.strong + printable(light.label) + c_.plain + ": distance " +
+        line(inner + c_.strong + printable(light.label) + c_.plain + place(light.where) + ": distance " +
              number_text(light.distance, digits) + ", n·l = " + number_text(light.cosine, digits) + " (" +
              angle(light.degrees) + "), " +
              (light.arriving == glm::vec3(0.0f) ? "nothing arrives"
@@ -183,14 +292,15 @@ class TextTree {
     }
 
     const Explanation& explanation_;
+    const ExplanationTextOptions& options_;
     const Colors c_;
     std::string text_;
 };
 
 } // namespace
 
-std::string explanation_text(const Explanation& explanation, bool color) {
-    return TextTree(explanation, color).write();
+std::string explanation_text(const Explanation& explanation, const ExplanationTextOptions& options) {
+    return TextTree(explanation, options).write();
 }
 
 } // namespace glint

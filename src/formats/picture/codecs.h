@@ -50,13 +50,18 @@ LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& na
 [[noreturn]] void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
                                  std::optional<std::uint64_t> byte = {});
 
+/// "640 x 480".
+std::string size_text(std::int64_t width, std::int64_t height);
+
 /// Throws unless the size is 1 … 65,536 on each side and at most 2^30 pixels.
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height);
 
-/// Throws for a file too short for its pixels, before memory is allocated for them. `stored`: their bytes
-/// before compression, at least; deflate makes at most 1032 bytes of one.
-void check_file_size(const std::string& name, const char* kind, std::int64_t width, std::int64_t height,
-                     std::size_t stored, std::size_t file_size);
+/// Throws Error(resource) where there is no memory for pixels of so many bytes each.
+void require_picture_memory(const std::string& name, std::int64_t width, std::int64_t height,
+                            std::size_t pixel_bytes);
+
+/// Bytes of all channels of a picture that is written, as floats.
+std::size_t channel_bytes(const Image& image, const PictureOptions& options);
 
 /// Hint for truncated or damaged files.
 inline constexpr const char* cut_hint = "the file is cut short or damaged; write or copy it again";

@@ -1,6 +1,7 @@
 // Reading EXR files with OpenEXR.
 
 #include "formats/picture/codecs.h"
+#include "formats/picture/exr_twice.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -137,16 +138,19 @@ ChannelNames choose_channels(const Imf::ChannelList& list, const std::string& na
 }
 
 /// Reads rows in blocks and grows the image with them, so a file that claims too many rows fails before much
-/// memory is allocated.
+/// memory is used.
 LoadedPicture read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& channels) {
     constexpr std::int64_t block_rows = 64;
     LoadedPicture picture;
     Image& image = picture.image;
+    // Memory is used as rows come.
+    image.pixels.reserve(static_cast<std::size_t>(3 * window.width() * window.height()));
     image.width = static_cast<int>(window.width());
     const std::size_t row = 3 * static_cast<std::size_t>(image.width);
     std::vector<float> planes(row * block_rows);
     const bool has_alpha = file.header().channels().findChannel("A") != nullptr;
     std::vector<float> alphas(has_alpha ? row / 3 * block_rows : 0);
+    if (has_alpha) picture.alpha.reserve(static_cast<std::size_t>(window.width() * window.height()));
 
     for (std::int64_t first = window.min_y; first <= window.max_y; first += block_rows) {
         const auto last = std::min<std::int64_t>(first + block_rows - 1, window.max_y);
@@ -181,13 +185,13 @@ LoadedPicture read_rows(Imf::InputFile& file, const Window& window, const Channe
 LoadedPicture decode_exr(std::span<const std::byte> bytes, const std::string& name) {
     const Window window = HeaderCheck(bytes, name).run();
     check_picture_size(name, window.width(), window.height());
-    // A channel has at least half precision.
-    const auto stored = static_cast<std::size_t>(2 * window.width() * window.height());
-    check_file_size(name, "EXR", window.width(), window.height(), stored, bytes.size());
+    require_picture_memory(name, window.width(), window.height(), 3 * sizeof(float));
     try {
-        MemoryInput input(bytes);
-        Imf::InputFile file(input, 0);
-        return read_rows(file, window, choose_channels(file.header().channels(), name));
+        return twice([&] {
+            MemoryInput input(bytes);
+            Imf::InputFile file(input, 0);
+            return read_rows(file, window, choose_channels(file.header().channels(), name));
+        });
     } catch (const Error&) {
         throw;
     } catch (const std::bad_alloc&) {

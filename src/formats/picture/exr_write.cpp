@@ -1,6 +1,7 @@
 // Writing EXR files with OpenEXR.
 
 #include "formats/picture/codecs.h"
+#include "formats/picture/exr_twice.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -19,7 +20,8 @@ namespace {
 /// OpenEXR's output stream to memory. OpenEXR seeks back to fill in the table of row offsets.
 class MemoryOutput : public Imf::OStream {
   public:
-    MemoryOutput() : Imf::OStream("memory") {}
+    /// `expected`: room that growing need not copy.
+    explicit MemoryOutput(std::size_t expected) : Imf::OStream("memory") { bytes_.reserve(expected); }
 
     void write(const char* data, int size) override {
         const auto count = static_cast<std::size_t>(size);
@@ -40,21 +42,31 @@ class MemoryOutput : public Imf::OStream {
 
 /// Adds a float channel with its memory layout. OpenEXR only reads through the pointer.
 void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const std::string& name, const float* first,
-                 std::size_t step, int width) {
+                 std::size_t step) {
     header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    char* base = reinterpret_cast<char*>(const_cast<float*>(first));
     const std::size_t stride = step * sizeof(float);
-    buffer.insert(name, Imf::Slice(Imf::FLOAT, base, stride, stride * static_cast<std::size_t>(width)));
+    const Imath::Box2i& window = header.dataWindow();
+    const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, first, window, stride, stride * width));
 }
 
 void add_image(Imf::Header& header, Imf::FrameBuffer& buffer, const std::string& prefix, const Image& image) {
     static constexpr std::array channels{"R", "G", "B"};
     for (std::size_t i = 0; i < channels.size(); ++i)
-        add_channel(header, buffer, prefix + channels[i], image.pixels.data() + i, 3, image.width);
+        add_channel(header, buffer, prefix + channels[i], image.pixels.data() + i, 3);
+}
+
+/// The full picture is the display window, the image in it the data window.
+Imf::Header header_of(const Image& image, const PictureOptions& options) {
+    const int width = options.full_width > 0 ? options.full_width : image.width;
+    const int height = options.full_height > 0 ? options.full_height : image.height;
+    const Imath::V2i first(options.x, options.y);
+    return {Imath::Box2i({0, 0}, {width - 1, height - 1}),
+            Imath::Box2i(first, first + Imath::V2i(image.width - 1, image.height - 1))};
 }
 
 std::vector<std::byte> encode(const Image& image, const PictureOptions& options) {
-    Imf::Header header(image.width, image.height);
+    Imf::Header header = header_of(image, options);
     header.compression() = Imf::ZIP_COMPRESSION;
     // The prefix, which glint's own keys have, avoids clashes with attributes that OpenEXR defines.
     for (const auto& [key, value] : options.metadata)
@@ -62,10 +74,11 @@ std::vector<std::byte> encode(const Image& image, const PictureOptions& options)
 
     Imf::FrameBuffer buffer;
     add_image(header, buffer, "", image);
-    if (!options.alpha.empty()) add_channel(header, buffer, "A", options.alpha.data(), 1, image.width);
+    if (!options.alpha.empty()) add_channel(header, buffer, "A", options.alpha.data(), 1);
     for (const Layer& layer : options.layers) add_image(header, buffer, layer.name + ".", layer.image);
 
-    MemoryOutput out;
+    // Rows that do not get smaller are stored as they are.
+    MemoryOutput out(channel_bytes(image, options) + (std::size_t{1} << 16U));
     {
         // No OpenEXR threads. The destructor completes the file.
         Imf::OutputFile file(out, header, 0);
@@ -79,7 +92,7 @@ std::vector<std::byte> encode(const Image& image, const PictureOptions& options)
 
 std::vector<std::byte> encode_exr(const Image& image, const PictureOptions& options) {
     try {
-        return encode(image, options);
+        return twice([&] { return encode(image, options); });
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& problem) {

@@ -6,8 +6,10 @@
 #include "glint/limits.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 namespace glint::formats {
 
@@ -22,10 +24,6 @@ PictureFormat require_format(const std::string& path) {
     const std::string extension = lower_extension(path);
     const std::string found = extension.empty() ? "has no extension" : "ends in '" + extension + "'";
     refuse_arguments("the picture's name '" + path + "' " + found, "pictures end in .png, .exr or .pfm");
-}
-
-std::string size_text(std::int64_t width, std::int64_t height) {
-    return std::to_string(width) + " x " + std::to_string(height);
 }
 
 void check_image(const Image& image, const std::string& what) {
@@ -64,12 +62,21 @@ void check_options(const Image& image, const PictureOptions& options) {
     if (!options.alpha.empty() && options.alpha.size() * 3 != image.pixels.size())
         refuse_arguments("alpha holds " + std::to_string(options.alpha.size()) + " values",
                          size_text(image.width, image.height) + " pixels have one each");
+    const bool part = options.full_width > 0 || options.full_height > 0;
+    if (part && (options.x < 0 || options.y < 0 || options.x + image.width > options.full_width ||
+                 options.y + image.height > options.full_height))
+        refuse_arguments("the picture does not lie within the whole of which it is a part",
+                         "the whole has " + size_text(options.full_width, options.full_height) + " pixels");
     for (const auto& [key, value] : options.metadata)
         if (key.empty())
             refuse_arguments("a piece of metadata has no name ('" + value + "')", "name every piece");
 }
 
 } // namespace
+
+std::string size_text(std::int64_t width, std::int64_t height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
 
 void refuse_picture(const std::string& name, const std::string& message, const std::string& hint,
                     std::optional<std::uint64_t> byte) {
@@ -84,13 +91,17 @@ void check_picture_size(const std::string& name, std::int64_t width, std::int64_
                        "a picture has 1 to 65,536 pixels a side, at most 2^30 in all");
 }
 
-void check_file_size(const std::string& name, const char* kind, std::int64_t width, std::int64_t height,
-                     std::size_t stored, std::size_t file_size) {
-    constexpr std::size_t max_ratio = 1032;
-    if (stored / max_ratio > file_size)
-        refuse_picture(
-            name, std::string("the ") + kind + " is too short for " + size_text(width, height) + " pixels",
-            cut_hint);
+void require_picture_memory(const std::string& name, std::int64_t width, std::int64_t height,
+                            std::size_t pixel_bytes) {
+    const double bytes = static_cast<double>(width) * static_cast<double>(height) * double(pixel_bytes);
+    require_memory(bytes, "a picture of " + size_text(width, height) + " pixels", "make it smaller first",
+                   {.file = name});
+}
+
+std::size_t channel_bytes(const Image& image, const PictureOptions& options) {
+    std::size_t floats = image.pixels.size() + options.alpha.size();
+    for (const Layer& layer : options.layers) floats += layer.image.pixels.size();
+    return floats * sizeof(float);
 }
 
 LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
@@ -107,10 +118,15 @@ LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string
 
 namespace glint {
 
+namespace fs = std::filesystem;
+
 std::optional<PictureFormat> picture_format(const std::string& path) {
     if (path == "-") return PictureFormat::png;
     const std::string extension = formats::lower_extension(path);
-    return extension.empty() ? std::nullopt : value_named<PictureFormat>(extension.substr(1));
+    if (!extension.empty()) return value_named<PictureFormat>(extension.substr(1));
+    std::error_code none;
+    if (formats::special_file(fs::status(path, none))) return PictureFormat::png;
+    return std::nullopt;
 }
 
 void check_picture_target(const std::string& path, bool with_alpha, bool with_layers) {
@@ -142,6 +158,10 @@ void write_picture(const std::string& path, const Image& image, const PictureOpt
 
 LoadedPicture read_picture(const std::string& path) {
     try {
+        std::error_code none;
+        if (const fs::file_status status = fs::status(path, none);
+            fs::is_character_file(status) || fs::is_block_file(status))
+            formats::refuse_picture(path, "this is a device, not a picture", "name a file");
         return formats::decode_picture(formats::read_bytes(path), path);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorKind::resource, "not enough memory to read the picture", "close other programs",

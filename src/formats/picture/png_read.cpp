@@ -119,6 +119,15 @@ void request_rgb(PngReader& reader, PngShape& shape) {
     });
 }
 
+/// Throws for a file too short for its pixels, before memory is allocated for them: deflate makes at most
+/// 1032 bytes of one.
+void check_data_size(const std::string& name, const PngShape& shape, std::size_t file_size) {
+    constexpr std::size_t max_ratio = 1032;
+    if (shape.bits_per_pixel * shape.width / 8 * shape.height / max_ratio > file_size)
+        refuse_picture(name, "the PNG is too short for " + size_text(shape.width, shape.height) + " pixels",
+                       cut_hint);
+}
+
 LoadedPicture picture_from_rows(const PngShape& shape, const png_byte* rows) {
     // 16-bit values are big-endian.
     const auto value = [&](std::size_t i) {
@@ -141,9 +150,10 @@ LoadedPicture decode_png(std::span<const std::byte> bytes, const std::string& na
     PngReader reader(bytes, name);
     PngShape shape = read_header(reader);
     check_picture_size(name, shape.width, shape.height);
-    const std::size_t stored = shape.bits_per_pixel * shape.width / 8 * shape.height;
-    check_file_size(name, "PNG", shape.width, shape.height, stored, bytes.size());
+    check_data_size(name, shape, bytes.size());
     request_rgb(reader, shape);
+    const std::size_t pixel_bytes = shape.row_bytes / shape.width + shape.channels * sizeof(float);
+    require_picture_memory(name, shape.width, shape.height, pixel_bytes);
 
     // Interlaced rows come in several passes, so all rows are kept. Their memory is used as they come: a file
     // may claim more than it holds.

@@ -63,9 +63,6 @@ class PngWriter {
     png_infop info_ = nullptr;
 };
 
-using Code8 = std::uint8_t (*)(float);
-using Code16 = std::uint16_t (*)(float);
-
 /// Encodes rows; 16-bit codes are big-endian as PNG requires.
 class RowEncoder {
   public:

@@ -100,6 +100,15 @@ std::optional<std::size_t> FixedRowReader::take(std::span<const std::byte> bytes
     return static_cast<std::size_t>(at - begin);
 }
 
+Rows FixedRowReader::finish() {
+    Rows rows{.mesh = std::move(mesh_), .polygons = {}, .corners = {}, .bad_vertices = {}};
+    const dvec3 origin = origin_step(rows);
+    if (origin == dvec3(0)) return rows;
+    for (vec3& p : rows.mesh.positions) p = vec3(dvec3(p) - origin);
+    rows.mesh.origin = origin;
+    return rows;
+}
+
 /// Returns the position after the last row read, or null at an unusual row.
 const char* FixedRowReader::take_vertices(const char* row, const char* end) {
     const std::array<float, 256>& light = srgb8_table();

@@ -23,8 +23,8 @@ class FixedRowReader {
     /// an unusual row: not a triangle, or an index or coordinate out of range.
     std::optional<std::size_t> take(std::span<const std::byte> bytes);
     bool complete() const { return vertices_left_ == 0 && faces_left_ == 0; }
-    /// The rows read.
-    Rows finish() { return {.mesh = std::move(mesh_), .polygons = {}, .corners = {}, .bad_vertices = {}}; }
+    /// The rows read. Far from zero, the positions are relative to an origin of the mesh.
+    Rows finish();
 
   private:
     bool set_vertex_format(const Element& element, const VertexFormat& format);

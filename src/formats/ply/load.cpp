@@ -3,6 +3,7 @@
 #include "formats/ply/fixed_rows.h"
 #include "formats/ply/mesh.h"
 #include "formats/read_bytes.h"
+#include "glint/limits.h"
 #include "glint/mesh_files.h"
 
 #include <algorithm>
@@ -64,6 +65,8 @@ std::optional<LoadedMesh> load_fixed_rows(formats::InputFile& file, const std::s
 LoadedMesh load_mesh(const std::string& path, const LoadOptions& options) {
     const LoadWatch watch(path, options);
     formats::InputFile file(path);
+    if (file.size())
+        require_memory(static_cast<double>(*file.size()), "the mesh", "close other programs", {.file = path});
     if (auto loaded = load_fixed_rows(file, path, watch)) return *std::move(loaded);
     if (file.size()) file.rewind();
     return parse_ply(formats::read_bytes(file, watch), path, options);
@@ -75,7 +78,12 @@ LoadedMesh parse_ply(std::span<const std::byte> bytes, const std::string& name, 
     formats::refuse_compressed(source.text(), name);
     const ply::Header header = ply::parse_header(source);
     const ply::MeshLayout layout = ply::interpret_header(source, header);
-    return ply::assemble(source, header, layout, ply::read_rows(source, header, layout, watch), watch);
+    ply::Rows rows = ply::read_rows(source, header, layout, watch);
+    // Bounds in single precision give an origin that is nearer, but not always near.
+    dvec3 step(0);
+    for (int i = 0; i < 3 && (step = ply::origin_step(rows)) != dvec3(0); ++i)
+        rows = ply::read_rows(source, header, layout, watch, rows.mesh.origin + step);
+    return ply::assemble(source, header, layout, std::move(rows), watch);
 }
 
 } // namespace glint

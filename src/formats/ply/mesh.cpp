@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 #include "geometry/polygon.h"
-#include "math/bounds.h"
+#include "scene/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -102,6 +102,8 @@ class Assembler {
         }
         all.insert(all.end(), next, whole.end());
         mesh().triangles = std::move(all);
+        rows_.polygons = {};
+        rows_.corners = {};
     }
 
     void drop_bad_vertices() {
@@ -147,22 +149,44 @@ class Assembler {
         warn("the file has no faces: it is drawn as a point cloud", hint);
     }
 
-    /// Where the vertices are as far from each other as from the origin, rounding loses 1/2^25 of their
-    /// extent.
+    /// How far single precision may move a vertex: in the file if that stores floats, otherwise in the mesh.
+    struct Rounding {
+        double size = 0;       ///< of the mesh
+        double coordinate = 0; ///< the largest
+        double error = 0;      ///< half the distance of neighbouring floats there
+
+        static constexpr double side = 1000; ///< of a picture, in pixels
+        /// Of a mesh that rounding has made smaller than its error the true size is not known.
+        double pixels() const { return error > 0 ? error / std::max(size, 2 * error) * side : 0; }
+    };
+    Rounding rounding(std::size_t step) const {
+        const Bounds bounds = bounds_of_faces(rows_, step);
+        const dvec3 lo(bounds.lo), hi(bounds.hi);
+        Rounding found{largest(hi - lo)};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double stored = std::max(std::abs(lo[axis]), std::abs(hi[axis]));
+            const double written = std::max(std::abs(lo[axis] + rows_.mesh.origin[axis]),
+                                            std::abs(hi[axis] + rows_.mesh.origin[axis]));
+            const bool floats = header_.format != PlyFormat::ascii &&
+                                layout_.vertex.types[static_cast<std::size_t>(axis)] == Type::float32;
+            found.coordinate = std::max(found.coordinate, written);
+            found.error = std::max(found.error, (floats ? written : stored) * 0x1p-24);
+        }
+        return found;
+    }
+
     void warn_of_rounding() {
-        if (rows_.max_rounding == 0) return;
-        Bounds bounds;
-        for (const vec3& p : mesh().positions) bounds.grow(p);
-        const vec3 extent = bounds.extent();
-        const double size = std::max({extent.x, extent.y, extent.z});
-        constexpr double side = 1000; // of a picture, in pixels
-        const double pixels = rows_.max_rounding / size * side;
-        if (!(pixels > 0.25)) return;
-        warn("the mesh is " + number_text(size) + " in size and lies at coordinates up to " +
-                 number_text(bounds.max_coordinate()) + ": single precision moves its vertices by up to " +
-                 number_text(rows_.max_rounding) + ", about " + number_text(std::ceil(pixels)) +
+        constexpr double visible = 0.1; // pixels
+        if (mesh().positions.size() < 2) return;
+        if (!(rounding(sparse_step(rows_)).pixels() > visible)) return;
+        const Rounding found = rounding(1);
+        if (!(found.pixels() > visible)) return;
+        warn("the mesh is " + number_text(found.size) + " in size and lies at coordinates up to " +
+                 number_text(found.coordinate) + ": single precision moves its vertices by up to " +
+                 scene::rounded(found.error) + ", about " + scene::rounded(found.pixels()) +
                  " pixels where it fills a picture of 1000",
-             "subtract a common offset from its coordinates before it is written");
+             "write its coordinates as double, and without vertices far from the others; or subtract a "
+             "common offset from them before");
     }
 
     void warn_of_the_rest() {

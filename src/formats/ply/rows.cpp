@@ -4,6 +4,8 @@
 
 #include "formats/ply/cursor.h"
 #include "formats/ply/srgb8_table.h"
+#include "geometry/point_cloud.h"
+#include "math/far_origin.h"
 
 #include <algorithm>
 #include <array>
@@ -34,9 +36,12 @@ float to_light(double value, Type type) {
 template <class Cursor>
 class RowReader {
   public:
-    RowReader(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch)
+    RowReader(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch,
+              const dvec3& origin)
         : header_(header), layout_(layout), watch_(watch), cursor_(source, header.body), size_(source.size()),
-          vertices_(header.elements[layout.vertex_element].count) {}
+          vertices_(header.elements[layout.vertex_element].count) {
+        rows_.mesh.origin = origin;
+    }
 
     Rows read() {
         for (std::size_t i = 0; i < header_.elements.size(); ++i) {
@@ -136,7 +141,9 @@ class RowReader {
             return to_light(value(role), type);
         };
         Mesh& mesh = rows_.mesh;
-        mesh.positions[i] = {to_float(value(Role::x)), to_float(value(Role::y)), to_float(value(Role::z))};
+        mesh.positions[i] = {to_float(value(Role::x) - mesh.origin.x),
+                             to_float(value(Role::y) - mesh.origin.y),
+                             to_float(value(Role::z) - mesh.origin.z)};
         if (layout_.vertex.normals)
             mesh.normals[i] = {finite_or_zero(value(Role::nx)), finite_or_zero(value(Role::ny)),
                                finite_or_zero(value(Role::nz))};
@@ -145,16 +152,11 @@ class RowReader {
             mesh.uvs[i] = {finite_or_zero(value(Role::u)), finite_or_zero(value(Role::v))};
     }
 
-    /// Records invalid vertices, and what rounding loses of others. Invalid ones are errors only if a face
-    /// uses them, which is known at the end.
+    /// Records invalid vertices. They are errors only if a face uses them, which is known at the end.
     void check_vertex(std::size_t i, const Values& values,
                       const std::array<std::size_t, role_count>& offsets) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::fabs(values[k]) <= coordinate_limit) {
-                const double rounding = std::fabs(values[k] - double(rows_.mesh.positions[i][int(k)]));
-                rows_.max_rounding = std::max(rows_.max_rounding, rounding);
-                continue;
-            }
+            if (std::fabs(values[k]) <= coordinate_limit) continue;
             rows_.bad_vertices.push_back(
                 {static_cast<std::uint32_t>(i), offsets[k], std::isfinite(values[k])});
             return;
@@ -260,17 +262,57 @@ class RowReader {
     Rows rows_;
 };
 
+/// The same layout, but coordinates written as text are read with all their digits.
+MeshLayout with_all_digits(MeshLayout layout) {
+    for (const Role role : {Role::x, Role::y, Role::z}) {
+        Type& type = layout.vertex.types[static_cast<std::size_t>(role)];
+        if (type == Type::float32) type = Type::float64;
+    }
+    return layout;
+}
+
 } // namespace
 
-Rows read_rows(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch) {
+Rows read_rows(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch,
+               const dvec3& origin) {
     switch (header.format) {
-    case PlyFormat::ascii:
-        return RowReader<TextCursor>(source, header, layout, watch).read();
-    case PlyFormat::binary_little_endian:
-        return RowReader<BinaryCursor<std::endian::little>>(source, header, layout, watch).read();
-    default:
-        return RowReader<BinaryCursor<std::endian::big>>(source, header, layout, watch).read();
+    case PlyFormat::ascii: {
+        // Without an origin coordinates are rounded once, from text to float.
+        const MeshLayout text_layout = origin == dvec3(0) ? layout : with_all_digits(layout);
+        return RowReader<TextCursor>(source, header, text_layout, watch, origin).read();
     }
+    case PlyFormat::binary_little_endian:
+        return RowReader<BinaryCursor<std::endian::little>>(source, header, layout, watch, origin).read();
+    default:
+        return RowReader<BinaryCursor<std::endian::big>>(source, header, layout, watch, origin).read();
+    }
+}
+
+Bounds bounds_of_faces(const Rows& rows, std::size_t step) {
+    const std::vector<vec3>& positions = rows.mesh.positions;
+    Bounds bounds;
+    const auto grow = [&](const vec3& p) {
+        if (largest(rows.mesh.origin + dvec3(p)) <= coordinate_limit) bounds.grow(p);
+    };
+    const std::vector<uvec3>& triangles = rows.mesh.triangles;
+    for (std::size_t i = 0; i < triangles.size(); i += step)
+        for (int k = 0; k < 3; ++k) grow(positions[triangles[i][k]]);
+    for (std::size_t i = 0; i < rows.corners.size(); i += step) grow(positions[rows.corners[i]]);
+    if (!triangles.empty() || !rows.corners.empty()) return bounds;
+    const Bounds kept = geometry::cloud_without_outliers(positions);
+    for (std::size_t i = 0; i < positions.size(); i += step)
+        if (kept.contains(positions[i])) grow(positions[i]);
+    return bounds;
+}
+
+std::size_t sparse_step(const Rows& rows) {
+    const std::size_t faces = std::max(rows.mesh.triangles.size(), rows.corners.size());
+    return 1 + (faces > 0 ? faces : rows.mesh.positions.size()) / 64;
+}
+
+dvec3 origin_step(const Rows& rows) {
+    if (far_origin(bounds_of_faces(rows, sparse_step(rows))) == dvec3(0)) return dvec3(0);
+    return far_origin(bounds_of_faces(rows));
 }
 
 } // namespace glint::formats::ply

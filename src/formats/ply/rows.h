@@ -5,6 +5,7 @@
 #include "formats/ply/layout.h"
 #include "glint/limits.h"
 #include "glint/scene.h"
+#include "math/bounds.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,14 +35,25 @@ struct Rows {
     std::vector<BadVertex> bad_vertices; ///< sorted by vertex
     std::uint64_t small_faces = 0;       ///< faces with fewer than three corners, which are skipped
     double max_float_color = 0;          ///< maximum of vertex colours stored as float
-    double max_rounding = 0;             ///< of a coordinate that became float, among those within bounds
     std::size_t trailing = 0;            ///< bytes after the last row
 };
 
 /// Reads all rows. Throws Error(input) with line and column, or byte offset, for a truncated file, a header
 /// that declares more rows than the file can contain, an impossible list length, a malformed number, or an
 /// index out of range. Memory use is proportional to the file size. Reports to `watch` every few thousand
-/// rows.
-Rows read_rows(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch);
+/// rows. The positions of the mesh are relative to `origin`, which is subtracted in double.
+Rows read_rows(const Source& source, const Header& header, const MeshLayout& layout, const LoadWatch& watch,
+               const dvec3& origin = dvec3(0));
+
+/// Bounds of the vertices of every `step`-th face, or of such points without outliers if there are no faces.
+/// Vertices that are not finite or exceed the largest coordinate do not count.
+Bounds bounds_of_faces(const Rows& rows, std::size_t step = 1);
+
+/// A step for bounds_of_faces() that leaves about 64 faces or points: few, but if these are not far from zero
+/// compared with their size, the whole is not either.
+std::size_t sparse_step(const Rows& rows);
+
+/// What must be added to the origin of the mesh so that single precision resolves it: mostly zero.
+dvec3 origin_step(const Rows& rows);
 
 } // namespace glint::formats::ply

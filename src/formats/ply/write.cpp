@@ -23,6 +23,10 @@ class Output {
         if (format_ == PlyFormat::ascii) return word(value);
         bytes(std::bit_cast<std::uint32_t>(value));
     }
+    void number(double value) {
+        if (format_ == PlyFormat::ascii) return word(value);
+        bytes(std::bit_cast<std::uint64_t>(value));
+    }
     void integer(std::uint32_t value) {
         if (format_ == PlyFormat::ascii) return word(value);
         bytes(value);
@@ -44,9 +48,11 @@ class Output {
         text_.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
         text_ += ' ';
     }
-    void bytes(std::uint32_t bits) {
-        for (int i = 0; i < 4; ++i) {
-            const int shift = format_ == PlyFormat::binary_little_endian ? 8 * i : 24 - 8 * i;
+    template <class Bits>
+    void bytes(Bits bits) {
+        constexpr int count = sizeof bits;
+        for (int i = 0; i < count; ++i) {
+            const int shift = 8 * (format_ == PlyFormat::binary_little_endian ? i : count - 1 - i);
             text_.push_back(static_cast<char>(static_cast<unsigned char>(bits >> shift & 0xffu)));
         }
     }
@@ -73,7 +79,7 @@ void write_header(Output& out, const Mesh& mesh, PlyFormat format, bool byte_col
     out.line("ply");
     out.line("format " + std::string(name_of(format)) + " 1.0");
     out.line("element vertex " + std::to_string(mesh.positions.size()));
-    properties("float", {"x", "y", "z"});
+    properties(mesh.origin == Vec3(0) ? "float" : "double", {"x", "y", "z"});
     if (!mesh.normals.empty()) properties("float", {"nx", "ny", "nz"});
     if (!mesh.colors.empty()) properties(byte_colors ? "uchar" : "float", {"red", "green", "blue"});
     if (!mesh.uvs.empty()) properties("float", {"s", "t"});
@@ -87,7 +93,10 @@ void write_vertex(Output& out, const Mesh& mesh, std::size_t i, bool byte_colors
     const auto numbers = [&](const auto& values) {
         for (int k = 0; k < values.length(); ++k) out.number(values[k]);
     };
-    numbers(mesh.positions[i]);
+    if (mesh.origin == Vec3(0))
+        numbers(mesh.positions[i]);
+    else
+        numbers(mesh.origin + Vec3(mesh.positions[i]));
     if (!mesh.normals.empty()) numbers(mesh.normals[i]);
     if (!mesh.colors.empty() && !byte_colors) numbers(mesh.colors[i]);
     if (!mesh.colors.empty() && byte_colors)

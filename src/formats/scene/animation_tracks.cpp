@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace glint::formats {
 namespace {
@@ -63,7 +64,8 @@ bool same_form(const TreeValue& a, const TreeValue& b) {
 class TrackReader {
   public:
     TrackReader(const TreeValue& root, Problems& problems)
-        : root_(root), scene_(root), problems_(problems), context_{problems, color_values_of(root), true} {}
+        : root_(root), scene_(root), paths_(scene_, problems),
+          problems_(problems), context_{problems, color_values_of(root), true} {}
 
     Tracks run() {
         Tracks all;
@@ -116,7 +118,7 @@ class TrackReader {
 
     /// Checks that the key exists and accepts all values.
     bool check_key(Track& track) {
-        const KeyTarget target = find_target(scene_, track.path, track.where, problems_);
+        const KeyTarget target = paths_.find(track.path, track.where);
         if (!target.table) return false;
         const bool moves = target.spec->form != TableForm::root && target.spec->name != "animate" &&
                            target.spec->name != "animation" && target.key != "name" &&
@@ -180,20 +182,19 @@ class TrackReader {
 
     const TreeValue& root_;
     TreeValue scene_; ///< copy for looking up paths, which may add tables
+    KeyPaths paths_;
     Problems& problems_;
     ReadContext context_;
 };
 
-/// Interpolates every number of a value.
-TreeValue blend(const Track& track, double frame, const std::vector<const TreeValue*>& all) {
-    TreeValue value = *all[track.timeline.keyframe(frame)];
-    std::vector<const TreeValue*> parts(all.size());
-    const auto blend_part = [&](TreeValue& part, const auto& part_of) {
-        std::transform(all.begin(), all.end(), parts.begin(), part_of);
-        part = blend(track, frame, parts);
-    };
+/// The value, or the same part of it, at a keyframe.
+using ValueAtKey = std::function<const TreeValue&(std::size_t)>;
+
+/// Interpolates every number of a value. Looks only at keyframes near the frame.
+TreeValue blend(const Track& track, double frame, const ValueAtKey& at) {
+    TreeValue value = at(track.timeline.keyframe(frame));
     if (value.is_number()) {
-        value.number = track.timeline.at(frame, [&](std::size_t i) { return all[i]->number; });
+        value.number = track.timeline.at(frame, [&](std::size_t key) { return at(key).number; });
         if (track.type == KeyType::whole_number) {
             value.number = std::floor(value.number + 0.5);
             value.integer = static_cast<std::int64_t>(value.number);
@@ -201,9 +202,12 @@ TreeValue blend(const Track& track, double frame, const std::vector<const TreeVa
             value.kind = Kind::number;
     }
     for (std::size_t i = 0; i < value.items.size(); ++i)
-        blend_part(value.items[i], [&](const TreeValue* one) { return &one->items[i]; });
+        value.items[i] =
+            blend(track, frame, [&](std::size_t key) -> const TreeValue& { return at(key).items[i]; });
     for (TreeEntry& entry : value.entries)
-        blend_part(entry.value, [&](const TreeValue* one) { return &one->find(entry.key)->value; });
+        entry.value = blend(track, frame, [&](std::size_t key) -> const TreeValue& {
+            return at(key).find(entry.key)->value;
+        });
     return value;
 }
 
@@ -218,9 +222,7 @@ TreeValue value_at(const Track& track, double frame) {
     const double within = track.timeline.within(frame);
     if (track.timeline.interpolation == scene::Interpolation::step)
         return track.values[track.timeline.keyframe(within)];
-    std::vector<const TreeValue*> all;
-    for (const TreeValue& value : track.values) all.push_back(&value);
-    return blend(track, within, all);
+    return blend(track, within, [&](std::size_t key) -> const TreeValue& { return track.values[key]; });
 }
 
 } // namespace glint::formats

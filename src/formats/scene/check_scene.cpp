@@ -4,6 +4,7 @@
 #include "glint/limits.h"
 #include "math/vec.h"
 #include "scene/keys/check.h"
+#include "scene/names.h"
 #include "scene/shapes/shapes.h"
 #include "scene/text.h"
 
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -44,54 +44,54 @@ Mat4 scaling(const Vec3& scale) {
 class SceneCheck {
   public:
     SceneCheck(const ReadScene& scene, Problems& problems)
-        : scene_(scene), description_(scene.description), problems_(problems) {}
+        : scene_(scene), description_(scene.description), names_(description_), problems_(problems) {}
 
     void run() {
-        gather_names();
+        gather_candidates();
         for (std::size_t i = 0; i < description_.objects.size(); ++i) {
             check_references(description_.objects[i], scene_.objects[i]);
             check_geometry(description_.objects[i], scene_.objects[i]);
         }
+        for (std::size_t i = 0; i < description_.lights.size(); ++i)
+            check_name("light", description_.lights[i].name, scene_.lights[i]);
         check_energy();
     }
 
     void check_meshes() {
-        gather_names();
         for (std::size_t i = 0; i < description_.objects.size(); ++i)
             check_mesh_extent(description_.objects[i], scene_.objects[i]);
     }
 
   private:
-    void gather_names() {
-        for (const Material& material : description_.materials) {
-            materials_.insert(material.name);
+    /// Names to suggest.
+    void gather_candidates() {
+        for (const Material& material : description_.materials)
             if (material_names_.size() < enough_candidates) material_names_.push_back(material.name);
-        }
         for (const Object& object : description_.objects)
-            if (std::holds_alternative<MeshShape>(object.shape) && !object.name.empty()) {
-                meshes_.emplace(object.name, &object);
-                if (mesh_names_.size() < enough_candidates) mesh_names_.push_back(object.name);
-            }
+            if (std::holds_alternative<MeshShape>(object.shape) && !object.name.empty() &&
+                mesh_names_.size() < enough_candidates)
+                mesh_names_.push_back(object.name);
+    }
+
+    void check_name(const std::string& table, const std::string& name, const SourcePos& pos) {
+        if (name.empty()) return;
+        const auto [first, is_new] = named_.emplace(std::pair(table, name), pos);
+        if (!is_new)
+            problems_.error(pos, "another " + table + " is named " + in_quotes(name),
+                            first->second.line > 0
+                                ? "the first is named on line " + std::to_string(first->second.line)
+                                : "names are unique within a type of table");
     }
 
     void check_references(const Object& object, const ObjectPositions& positions) {
-        if (!object.name.empty()) {
-            const auto [first, is_new] =
-                names_.emplace(std::pair(positions.table, object.name), positions.name);
-            if (!is_new)
-                problems_.error(positions.name,
-                                "another " + positions.table + " is named " + in_quotes(object.name),
-                                first->second.line > 0
-                                    ? "the first is named on line " + std::to_string(first->second.line)
-                                    : "names are unique within a type of table");
-        }
-        if (!object.material.empty() && materials_.count(object.material) == 0) {
+        check_name(positions.table, object.name, positions.name);
+        if (!object.material.empty() && names_.material_of(object) == nullptr) {
             problems_.error(positions.material, "unknown material " + in_quotes(object.material),
                             problems_.suggestion(object.material, material_names_,
                                                  "define it as [material." + object.material + "]"));
         }
         const auto* instance = std::get_if<InstanceShape>(&object.shape);
-        if (instance && !instance->mesh.empty() && meshes_.count(instance->mesh) == 0)
+        if (instance && !instance->mesh.empty() && names_.mesh(instance->mesh) == nullptr)
             problems_.error(
                 positions.shape, "unknown mesh " + in_quotes(instance->mesh),
                 problems_.suggestion(instance->mesh, mesh_names_, "expected the name of a [[mesh]]"));
@@ -114,9 +114,8 @@ class SceneCheck {
         const Object* mesh_object = &object;
         Mat4 whole{1};
         if (const auto* instance = std::get_if<InstanceShape>(&object.shape)) {
-            const auto found = meshes_.find(instance->mesh);
-            if (found == meshes_.end()) return;
-            mesh_object = found->second;
+            mesh_object = names_.mesh(instance->mesh);
+            if (!mesh_object) return;
             whole = object.transform;
         }
         const auto* mesh = std::get_if<MeshShape>(&mesh_object->shape);
@@ -147,12 +146,11 @@ class SceneCheck {
 
     const ReadScene& scene_;
     const SceneDescription& description_;
+    scene::NameIndex names_;
     Problems& problems_;
-    std::set<std::string> materials_;
-    std::map<std::string, const Object*> meshes_;
     std::vector<std::string> material_names_;
     std::vector<std::string> mesh_names_;
-    std::map<std::pair<std::string, std::string>, SourcePos> names_;
+    std::map<std::pair<std::string, std::string>, SourcePos> named_; ///< by table and name
     std::map<const Mesh*, ShapeBox> boxes_;
 };
 

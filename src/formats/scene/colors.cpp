@@ -2,10 +2,13 @@
 
 #include "formats/scene/colors.h"
 
+#include "formats/embedded.h"
 #include "imaging/tone.h"
 #include "scene/text.h"
 
+#include <algorithm>
 #include <charconv>
+#include <sstream>
 
 namespace glint::formats {
 namespace {
@@ -33,20 +36,30 @@ std::optional<std::uint32_t> gray_percent(std::string_view name) {
     return std::nullopt;
 }
 
+struct NamedColor {
+    std::string name; ///< lower case
+    std::uint32_t rgb;
+};
+
+// The names of CSS Color Module Level 4, section 6.1, then the numbered shades of X11's rgb.txt without its
+// greys, which follow a formula.
+const std::vector<NamedColor>& named_colors() {
+    static const std::vector<NamedColor> colors = [] {
+        std::vector<NamedColor> all;
+        std::istringstream lines{std::string(embedded_text("formats/scene/colors.txt"))};
+        for (std::string name, digits; lines >> name >> digits;) all.push_back({name, *hex_color(digits)});
+        return all;
+    }();
+    return colors;
+}
+
 } // namespace
 
 std::optional<std::uint32_t> color_codes(std::string_view text) {
     if (text.starts_with('#')) return hex_color(text.substr(1));
     const std::string name = scene::lower_case(text);
-    for (const NamedColor& color : css_colors())
-        if (color.name == name) return color.rgb;
-
-    if (name.empty()) return std::nullopt;
-    const std::string_view base = std::string_view(name).substr(0, name.size() - 1);
-    const char shade = name.back();
-    if (shade >= '1' && shade <= '4')
-        for (const ShadedColor& color : x11_shades())
-            if (color.name == base) return color.rgb[shade - '1'];
+    const auto found = std::ranges::find(named_colors(), name, &NamedColor::name);
+    if (found != named_colors().end()) return found->rgb;
     return gray_percent(name);
 }
 
@@ -60,9 +73,7 @@ Vec3 linear_color(std::uint32_t rgb, ColorValues values) {
 
 std::vector<std::string> color_names() {
     std::vector<std::string> names;
-    for (const NamedColor& color : css_colors()) names.emplace_back(color.name);
-    for (const ShadedColor& color : x11_shades())
-        for (const char shade : {'1', '2', '3', '4'}) names.push_back(std::string(color.name) + shade);
+    for (const NamedColor& color : named_colors()) names.push_back(color.name);
     return names;
 }
 

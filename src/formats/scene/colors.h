@@ -28,31 +28,15 @@ inline constexpr NamesUpTo<formats::ColorValues::linear> enum_names<formats::Col
 
 namespace glint::formats {
 
-struct NamedColor {
-    std::string_view name; ///< lower case
-    std::uint32_t rgb;     ///< 0xrrggbb
-};
-
-/// An X11 name with four numbered shades: NAME1 to NAME4.
-struct ShadedColor {
-    std::string_view name; ///< lower case
-    std::uint32_t rgb[4];
-};
-
-/// The 148 names of CSS Color Module Level 4.
-std::span<const NamedColor> css_colors();
-
-/// The 78 shaded names of X11's rgb.txt; there are also gray0 … gray100 and grey0 … grey100.
-std::span<const ShadedColor> x11_shades();
-
-/// 0xrrggbb of "#rgb", "#rrggbb" or a case-insensitive name; CSS names take precedence over X11's. None if
-/// there is no such colour.
+/// 0xrrggbb of "#rgb", "#rrggbb" or a case-insensitive name: the 148 of CSS Color Module Level 4, the 78
+/// shaded ones of X11's rgb.txt with their numbers 1 to 4, gray0 … gray100 and grey0 … grey100. None if there
+/// is no such colour.
 std::optional<std::uint32_t> color_codes(std::string_view text);
 
 /// Linear RGB of 0xrrggbb.
 Vec3 linear_color(std::uint32_t rgb, ColorValues values);
 
-/// All names, for suggestions.
+/// All names but the numbered greys, for suggestions.
 std::vector<std::string> color_names();
 
 } // namespace glint::formats

@@ -57,7 +57,7 @@ LoadOptions without_files(std::vector<Override> overrides = {}) {
 /// The value at a path; null if there is none.
 const TreeValue* value_at(Parsed& parsed, std::string_view path) {
     const formats::KeyTarget target =
-        formats::find_target(parsed.root, path, first_override, parsed.problems);
+        formats::KeyPaths(parsed.root, parsed.problems).find(path, first_override);
     const TreeEntry* entry = target.table ? target.table->find(target.key) : nullptr;
     return entry ? &entry->value : nullptr;
 }
@@ -141,7 +141,7 @@ void SceneDocument::set_all(const std::vector<Override>& values) {
 void SceneDocument::put(std::string_view path, std::string_view given) {
     Parsed parsed(text_, name_, {path_and(path, given)});
     const formats::KeyTarget target =
-        formats::find_target(parsed.root, path, first_override, parsed.problems);
+        formats::KeyPaths(parsed.root, parsed.problems).find(path, first_override);
     parsed.problems.throw_if_any();
     std::string value = as_toml(given);
     const TreeValue wanted = *parse_tree_value(value, first_override);

@@ -18,7 +18,7 @@ struct TextEdit {
 };
 
 /// The edit that sets a value, in TOML syntax, at the target's key. `root` is the tree of the source after
-/// find_target(), which adds missing tables.
+/// KeyPaths::find(), which adds missing tables.
 TextEdit edit_for(const SceneSource& source, const TreeValue& root, const KeyTarget& target,
                   std::string_view value);
 

@@ -48,8 +48,9 @@ std::string example(std::string_view table) {
 
 class Finder {
   public:
-    Finder(TreeValue& root, const SourcePos& where, Problems& problems)
-        : root_(root), problems_(problems), where_(where) {}
+    Finder(TreeValue& root, const SourcePos& where, Problems& problems,
+           std::map<std::string_view, PartNames>& names)
+        : root_(root), problems_(problems), where_(where), names_(names) {}
 
     KeyTarget find(const Path& path) {
         if (path.table.empty()) return find_top(path);
@@ -99,9 +100,7 @@ class Finder {
     }
 
     KeyTarget find_of_many(const Path& path, const TableSpec& spec) {
-        if (!path.has_name)
-            return fail("which " + in_quotes(spec.name) + "? the path names none",
-                        "expected " + example(spec.name));
+        if (!path.has_name) return report_unnamed(path, spec);
         std::string found_as;
         if (TreeValue* found = part(spec, path.name, found_as))
             return target(*found, spec, path.key, found_as);
@@ -133,46 +132,75 @@ class Finder {
         if (!entry) return nullptr;
         const std::string_view name = unquoted(written);
         found_as = std::string(spec.name) + ".";
+        const PartNames& names = names_of(spec, entry->value);
+        const auto known = names.find(std::string(name));
         if (spec.form == TableForm::named) {
-            TreeEntry* named = entry->value.find(name);
             found_as += name;
-            return named ? &named->value : nullptr;
+            return known == names.end() ? nullptr : &entry->value.entries[known->second].value;
         }
         std::vector<TreeValue>& items = entry->value.items;
-        const auto index = index_of(items, name);
-        if (!index) return nullptr;
+        const auto index =
+            known == names.end() ? scene::parse_number<std::size_t>(name) : std::optional(known->second);
+        if (!index || *index >= items.size()) return nullptr;
         found_as += std::to_string(*index);
         return &items[*index];
     }
 
-    /// Finds a table by `name`, otherwise by number.
-    static std::optional<std::size_t> index_of(const std::vector<TreeValue>& items, std::string_view name) {
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            const TreeEntry* entry = items[i].find("name");
-            if (entry && entry->value.kind == Kind::text && entry->value.text == name) return i;
+    const PartNames& names_of(const TableSpec& spec, const TreeValue& parts) {
+        const auto [place, is_new] = names_.try_emplace(spec.name);
+        PartNames& names = place->second;
+        for (std::size_t i = 0; is_new && i < parts.entries.size(); ++i)
+            names.emplace(parts.entries[i].key, i);
+        for (std::size_t i = 0; is_new && i < parts.items.size(); ++i) {
+            const TreeEntry* name = parts.items[i].find("name");
+            if (name && name->value.kind == Kind::text) names.emplace(name->value.text, i);
         }
-        const auto number = scene::parse_number<std::size_t>(name);
-        return number && *number < items.size() ? number : std::nullopt;
+        return names;
+    }
+
+    /// What can stand between table and key.
+    std::vector<std::string> part_names(const TableSpec& spec) const {
+        std::vector<std::string> names;
+        const TreeEntry* entry = root_.find(spec.name);
+        if (!entry) return names;
+        for (const TreeEntry& named : entry->value.entries) names.push_back(named.key);
+        for (const TreeValue& item : entry->value.items) {
+            const TreeEntry* name = item.find("name");
+            const bool has_name = name && name->value.kind == Kind::text;
+            names.push_back(has_name ? name->value.text : std::to_string(names.size()));
+        }
+        return names;
+    }
+
+    static std::string inventory(const TableSpec& spec, const std::vector<std::string>& names) {
+        const std::string what = names.empty() ? "no " + std::string(spec.name)
+                                 : spec.form == TableForm::list
+                                     ? std::to_string(names.size()) + ", numbered from 0"
+                                     : scene::listed(names);
+        return "the scene has " + what;
+    }
+
+    /// For a path without a name: "light.intensity".
+    KeyTarget report_unnamed(const Path& path, const TableSpec& spec) {
+        std::string found_as;
+        if (part(spec, path.key, found_as))
+            return fail(in_quotes(found_as) + " is a table, not a value",
+                        "name one of its keys: " + found_as + "." + std::string(spec.keys.front().key) +
+                            "=…");
+        const std::vector<std::string> names = part_names(spec);
+        std::string hint = inventory(spec, names);
+        if (!names.empty())
+            hint += ": " + std::string(spec.name) + "." + names.front() + "." + std::string(path.key) + "=…";
+        return fail("which " + in_quotes(spec.name) + "? the path names none", std::move(hint));
     }
 
     KeyTarget report_missing(const Path& path, const TableSpec& spec) {
-        const TreeEntry* entry = root_.find(spec.name);
-        std::vector<std::string> names;
-        std::size_t count = 0;
-        if (entry) {
-            for (const TreeEntry& named : entry->value.entries) names.push_back(named.key);
-            for (const TreeValue& item : entry->value.items) {
-                const TreeEntry* name = item.find("name");
-                if (name && name->value.kind == Kind::text) names.push_back(name->value.text);
-            }
-            count = entry->value.items.size() + entry->value.entries.size();
-        }
+        const std::vector<std::string> names = part_names(spec);
         const std::string_view wanted = unquoted(path.name);
-        const std::string what = count == 0                     ? "no " + std::string(spec.name)
-                                 : spec.form == TableForm::list ? std::to_string(count) + ", numbered from 0"
-                                                                : scene::listed(names);
+        const std::string all = inventory(spec, names);
+        const bool is_number = scene::parse_number<int>(wanted).has_value();
         return fail("no " + std::string(spec.name) + " " + in_quotes(wanted),
-                    problems_.suggestion(wanted, names, "the scene has " + what));
+                    is_number ? all : problems_.suggestion(wanted, names, all));
     }
 
     std::string suggest(std::string_view word, const std::vector<std::string>& names) const {
@@ -182,6 +210,7 @@ class Finder {
     TreeValue& root_;
     Problems& problems_;
     SourcePos where_;
+    std::map<std::string_view, PartNames>& names_;
 };
 
 } // namespace
@@ -192,11 +221,12 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-KeyTarget find_target(TreeValue& root, std::string_view path, const SourcePos& where, Problems& problems) {
-    return Finder(root, where, problems).find(split_path(path));
+KeyTarget KeyPaths::find(std::string_view path, const SourcePos& where) {
+    return Finder(root_, where, problems_, names_).find(split_path(path));
 }
 
-void put_value(const KeyTarget& target, TreeValue value, const SourcePos& where) {
+void KeyPaths::put(const KeyTarget& target, TreeValue value, const SourcePos& where) {
+    if (target.key == "name") names_.clear();
     if (TreeEntry* entry = target.table->find(target.key)) {
         entry->where = where;
         entry->value = std::move(value);
@@ -214,6 +244,7 @@ TreeValue read_value(std::string_view text, const SourcePos& where) {
 }
 
 void apply_overrides(TreeValue& root, const SceneSource& source, Problems& problems) {
+    KeyPaths paths(root, problems);
     int origin = 0;
     for (const std::string& text : source.overrides()) {
         const SourcePos where{++origin, 0, 0};
@@ -222,8 +253,8 @@ void apply_overrides(TreeValue& root, const SceneSource& source, Problems& probl
             throw Error(ErrorKind::usage, "-D " + text + " has no value",
                         "expected path=value, for example whitted.max_depth=3");
         const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
-        const KeyTarget target = find_target(root, std::string_view(text).substr(0, equals), where, problems);
-        if (target.table) put_value(target, read_value(value, where), where);
+        const KeyTarget target = paths.find(std::string_view(text).substr(0, equals), where);
+        if (target.table) paths.put(target, read_value(value, where), where);
     }
 }
 

@@ -7,43 +7,81 @@
 #include "glint/mesh_files.h"
 #include "scene/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace glint {
 namespace {
 
-std::string_view axis_letter(Axis axis) { return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z"; }
+// The tables of a preview scene, by which overrides reach its materials, objects and lights.
+formats::TreeValue preview_tables(const SceneDescription& preview) {
+    using formats::TreeEntry;
+    using formats::TreeValue;
+    TreeValue root;
+    const auto table = [&](std::string_view name, TreeValue::Kind kind) -> TreeValue& {
+        if (TreeEntry* entry = root.find(name)) return entry->value;
+        root.entries.push_back({std::string(name), {}, {}});
+        root.entries.back().value.kind = kind;
+        return root.entries.back().value;
+    };
+    const auto add_to_list = [&](std::string_view name, const char* key, std::string_view value) {
+        TreeValue text;
+        text.kind = TreeValue::Kind::text;
+        text.text = value;
+        table(name, TreeValue::Kind::list).items.emplace_back().entries.push_back({key, {}, text});
+    };
+    for (const Material& material : preview.materials)
+        table("material", TreeValue::Kind::table).entries.push_back({material.name, {}, {}});
+    for (const Object& object : preview.objects) add_to_list(name_of(object.shape), "name", object.name);
+    for (const Light& light : preview.lights) add_to_list("light", "type", name_of(light));
+    return root;
+}
 
-void refuse_overrides_of_lists(const formats::SceneSource& source, formats::Problems& problems) {
+void refuse_missing_lists(const formats::SceneSource& source, const formats::TreeValue& root,
+                          formats::Problems& problems) {
     int origin = 0;
     for (const std::string& text : source.overrides()) {
         const TableSpec* spec = formats::find_table(text.substr(0, text.find('.')));
         ++origin;
-        if (spec && (spec->form == TableForm::list || spec->name == "animation"))
+        if (!spec || root.find(spec->name)) continue;
+        if (spec->form == TableForm::list || spec->name == "animation")
             problems.error({origin, 0, 0}, "a bare mesh has no " + spec->header() + " to change",
-                           "write a scene around it: glint new mesh");
+                           "write a scene around it: glint new --from MESH");
     }
     problems.throw_if_any();
 }
 
-// Overrides of a bare mesh reach what its preview scene has: settings, how it is framed, its materials by
-// name.
+// Overrides of a bare mesh reach what its preview scene has, and how it is framed.
 void override_preview(SceneDescription& preview, const std::string& name, const LoadOptions& options) {
     const formats::SceneSource source({}, name, options.overrides);
     formats::Problems problems(source);
-    formats::TreeValue root;
-    formats::TreeValue materials;
-    for (const Material& material : preview.materials) materials.entries.push_back({material.name, {}, {}});
-    root.entries.push_back({"material", {}, std::move(materials)});
-    refuse_overrides_of_lists(source, problems);
+    formats::TreeValue root = preview_tables(preview);
+    refuse_missing_lists(source, root, problems);
     formats::apply_overrides(root, source, problems);
     const std::optional<formats::TreeValue> camera = formats::taken_camera(root);
     formats::patch_scene(root, preview, problems);
     if (camera) formats::patch_framing(*camera, preview, problems);
     problems.throw_if_any();
+    if (std::get<MeshShape>(preview.objects.front().shape).file != name)
+        throw Error(ErrorKind::usage, "the file of a bare mesh cannot be overridden", "name the other file");
+}
+
+// The stage is set around the mesh as overrides leave it.
+SceneDescription stage(const std::shared_ptr<const Mesh>& mesh, const std::string& path, Axis up,
+                       const LoadOptions& options) {
+    SceneDescription scene = preview_scene(mesh, path, up, options.floor);
+    const Object plain = scene.objects.front();
+    override_preview(scene, path, options);
+    Object changed = scene.objects.front();
+    if (changed.shape == plain.shape && changed.transform == plain.transform) return scene;
+    scene = preview_scene(std::move(changed), options.floor);
+    override_preview(scene, path, options);
+    return scene;
 }
 
 LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOptions& options) {
@@ -54,21 +92,39 @@ LoadedScene load_preview(LoadedMesh mesh, const std::string& path, const LoadOpt
     const Axis up = options.up ? *options.up : guess_up_axis(*mesh.mesh);
     if (!options.up) {
         const std::string other = up == Axis::z ? "y" : "z";
-        scene.notes.push_back("up axis: " + std::string(axis_letter(up)) +
+        scene.notes.push_back("up axis: " + std::string(name_of(up)) +
                               " (guessed from the shape); change it with --up " + other);
     }
-    scene.description = preview_scene(std::move(mesh.mesh), path, up, options.floor);
-    override_preview(scene.description, path, options);
+    scene.description = stage(mesh.mesh, path, up, options);
     return scene;
 }
 
-void refuse_other_meshes(const std::string& path) {
+/// Throws Error(input) for a name that tells of a format that glint does not read.
+void refuse_other_formats(const std::string& path) {
+    struct Formats {
+        const char* kind;
+        const char* cure;
+        std::vector<std::string_view> extensions;
+    };
+    static const Formats known[] = {
+        {"meshes", "convert it to PLY", {".obj", ".stl", ".gltf", ".glb", ".off", ".fbx",  ".3ds",  ".3mf",
+                                         ".amf", ".dae", ".x3d",  ".wrl", ".usd", ".usda", ".usdc", ".usdz",
+                                         ".abc", ".lwo", ".vtk",  ".vtp", ".msh", ".ase"}},
+        {"point clouds", "convert it to PLY", {".pcd", ".xyz", ".pts", ".las", ".laz", ".e57"}},
+        {"solid models",
+         "export it as PLY",
+         {".step", ".stp", ".iges", ".igs", ".ifc", ".dxf", ".dwg", ".brep", ".sat"}},
+        {"scenes",
+         "glint new shows how scenes are written in TOML",
+         {".pov", ".pbrt", ".blend", ".max", ".ma"}},
+        {"compressed files",
+         "decompress it first",
+         {".gz", ".xz", ".zst", ".bz2", ".zip", ".7z", ".lz4", ".rar"}}};
     const std::string extension = formats::lower_extension(path);
-    for (const char* known :
-         {".obj", ".stl", ".gltf", ".glb", ".off", ".fbx", ".3ds", ".dae", ".x3d", ".blend", ".usd"})
-        if (extension == known)
-            throw Error(ErrorKind::input, "meshes of type " + extension + " cannot be read",
-                        "convert it to PLY", {path, 0, 0, {}});
+    for (const Formats& each : known)
+        if (std::find(each.extensions.begin(), each.extensions.end(), extension) != each.extensions.end())
+            throw Error(ErrorKind::input, each.kind + (" of type " + extension) + " cannot be read",
+                        each.cure, {path, 0, 0, {}});
 }
 
 } // namespace
@@ -98,7 +154,7 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     const std::string name = path == "-" ? formats::stdin_name : path;
     if (formats::looks_like_ply(text))
         return load_preview(parse_ply(std::as_bytes(std::span(text)), name, options), name, options);
-    refuse_other_meshes(path);
+    refuse_other_formats(path);
     return parse_scene(text, name, options);
 }
 

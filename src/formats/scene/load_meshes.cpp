@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <set>
 #include <system_error>
 
@@ -19,16 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Resolves symbolic links and ".." as far as the path exists.
+// Resolves symbolic links and ".." as far as the path exists; empty if that is impossible, as for names that
+// are too long.
 fs::path resolve_links(const fs::path& path) {
     std::error_code failed;
     const fs::path absolute = fs::absolute(path, failed);
-    if (failed) return path.lexically_normal();
+    if (failed) return {};
     const fs::path resolved = fs::weakly_canonical(absolute, failed);
-    return failed ? absolute.lexically_normal() : resolved;
+    if (failed == std::errc::not_enough_memory) throw std::bad_alloc();
+    return failed ? fs::path() : resolved;
 }
 
+// False if either could not be resolved.
 bool is_inside(const fs::path& file, const fs::path& folder) {
+    if (file.empty() || folder.empty()) return false;
     const auto [left, _] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
     // A folder with a trailing slash ends in an empty component.
     return left == folder.end() || left->empty();
@@ -79,11 +84,16 @@ class MeshLoader {
 
     void check(const Wanted& wanted) {
         const bool trusted = policy_.allow_outside || wanted.where.origin > 0;
-        if (!trusted && !is_inside(resolve_links(wanted.path), folder_))
+        const fs::path resolved = resolve_links(wanted.path);
+        if (!trusted && !is_inside(resolved, folder_)) {
+            const bool known = !resolved.empty() && !folder_.empty();
             return problems_.error(
                 wanted.where,
-                "mesh file " + in_quotes(wanted.path.string()) + " lies outside the scene's folder",
+                "mesh file " + in_quotes(wanted.path.string()) +
+                    (known ? " lies outside the scene's folder"
+                           : " cannot be shown to lie in the scene's folder: the path cannot be resolved"),
                 "--allow-outside permits it, and so does -D mesh." + wanted.called + ".file=…");
+        }
         if (!policy_.load) return;
         std::error_code failed;
         const fs::file_status status = fs::status(wanted.path, failed);
@@ -101,7 +111,8 @@ class MeshLoader {
     }
 
     std::shared_ptr<const Mesh> load(const Wanted& wanted) {
-        const std::string key = resolve_links(wanted.path).string();
+        const fs::path resolved = resolve_links(wanted.path);
+        const std::string key = (resolved.empty() ? wanted.path : resolved).string();
         if (const auto known = loaded_.find(key); known != loaded_.end()) return known->second;
         std::shared_ptr<const Mesh> mesh;
         try {

@@ -6,7 +6,8 @@
 #include "formats/scene/key_path.h"
 #include "scene/text.h"
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 namespace glint::formats {
 
@@ -65,6 +66,19 @@ void OpenScene::find_moments(const SceneDescription& still) {
     moments_ = std::move(moments);
 }
 
+namespace {
+
+// The tracks have them: the tree of a frame need not copy them.
+void drop_keyframes(TreeValue& root) {
+    TreeEntry* tracks = root.find("animate");
+    if (!tracks) return;
+    for (TreeValue& track : tracks->value.items)
+        std::erase_if(track.entries,
+                      [](const TreeEntry& entry) { return entry.key == "frames" || entry.key == "values"; });
+}
+
+} // namespace
+
 LoadedScene OpenScene::load() {
     Problems problems(source_);
     has_camera_ = tree_.find("camera") != nullptr;
@@ -72,6 +86,7 @@ LoadedScene OpenScene::load() {
     TreeValue root = tree_.find("animate") ? tree_ : std::move(tree_);
     apply_overrides(root, source_, problems);
     tracks_ = read_tracks(root, problems);
+    drop_keyframes(tree_);
     for (const Track& track : tracks_.tracks)
         has_camera_ = has_camera_ || track.path.rfind("camera.", 0) == 0;
     const std::optional<TreeValue> set = has_camera_ ? std::nullopt : taken_camera(root);
@@ -92,13 +107,13 @@ LoadedScene OpenScene::load() {
     loaded.animation.first = tracks_.first;
     loaded.animation.last = tracks_.last;
     loaded.animation.fps = tracks_.fps;
+    std::set<std::string> known(loaded.files.begin(), loaded.files.end());
     for (const Track& track : tracks_.tracks) {
         loaded.animation.keys.push_back(track.path);
         if (track.type != KeyType::file) continue;
         for (const TreeValue& value : track.values) {
-            const std::string file = mesh_path(name_, value.text, value.where);
-            if (std::find(loaded.files.begin(), loaded.files.end(), file) == loaded.files.end())
-                loaded.files.push_back(file);
+            std::string file = mesh_path(name_, value.text, value.where);
+            if (known.insert(file).second) loaded.files.push_back(std::move(file));
         }
     }
     return loaded;
@@ -107,12 +122,13 @@ LoadedScene OpenScene::load() {
 SceneDescription OpenScene::at(double frame) const {
     Problems problems(source_);
     TreeValue root = tree_;
+    KeyPaths paths(root, problems);
     for (const Track& track : tracks_.tracks) {
-        const KeyTarget target = find_target(root, track.path, track.where, problems);
+        const KeyTarget target = paths.find(track.path, track.where);
         if (!target.table) continue;
         TreeValue value = value_at(track, frame);
         const SourcePos where = value.where;
-        put_value(target, std::move(value), where);
+        paths.put(target, std::move(value), where);
     }
     apply_overrides(root, source_, problems);
     const std::optional<TreeValue> set = has_camera_ ? std::nullopt : taken_camera(root);

@@ -8,6 +8,7 @@
 #include "scene/text.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace glint::formats {
@@ -155,9 +156,11 @@ class SceneReader {
             d.camera->where = problems_.locate(camera->where);
             read_camera(reader(*camera, *find_table("camera")), *d.camera);
         }
-        if (const TreeValue* render = table("render")) reader(*render, *find_table("render")).read(d.render);
-        if (const TreeValue* whitted = table("whitted"))
-            reader(*whitted, *find_table("whitted")).read(d.whitted);
+        for_settings(d, [&](std::string_view name, auto& settings) {
+            if (const TreeValue* values = table(name)) reader(*values, *find_table(name)).read(settings);
+        });
+        if (const TreeValue* whitted = table("whitted"); whitted && whitted->find("energy"))
+            d.whitted.energy_chosen = true;
     }
 
     void read_materials() {
@@ -202,9 +205,7 @@ class SceneReader {
 
     void read_object(const Element& element) {
         TableReader table = reader(*element.table, *element.spec);
-        Object object;
-        object.shape =
-            default_shape(element.spec->name, std::make_index_sequence<std::variant_size_v<Shape>>());
+        Object& object = next_object(element.spec->name);
         table.read(object);
         object.where = problems_.locate(table.header());
 
@@ -216,25 +217,43 @@ class SceneReader {
         scene_.objects.push_back({std::string(element.spec->name), table.header(), table.position_of("name"),
                                   table.position_of("material"), position_of_shape(),
                                   table.position_of("transform"), table.good()});
-        scene_.description.objects.push_back(std::move(object));
+    }
+
+    /// When patching, the next object of that type, as the tree has a table for each; else a new one.
+    Object& next_object(std::string_view type) {
+        std::vector<Object>& objects = scene_.description.objects;
+        if (!context_.patch) {
+            constexpr auto all = std::make_index_sequence<std::variant_size_v<Shape>>();
+            objects.emplace_back().shape = default_shape(type, all);
+            return objects.back();
+        }
+        std::size_t& next = next_[type];
+        while (name_of(objects[next].shape) != type) ++next;
+        return objects[next++];
+    }
+
+    Light& next_light() {
+        std::vector<Light>& lights = scene_.description.lights;
+        return context_.patch ? lights[next_["light"]++] : lights.emplace_back();
     }
 
     void read_light(const Element& element) {
         TableReader table = reader(*element.table, *element.spec);
-        Light light;
+        Light& light = next_light();
         light.where = problems_.locate(table.header());
         // Without a type it is not known which keys it may have.
         if (selected_type(*element.table, *element.spec).empty())
             table.value(*find_key(*element.spec, element.spec->selector, {}));
         else
             table.read(light);
-        scene_.description.lights.push_back(light);
+        scene_.lights.push_back(table.position_of("name"));
     }
 
     const TreeValue& root_;
     Problems& problems_;
     ReadContext context_;
     ReadScene scene_;
+    std::map<std::string_view, std::size_t> next_; ///< to patch, by type of table
 };
 
 } // namespace

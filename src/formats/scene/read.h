@@ -28,6 +28,7 @@ struct ReadScene {
     SceneDescription description;
     std::vector<ObjectPositions> objects;
     std::vector<SourcePos> materials; ///< location for energy errors: `reflectivity`, or the header
+    std::vector<SourcePos> lights;    ///< of their names, or the headers
 };
 
 /// The color_values setting of the file.
@@ -43,7 +44,8 @@ void check_scene(const ReadScene& scene, Problems& problems);
 /// Reports meshes and instances whose vertices are out of range after scaling and transforming.
 void check_mesh_extents(const ReadScene& scene, Problems& problems);
 
-/// Applies settings, camera and materials of the tree to an existing description.
+/// Applies a tree to an existing description. For types of objects, and for lights, the tree has no table or
+/// as many as the description has of them, in order.
 void patch_scene(const TreeValue& root, SceneDescription& description, Problems& problems);
 
 /// Takes the camera table out of a tree; none if there is none.

@@ -2,6 +2,7 @@
 
 #include "formats/scene/table_reader.h"
 
+#include "formats/scene/value_fault.h"
 #include "scene/keys/check.h"
 #include "scene/text.h"
 
@@ -69,6 +70,10 @@ class ValueReader {
     }
 
     Read wrong_type(const TreeValue& value, std::string_view expected) {
+        // Of -D, what is no TOML became a text.
+        const bool given = value.kind == Kind::text && value.where.origin > 0;
+        if (auto fault = given ? value_fault(value.text) : std::nullopt; fault && !fault->is_text)
+            return fail(value.where, std::move(fault->message), std::move(fault->hint));
         return wrong(value, expected, value.kind_words());
     }
 

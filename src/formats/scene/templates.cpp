@@ -27,9 +27,8 @@ std::vector<std::string> template_names() {
 std::string template_text(const std::string& name) {
     const std::string_view text = formats::embedded_text(std::string(folder) + name + std::string(extension));
     if (!text.empty()) return std::string(text);
-    throw Error(
-        ErrorKind::usage, "unknown template " + scene::in_quotes(name),
-        scene::did_you_mean(name, template_names(), "expected one of " + scene::listed(template_names())));
+    throw Error(ErrorKind::usage, "unknown template " + scene::in_quotes(name),
+                did_you_mean(name, template_names(), "expected one of " + scene::listed(template_names())));
 }
 
 } // namespace glint

@@ -2,6 +2,7 @@
 
 #include "formats/scene/tree.h"
 
+#include "formats/scene/value_fault.h"
 #include "scene/text.h"
 
 #include <algorithm>
@@ -175,6 +176,30 @@ std::string syntax_message(std::string_view description) {
     return "syntax error: " + std::string(description);
 }
 
+/// The value in a line that begins, ends or has a fault at a byte; empty if there is none.
+std::string_view value_at(std::string_view line, std::size_t byte) {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos || byte <= equals) return {};
+    const bool in_list = line.find('[', equals) < byte;
+    const char* separators = in_list ? " \t=[]}#\"'," : " \t=[]}#\"'";
+    const std::size_t begin = line.find_last_of(separators, byte - 1) + 1;
+    const std::size_t before = line.find_last_not_of(" \t", begin - 1);
+    if (std::string_view("=[,").find(line[before]) == std::string_view::npos) return {};
+    return line.substr(begin, line.find_first_of(separators, byte) - begin);
+}
+
+[[noreturn]] void throw_syntax_error(const SceneSource& source, const toml::parse_error& error) {
+    const SourcePos where = position_of(error.source().begin);
+    const std::string_view line = source.line(where.line);
+    const bool in_string = error.description().find("string") != std::string_view::npos;
+    const auto byte = static_cast<std::size_t>(source.locate(where).column - 1);
+    const std::string_view value = in_string ? std::string_view() : value_at(line, byte);
+    const auto fault = value_fault(value);
+    if (!fault) throw_at(source, where, syntax_message(error.description()));
+    const auto begin = static_cast<std::size_t>(value.data() - source.text().data());
+    throw_at(source, position_of_byte(source.text(), begin), fault->message, fault->hint);
+}
+
 void move_all(TreeValue& tree, const SourcePos& where) {
     tree.where = where;
     for (TreeValue& item : tree.items) move_all(item, where);
@@ -189,9 +214,7 @@ void move_all(TreeValue& tree, const SourcePos& where) {
 TreeValue parse_tree(const SceneSource& source) {
     refuse_what_is_no_text(source);
     const toml::parse_result result = toml::parse(source.text(), std::string_view{});
-    if (!result)
-        throw_at(source, position_of(result.error().source().begin),
-                 syntax_message(result.error().description()));
+    if (!result) throw_syntax_error(source, result.error());
     return tree_of_table(result.table());
 }
 

@@ -143,7 +143,8 @@ void Problems::warning(const SourcePos& pos, std::string message, std::string hi
 std::string Problems::suggestion(std::string_view word, const std::vector<std::string>& candidates,
                                  std::string otherwise) const {
     constexpr std::size_t enough = 100;
-    return errors_.size() < enough ? scene::did_you_mean(word, candidates, std::move(otherwise)) : otherwise;
+    return errors_.size() < enough ? did_you_mean(std::string(word), candidates, std::move(otherwise))
+                                   : otherwise;
 }
 
 std::vector<Diagnostic> Problems::in_order(std::vector<Problem> list) {

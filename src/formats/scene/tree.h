@@ -69,8 +69,10 @@ class SceneSource {
     /// The line of a position for display; empty if there is none or it is too long.
     std::string excerpt(const SourcePos& pos) const;
 
-  private:
+    /// A line, from 1, without its end; empty if there is none.
     std::string_view line(int number) const;
+
+  private:
     std::size_t byte_of(const SourcePos& pos) const;
 
     std::string_view text_;

@@ -134,8 +134,9 @@ std::string scene_text(const SceneDescription& description) {
         if (!table.empty()) text += (text.empty() ? "" : "\n") + table;
     };
     if (description.camera) add(camera_text(*description.camera));
-    add(formats::table_text(description_table("render"), KeyOwner(description.render)));
-    add(formats::table_text(description_table("whitted"), KeyOwner(description.whitted)));
+    for_settings(description, [&](std::string_view name, const auto& settings) {
+        add(formats::table_text(description_table(name), KeyOwner(settings)));
+    });
     for (const Material& material : description.materials)
         add(formats::table_text(description_table("material"), KeyOwner(material), material.name));
     for (const Object& object : description.objects) add(formats::object_text(object));

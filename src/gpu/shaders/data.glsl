@@ -21,7 +21,8 @@ dmat3 unpacked(PackedMatrix m) {
     return dmat3(unpacked(m.columns[0]), unpacked(m.columns[1]), unpacked(m.columns[2]));
 }
 
-// The words begin with a pair for each mesh in the world's own space, in order of triangle numbers.
+// The words begin with two pairs for each mesh in the world's own space, in order of triangle numbers:
+// numbers of narrow triangles come before those of wide ones.
 uint mesh_first_triangle(uint mesh) { return words[2u * mesh]; }
 uint mesh_object(uint mesh) { return words[2u * mesh + 1u]; }
 

@@ -13,6 +13,8 @@ void at_surface(Hit hit, SurfacePoint point) {
     if (!slot.covered || settings.aov != shown_shadows) light = settings.light_count;
 }
 
+bool needs_shadow_ray() { return reflects_light(material, arrival); }
+
 void add_light() { hidden = hidden_with(hidden, passing); }
 
 void finish() {

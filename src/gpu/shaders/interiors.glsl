@@ -14,8 +14,8 @@ uvec4 interiors_across(uvec4 list, uint object, bool entering) {
 /// The object that owns the space; of an empty list that which stands for the outside.
 uint interiors_owner(uvec4 list) { return words[settings.first_interior + interiors_entry(list, 0)]; }
 
-/// Is a surface of `object` hidden inside a transparent solid of higher rank?
+/// Is a surface of `object` that of a transparent solid inside one of higher rank?
 bool interiors_hide(uvec4 list, uint object) {
-    return GLINT_GLASS != 0 && object_is(object, object_solid) &&
+    return GLINT_GLASS != 0 && objects[object].interior != 0u &&
            objects[interiors_owner(list)].rank > objects[object].rank;
 }

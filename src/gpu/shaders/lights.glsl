@@ -3,8 +3,9 @@
 // The surface that the path has hit.
 SurfaceRecord surface;
 MaterialRecord material;
-uint surface_object;
-bool entering; // hit from outside
+uvec4 beyond;  // the solids around a ray behind it
+bool refracts; // it bounds a transparent solid
+float others;  // the share of refracted light that what coincides with it lets through
 
 // The light whose share is measured.
 uint light;
@@ -12,10 +13,10 @@ LightArrival arrival;
 float passing; // the share of the light that passes what the shadow ray has met so far
 uvec4 shadow_interiors;
 
-/// Lets the ray go on behind a hit.
+/// Lets the ray go on behind a hit and what coincides with it.
 void pass_through(Hit hit, SurfacePoint point, inout uvec4 interiors) {
-    interiors = interiors_across(interiors, hit.object, enters(point.n, ray.direction));
-    after = hit;
+    interiors = interiors_behind(interiors, hit, point);
+    after = last_met(hit);
 }
 
 /// Skips a surface inside a transparent solid of higher rank.
@@ -29,25 +30,33 @@ bool passes_hidden(Hit hit, SurfacePoint point) {
 void meet_surface(Hit hit, SurfacePoint point) {
     phase = phase_lights;
     light = 0u;
-    surface_object = hit.object;
     material = objects[hit.object].material;
-    entering = enters(point.n, ray.direction);
+    beyond = interiors_behind(path.interiors, hit, point);
+    refracts = objects[hit.object].interior != 0u;
+    others = 1.0f;
+#if GLINT_CONTACTS
+    if (contact.exists) {
+        refracts = contact.refracts;
+        if (material.transparency > 0.0f) others = transparency_at(hit) / material.transparency;
+        point.p_error += vec3(contact.margin);
+    }
+#endif
     surface = surface_record(point, ray.direction, material.color, object_is(hit.object, object_lit_as_stored),
                              object_is(hit.object, object_turned));
     interpolate(hit, surface);
 }
 
+bool needs_shadow_ray(); // of `surface` in the light that arrives: the estimator's
+
 /// The next light that is worth a shadow ray, if there is any.
 void next_light() {
     for (; light < settings.light_count; ++light) {
         arrival = light_arrival(lights[light], surface);
-        if (!is_worth_shadow_ray(material, arrival)) continue;
+        if (!needs_shadow_ray()) continue;
         phase = phase_shadow;
         passing = 1.0f;
-        shadow_interiors = path.interiors;
         // Light on a back that is lit as stored arrives on the other side of the surface.
-        if (surface.lit_side < 0.0f)
-            shadow_interiors = interiors_across(shadow_interiors, surface_object, entering);
+        shadow_interiors = surface.lit_side < 0.0f ? beyond : path.interiors;
         bool may_pass = GLINT_GLASS != 0 && (settings.modes.opaque_shadows == 0 || shadow_interiors.x != 0u);
         start_ray(shadow_ray(lights[light], surface, arrival), !may_pass);
         ++rays.w;
@@ -59,7 +68,7 @@ void next_light() {
 bool ends_shadow_ray(Hit hit, SurfacePoint point) {
     if (hit.kind != kind_none) {
         if (!interiors_hide(shadow_interiors, hit.object))
-            passing *= shadow_transmittance(settings.modes, objects[hit.object].material.transparency);
+            passing *= shadow_transmittance(settings.modes, transparency_at(hit));
         if (passing > 0.0f) {
             pass_through(hit, point, shadow_interiors);
             return false;

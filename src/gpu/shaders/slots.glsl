@@ -28,6 +28,7 @@ Slot slot = Slot(0u, uvec2(0u), 0u, false, false, 1.0f, 0u, false, 0u);
 Path path;               // the one that is followed
 vec3 terms[GLINT_TERMS]; // what the sample's light is made of so far
 uvec4 rays = uvec4(0u);  // primary, reflected, refracted, shadow
+uint left_out = 0u;      // rays below min_weight
 
 // The state of a slot in `work`.
 const uint state_waiting = 0xffffu;
@@ -230,4 +231,5 @@ void close_slot() {
     if (interiors_overflowed) atomicOr(work[counter_faults], fault_interiors);
     for (uint i = 0u; i < 4u; ++i)
         if (rays[i] != 0u) atomicAdd(work[counter_rays + i], rays[i]);
+    if (left_out != 0u) atomicAdd(work[counter_left_out], left_out);
 }

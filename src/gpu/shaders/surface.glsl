@@ -1,16 +1,20 @@
 // From a hit back to the surface: what the functions of geometry/surface.shared.h need is read from the buffers.
 
-SurfacePoint triangle_point(Hit hit, vec3 direction) {
+SurfacePoint triangle_point(Hit hit, dvec3 origin, dvec3 direction) {
     double u = double(hit.u);
     double v = double(hit.v);
     vec3 a, b, c;
     leaf_triangle(hit.at, leaf_triangle_number(hit.at), a, b, c);
     bool reversed = object_is(hit.object, object_reversed);
+    double off_edges = objects[hit.object].off_edges;
+    if (is_wide(hit.at))
+        return wide_triangle_surface(a, b, c, origin + direction * double(hit.t), off_edges, direction,
+                                     reversed);
     if (GLINT_INSTANCES == 0 || !object_is(hit.object, object_instance))
-        return triangle_surface(a, b, c, u, v, dvec3(direction), reversed);
+        return triangle_surface(a, b, c, u, v, off_edges, direction, reversed);
     ObjectRecord object = objects[hit.object];
     dmat3 inverse = unpacked(object.inverse);
-    return instance_surface(a, b, c, u, v, inverse * dvec3(direction), unpacked(object.linear), inverse,
+    return instance_surface(a, b, c, u, v, off_edges, inverse * direction, unpacked(object.linear), inverse,
                             unpacked(object.translation), object.slack, reversed);
 }
 
@@ -26,7 +30,7 @@ SurfacePoint quadric_point(Hit hit, dvec3 origin, dvec3 direction) {
 }
 
 SurfacePoint surface_at(Hit hit, vec3 origin, vec3 direction) {
-    if (hit.kind == kind_triangle) return triangle_point(hit, direction);
+    if (hit.kind == kind_triangle) return triangle_point(hit, dvec3(origin), dvec3(direction));
     if (hit.kind == kind_plane)
         return plane_surface(dvec3(origin), dvec3(direction), unpacked(shapes[hit.at].axis), shapes[hit.at].height);
     return quadric_point(hit, dvec3(origin), dvec3(direction));

@@ -140,6 +140,25 @@ ShearedVertex sheared(SpaceRay ray, vec3 vertex) {
     return ShearedVertex(x, y, v.z);
 }
 
+/// Whether a leaf has wide triangles (geometry/triangle.h). Those are in the world's own space.
+bool is_wide(uint code) { return (code & 0x01ffffffu) >= settings.first_wide_leaf; }
+
+bool test_wide(SpaceRay ray, vec3 direction, vec3 a, vec3 b, vec3 c, float limit, out TriangleHit found) {
+    dvec3 d = dvec3(permuted(direction, ray.kz));
+    dvec3 shear = dvec3(d.x / d.z, d.y / d.z, 1.0 / d.z);
+    dvec3 o = dvec3(ray.sheared_origin);
+    return intersect_in_double(sheared_in_double(dvec3(permuted(a, ray.kz)) - o, shear),
+                             sheared_in_double(dvec3(permuted(b, ray.kz)) - o, shear),
+                             sheared_in_double(dvec3(permuted(c, ray.kz)) - o, shear), 0.0f, limit, found);
+}
+
+bool test_narrow(SpaceRay ray, vec3 a, vec3 b, vec3 c, float limit, out TriangleHit found) {
+    ShearedVertex sa = sheared(ray, a);
+    ShearedVertex sb = sheared(ray, b);
+    ShearedVertex sc = sheared(ray, c);
+    return !surely_outside(sa, sb, sc) && intersect_sheared(sa, sb, sc, ray.shear.z, 0.0f, limit, found);
+}
+
 /// The mesh in the world's own space that has the triangle with a running number.
 uint mesh_of_triangle(uint number) {
     uint low = 0u;
@@ -154,15 +173,13 @@ uint mesh_of_triangle(uint number) {
     return low;
 }
 
-bool test_triangle(SpaceRay ray, uint code, uint i, uint instance, float limit, inout Hit hit) {
+bool test_triangle(SpaceRay ray, vec3 direction, uint code, uint i, uint instance, float limit, inout Hit hit) {
     vec3 a, b, c;
     leaf_triangle(code, i, a, b, c);
-    ShearedVertex sa = sheared(ray, a);
-    ShearedVertex sb = sheared(ray, b);
-    ShearedVertex sc = sheared(ray, c);
-    if (surely_outside(sa, sb, sc)) return false;
     TriangleHit found;
-    if (!intersect_sheared(sa, sb, sc, ray.shear.z, 0.0f, limit, found)) return false;
+    bool met = is_wide(code) ? test_wide(ray, direction, a, b, c, limit, found)
+                             : test_narrow(ray, a, b, c, limit, found);
+    if (!met) return false;
     uint number = leaves[leaf_word(code) + 4u + 3u * leaf_vertices(code) + i];
     hit = Hit(found.t, found.u, found.v, kind_triangle, instance, number, (code & 0x8fffffffu) | i << 28,
               found.on_edge, found.positive);
@@ -325,7 +342,7 @@ bool test_shape(inout Walk walk, Hit after, float limit, inout Hit hit) {
     ++steps_to_shapes;
 #endif
     if (walk.leaf_kind == kind_triangle)
-        return test_triangle(walk.ray, walk.leaf, walk.left, walk.instance, limit, hit);
+        return test_triangle(walk.ray, walk.direction, walk.leaf, walk.left, walk.instance, limit, hit);
     dvec3 origin = dvec3(walk.origin);
     dvec3 direction = dvec3(walk.direction);
     if (walk.leaf_kind == kind_plane) return test_plane(walk.left, origin, direction, limit, hit);

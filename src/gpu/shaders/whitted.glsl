@@ -18,6 +18,8 @@ void at_surface(Hit hit, SurfacePoint point) {
     local = ambient_terms(settings.ambient_light, surface, material);
 }
 
+bool needs_shadow_ray() { return is_worth_shadow_ray(settings.modes, surface, material, arrival); }
+
 void add_light() {
     local = with_light(local, shown_light(settings.modes, surface, material, arrival, passing));
 }
@@ -36,22 +38,26 @@ void add_local(LocalTerms shown) {
 
 void branch(Path from, SpawnedRay next_ray, float share, uint term, uvec4 interiors) {
     if (share == 0.0f) return;
+    vec3 weight = from.weight * share;
+    if (!is_worth_following(weight, settings.min_weight)) {
+        ++left_out;
+        return;
+    }
     ++rays[term == term_reflection ? 1 : 2];
-    follow(Path(next_ray.origin, next_ray.direction, from.weight * share, from.depth + 1u,
+    follow(Path(next_ray.origin, next_ray.direction, weight, from.depth + 1u,
                 from.term == invalid_index ? term : from.term, interiors));
 }
 
 /// The mirror ray is the next path; the refracted ray waits meanwhile.
 void bounce() {
     Path from = path;
-    uvec4 beyond = interiors_across(from.interiors, surface_object, entering);
     Split split = split_at_sheet(surface, material);
-    if (GLINT_GLASS != 0 && objects[surface_object].interior != 0u) {
+    if (GLINT_GLASS != 0 && refracts) {
         float index_1 = objects[interiors_owner(from.interiors)].material.index;
         float index_2 = objects[interiors_owner(beyond)].material.index;
         split = split_at_solid(material, refraction_at(surface, index_1 / index_2), index_1, index_2);
     }
-    branch(from, spawn_ray(surface, split.direction), split.refracted, term_transmission, beyond);
+    branch(from, spawn_ray(surface, split.direction), split.refracted * others, term_transmission, beyond);
     branch(from, reflected_ray(surface), split.reflected, term_reflection, from.interiors);
 }
 

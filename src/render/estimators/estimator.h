@@ -2,6 +2,7 @@
 // The closed set of estimators: each measures what camera rays see. A new one needs no other file.
 
 #include "render/aov.h"
+#include "render/estimators/ambient_occlusion.h"
 #include "render/estimators/aov.h"
 #include "render/estimators/whitted.h"
 #include "render/estimators/whitted_wavefront.h"
@@ -13,7 +14,7 @@
 namespace glint::rendering {
 
 /// Measures camera samples. Holds scratch memory: one for each thread.
-using Estimator = std::variant<Whitted, WhittedWavefront, AovEstimator>;
+using Estimator = std::variant<Whitted, WhittedWavefront, AmbientOcclusion, AovEstimator>;
 
 /// The estimator for what a picture shows: for light the scene's integrator, which traces one ray after
 /// another if the kernel is Kernel::scalar. It refers to the scene.
@@ -21,6 +22,8 @@ inline Estimator make_estimator(const scene::SceneData& scene, Aov show, const C
                                 const KernelChoice& kernel) {
     trace::row_of(kernel.target); // throws where the machine lacks it
     if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
+    if (scene.description.render.integrator == Integrator::ambient_occlusion)
+        return AmbientOcclusion(scene, cancel, kernel);
     const WhittedSettings& settings = scene.description.whitted;
     if (kernel.kernel == Kernel::scalar) return Whitted(scene, settings, cancel, kernel);
     return WhittedWavefront(scene, settings, cancel, kernel);

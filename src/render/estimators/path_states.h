@@ -3,6 +3,7 @@
 // that vectors of paths can be shaded at once (render/shade_batch.h).
 
 #include "render/camera_sample.h"
+#include "render/contact.h"
 #include "render/interior_list.h"
 #include "scene/scene_data.h"
 
@@ -20,8 +21,9 @@ inline constexpr std::size_t shading_numbers = [] {
 }();
 
 struct PathStates {
-    /// Ray trees of glass can grow without end: what has no room here is followed by recursion.
+    /// For the waves of all depths. Where little room is left, branches are followed by recursion.
     static constexpr std::size_t capacity = 4096;
+    static constexpr std::size_t max_wave = 256;
     /// Waves begin at a multiple of this. No vector has more lanes.
     static constexpr std::size_t alignment = 16;
 
@@ -39,10 +41,13 @@ struct PathStates {
     Row<Ray> rays;
     Row<trace::Hit> hits;
     Row<const InteriorList*> interiors;   ///< around the ray's origin, then where it arrives
+    Row<Contact> contacts;                ///< where it arrives; set only where there may be any
     Row<const MaterialRecord*> materials; ///< never null
     Row<std::uint32_t> parents;           ///< the path that this is a branch of
     Row<Term> parent_terms;               ///< the term of the parent that it adds to
     Numbers parent_weights;               ///< its share there
+    Vectors weights;                      ///< the share of the path's light that reaches its sample
+    Vectors left_over; ///< of light behind the medium; for paths in solids that hit something
     std::array<Vectors, term_count> terms;
     Vectors sums; ///< of the terms
 

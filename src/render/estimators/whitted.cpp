@@ -7,6 +7,7 @@
 #include "render/ray_recorder.h"
 #include "shading/interaction.shared.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -59,10 +60,13 @@ void interpolate_vertices(const SceneData& scene, const Hit& hit, SurfaceRecord&
 
 } // namespace
 
-SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit) {
+SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, const Hit& hit,
+                                       const Contact& contact) {
     const scene::ObjectData& object = scene.objects[hit.object];
-    const SurfacePoint point = scene.world.surface(ray, hit);
+    SurfacePoint point = scene.world.surface(ray, hit);
+    point.p_error = point.p_error + vec3(contact.margin);
     SurfaceInteraction at;
+    at.contact = contact;
     at.object = hit.object;
     at.material = &scene.materials[object.material];
     at.entering = enters(point.n, ray.direction);
@@ -74,8 +78,11 @@ SurfaceInteraction surface_interaction(const SceneData& scene, const Ray& ray, c
 
 Whitted::Whitted(const SceneData& scene, const WhittedSettings& settings, const CancelFlag* cancel,
                  const KernelChoice& kernel)
-    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
-      kernel_(kernel) {}
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
+      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel),
+      ends_shadow_([&scene](const Hit& hit) {
+          return !(scene.materials[scene.objects[hit.object].material].transparency > 0.0f);
+      }) {}
 
 void Whitted::estimate(std::span<const CameraSample> samples, std::span<Channels> out, bool) {
     for (std::size_t i = 0; i < samples.size(); ++i) out[i] = trace(samples[i]);
@@ -104,21 +111,24 @@ Channels Whitted::radiance(Path&& path) {
     // A tree can have 2^max_depth rays: cancelling must reach into it.
     if (cancelled()) return out;
     require_stack(max_depth_);
+    const InteriorArena::Scope lists(arena_);
     if (recorder_ != nullptr) recorder_->begin_ray(path.kind, path.depth, path.ray);
 
     // Find the closest surface that no solid of higher rank hides.
     const Ray ray = ray_of(path.ray);
     Hit hit = scene_.world.closest(ray, kernel_);
-    skip_hidden(ray, hit, path.interior);
+    const Contact contact = find_seen(ray, hit, path.interior);
     out.covered = static_cast<bool>(hit);
 
     if (!hit) {
         // The background shows, but not to a ray that never leaves a solid.
         if (path.interior == nullptr) out.terms[Term::emission] = scene_.background;
-        if (recorder_ != nullptr) recorder_->miss(path.interior);
+        if (recorder_ != nullptr) recorder_->miss(solids_of(path.interior, scene_));
     } else {
-        const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
-        if (recorder_ != nullptr) recorder_->hit(hit, at, path.interior);
+        const SurfaceInteraction at = surface_interaction(scene_, ray, hit, contact);
+        if (recorder_ != nullptr) recorder_->hit(hit, at, solids_of(path.interior, scene_));
+        const vec3 left_over = left_by_medium(path.interior, hit.t);
+        path.weight = path.weight * left_over;
 
         // Add up the light that arrives from the lights.
         LocalTerms local = local_light(path, at);
@@ -135,19 +145,54 @@ Channels Whitted::radiance(Path&& path) {
         out.terms[Term::clamp] = local.clamp;
 
         // Absorb what comes back through the medium.
-        absorb(path.interior, hit.t, out.terms);
+        for (vec3& value : out.terms.value) value = value * left_over;
+        if (recorder_ != nullptr) recorder_->absorb(left_over);
     }
     out.radiance = out.terms.sum();
     if (recorder_ != nullptr) recorder_->end_ray(out);
     return out;
 }
 
-void Whitted::skip_hidden(const Ray& ray, Hit& hit, const InteriorList*& interior) {
-    while (hit && is_hidden(interior, hit.object, scene_)) {
-        if (recorder_ != nullptr) recorder_->skip_hidden(hit);
-        cross(ray, hit, interior);
-        hit = scene_.world.next(ray, hit);
+Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interior) {
+    const auto is_simple = [&] {
+        return interior == nullptr && scene_.objects[hit.object].contact.box.empty();
+    };
+    while (hit && !is_simple()) {
+        find_coincident(scene_, ray, hit, met_);
+        const Hit* seen = seen_of(met_.hits, interior, scene_);
+        if (recorder_ != nullptr)
+            for (const Hit& met : met_.hits)
+                if (&met != seen) recorder_->pass_over(met);
+        if (seen != nullptr) {
+            hit = *seen;
+            return met_.hits.size() > 1 ? contact_of_met(ray, *seen, interior) : Contact{};
+        }
+        for (const Hit& met : met_.hits) cross(ray, met, interior);
+        hit = scene_.world.next(ray, met_.hits.back());
     }
+    return {};
+}
+
+/// What is met in the place of `met_`.
+Contact Whitted::contact_of_met(const Ray& ray, const Hit& seen, const InteriorList* interior) {
+    Contact contact;
+    contact.exists = true;
+    contact.margin = met_.margin;
+    contact.beyond = interior;
+    for (const Hit& met : met_.hits) {
+        cross(ray, met, contact.beyond);
+        contact.refracts = contact.refracts || is_dielectric(met.object, scene_);
+        if (&met != &seen && dims_light(met, met_.hits, interior, scene_))
+            contact.others = contact.others * transparency(met);
+    }
+    return contact;
+}
+
+/// The list behind a surface.
+const InteriorList* Whitted::beyond(const SurfaceInteraction& at, const InteriorList* interior) {
+    if (at.contact.exists) return at.contact.beyond;
+    if (!is_dielectric(at.object, scene_)) return interior;
+    return crossed(interior, at.object, at.entering, scene_, arena_);
 }
 
 /// The list behind a surface that a ray goes through unbent.
@@ -162,7 +207,10 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
     for (const LightRecord& light : scene_.lights) {
         const LightArrival arrival = light_arrival(light, at.surface);
         if (recorder_ != nullptr) recorder_->begin_light(arrival);
-        if (!is_worth_shadow_ray(*at.material, arrival)) continue;
+        // A recorder gets the shadows outside the highlight too.
+        if (recorder_ != nullptr ? !reflects_light(*at.material, arrival)
+                                 : !is_worth_shadow_ray(modes_, at.surface, *at.material, arrival))
+            continue;
         const float passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
         local = with_light(local, shown);
@@ -183,9 +231,9 @@ float Whitted::light_passing(const LightRecord& light, const LightArrival& arriv
 
 float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& at,
                                    const InteriorList* interior) {
+    const InteriorArena::Scope lists(arena_);
     // Light on a back that is lit as stored arrives on the other side of the surface.
-    if (at.surface.lit_side < 0.0f && is_dielectric(at.object, scene_))
-        interior = crossed(interior, at.object, at.entering, scene_, arena_);
+    if (at.surface.lit_side < 0.0f) interior = beyond(at, interior);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
     // If no light can pass, only the recorder needs the blockers.
     if (!may_pass && recorder_ == nullptr) return 0.0f;
@@ -195,18 +243,34 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
 
 /// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
 float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
-    blockers_.clear();
-    scene_.world.all_hits(shadow, blockers_);
+    static const trace::EndsSearch never;
+    if (!scene_.world.all_hits(shadow, blockers_, recorder_ == nullptr ? ends_shadow_ : never)) return 0.0f;
+    const bool hides = any_may_be_hidden(blockers_, interior);
     float passing = 1.0f;
-    for (const Hit& hit : blockers_) {
-        const bool hidden = is_hidden(interior, hit.object, scene_);
-        const float transparency = scene_.materials[scene_.objects[hit.object].material].transparency;
-        if (recorder_ != nullptr) recorder_->blocker(hit, transparency, hidden);
-        if (!hidden) passing = passing * shadow_transmittance(modes_, transparency);
+    for (std::size_t i = 0; i < blockers_.size(); i += met_.hits.size()) {
+        find_coincident(scene_, shadow, blockers_[i], met_);
+        for (const Hit& met : met_.hits) {
+            const bool dims = dims_light(met, met_.hits, interior, scene_);
+            if (recorder_ != nullptr) recorder_->blocker(met, transparency(met), !dims);
+            if (dims) passing = passing * shadow_transmittance(modes_, transparency(met));
+        }
         if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
-        cross(shadow, hit, interior);
+        if (!hides) continue;
+        for (const Hit& met : met_.hits) cross(shadow, met, interior);
     }
     return passing;
+}
+
+/// False if no hit is of a lower rank than a solid that the ray is in or enters: then none is hidden, and the
+/// list need not be kept.
+bool Whitted::any_may_be_hidden(std::span<const Hit> hits, const InteriorList* interior) const {
+    std::uint32_t highest = 0;
+    if (interior != nullptr) highest = scene_.objects[interior->owner].rank;
+    for (const Hit& hit : hits)
+        if (is_dielectric(hit.object, scene_)) highest = std::max(highest, scene_.objects[hit.object].rank);
+    return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
+        return is_dielectric(hit.object, scene_) && scene_.objects[hit.object].rank < highest;
+    });
 }
 
 bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
@@ -220,46 +284,52 @@ void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Term
     const Bounce bounce = bounce_at(path, at);
     const Split& split = bounce.split;
     if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
-    if (split.reflected > 0.0f)
-        terms[Term::reflection] = radiance(reflected_path(path, at)).radiance * split.reflected;
-    if (split.refracted > 0.0f)
+    if (follows(path, split.reflected))
+        terms[Term::reflection] = radiance(reflected_path(path, at, bounce)).radiance * split.reflected;
+    if (follows(path, split.refracted))
         terms[Term::transmission] = radiance(refracted_path(path, at, bounce)).radiance * split.refracted;
 }
 
 Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     Bounce bounce;
-    bounce.interior = path.interior;
-    if (!is_dielectric(at.object, scene_)) {
+    bounce.interior = beyond(at, path.interior);
+    if (!is_dielectric(at.object, scene_) && !at.contact.refracts) {
         bounce.split = split_at_sheet(at.surface, *at.material);
+        bounce.split.refracted *= at.contact.others;
         return bounce;
     }
-    bounce.interior = crossed(path.interior, at.object, at.entering, scene_, arena_);
     const float index_before = refractive_index(path.interior, scene_);
     const float index_after = refractive_index(bounce.interior, scene_);
     const Refraction refraction = refraction_at(at.surface, index_before / index_after);
     bounce.split = split_at_solid(*at.material, refraction, index_before, index_after);
+    bounce.split.refracted *= at.contact.others;
     if (recorder_ != nullptr) recorder_->refract(refraction, index_before, index_after);
     return bounce;
 }
 
-Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at) {
+bool Whitted::follows(const Path& path, float share) {
+    if (!(share > 0.0f)) return false;
+    if (is_worth_following(path.weight * share, min_weight_)) return true;
+    ++counts_.left_out;
+    return false;
+}
+
+Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.reflected;
-    return {reflected_ray(at.surface), path.interior, path.depth + 1, RayKind::reflected};
+    return {reflected_ray(at.surface), path.interior, path.weight * bounce.split.reflected, path.depth + 1,
+            RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
-    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior, path.depth + 1,
-            RayKind::refracted};
+    return {spawn_ray(at.surface, bounce.split.direction), bounce.interior,
+            path.weight * bounce.split.refracted, path.depth + 1, RayKind::refracted};
 }
 
-void Whitted::absorb(const InteriorList* interior, float distance, Terms& terms) {
-    if (interior == nullptr) return;
-    const vec3& sigma = scene_.materials[scene_.objects[interior->object].material].absorption;
-    if (sigma == vec3(0.0f)) return;
-    const vec3 left_over = transmittance(sigma, distance);
-    for (vec3& value : terms.value) value = value * left_over;
-    if (recorder_ != nullptr) recorder_->absorb(left_over);
+vec3 Whitted::left_by_medium(const InteriorList* interior, float distance) const {
+    if (interior == nullptr) return vec3(1.0f);
+    const vec3& sigma = scene_.materials[scene_.objects[interior->owner].material].absorption;
+    return sigma == vec3(0.0f) ? vec3(1.0f) : transmittance(sigma, distance);
 }
 
 } // namespace glint::rendering

@@ -6,6 +6,7 @@
 #include "glint/explanation.h"
 #include "glint/render.h"
 #include "render/camera_sample.h"
+#include "render/contact.h"
 #include "render/interior_list.h"
 #include "scene/scene_data.h"
 #include "shading/whitted.shared.h"
@@ -24,11 +25,13 @@ struct SurfaceInteraction {
     const MaterialRecord* material = nullptr;
     std::uint32_t object = 0;
     bool entering = true; ///< the ray comes from the object's outer side
+    Contact contact;
 };
 
 /// The surface at a hit of a ray (unit direction): off the edge that it may lie on, with colour and shading
 /// normal of the mesh's vertices.
-SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit);
+SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit,
+                                       const Contact& contact = {});
 
 /// The rays that go on from a surface.
 struct Bounce {
@@ -43,7 +46,8 @@ class Whitted {
     struct Path {
         SpawnedRay ray; ///< direction of unit length
         const InteriorList* interior = nullptr;
-        int depth = 0; ///< bounces so far
+        vec3 weight{1.0f}; ///< the share of its light that reaches the sample
+        int depth = 0;     ///< bounces so far
         RayKind kind = RayKind::primary;
     };
 
@@ -58,24 +62,30 @@ class Whitted {
     Channels trace(const CameraSample& sample, RayTree* record = nullptr);
 
     const RayCounts& counts() const { return counts_; }
+    /// Holds the lists of the solids around rays.
+    InteriorArena& arena() { return arena_; }
 
     // The steps of single rays, for the rays that a wavefront does not shade in vectors.
 
     /// Starts a camera ray, or a batch of them: invalidates all lists, returns that of the solids around the
     /// eye.
     const InteriorList* start();
-    /// Replaces a hit that lies inside a solid of higher rank by the next that does not; updates `interior`.
-    void skip_hidden(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
+    /// Replaces a hit by the next that is seen, if it lies inside a solid of higher rank or coincides with
+    /// that; updates `interior`. Returns what is met there.
+    Contact find_seen(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
     /// Mirror and refracted ray of a surface: direction and weights.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
-    Path reflected_path(const Path& path, const SurfaceInteraction& at);
+    /// Whether a branch is followed that brings this share of its light to the path. Counts those that are
+    /// not for their weight.
+    bool follows(const Path& path, float share);
+    Path reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
     Path refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
     /// Follows the branches of a bounce to their ends and sets their terms.
     void follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms);
-    /// Absorbs light in the medium around the ray over a distance.
-    void absorb(const InteriorList* interior, float distance, Terms& terms);
+    /// What the medium around a ray leaves of light over a distance.
+    vec3 left_by_medium(const InteriorList* interior, float distance) const;
 
   private:
     Channels radiance(Path&& path);
@@ -83,17 +93,26 @@ class Whitted {
     float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
                         const SurfaceInteraction& at);
     float walk_shadow(const Ray& shadow, const InteriorList* interior);
+    bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
+    Contact contact_of_met(const Ray& ray, const trace::Hit& seen, const InteriorList* interior);
+    float transparency(const trace::Hit& hit) const {
+        return scene_.materials[scene_.objects[hit.object].material].transparency;
+    }
+    const InteriorList* beyond(const SurfaceInteraction& at, const InteriorList* interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
     const scene::SceneData& scene_;
     const WhittedModes modes_;
     const int max_depth_;
+    const float min_weight_;
     const CancelFlag* cancel_;
     const KernelChoice kernel_;
     InteriorArena arena_;
+    const trace::EndsSearch ends_shadow_; ///< at a hit that lets no light pass
     std::vector<trace::Hit> blockers_;
+    Coincidence met_;
     RayCounts counts_;
     RayRecorder* recorder_ = nullptr;
 };

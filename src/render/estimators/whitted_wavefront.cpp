@@ -37,9 +37,9 @@ SurfaceRows surface_rows(PathStates& s, std::size_t first) {
 
 WhittedWavefront::WhittedWavefront(const scene::SceneData& scene, const WhittedSettings& settings,
                                    const CancelFlag* cancel, const KernelChoice& kernel)
-    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth), cancel_(cancel),
-      kernel_(kernel), shade_(shade_kernels[row_of(kernel.target)]),
-      single_(scene, settings, cancel, kernel) {
+    : scene_(scene), modes_(scene::whitted_modes(settings)), max_depth_(settings.max_depth),
+      min_weight_(static_cast<float>(settings.min_weight)), cancel_(cancel), kernel_(kernel),
+      shade_(shade_kernels[row_of(kernel.target)]), single_(scene, settings, cancel, kernel) {
     background_.emission = scene.background;
 }
 
@@ -54,18 +54,63 @@ void WhittedWavefront::estimate(std::span<const CameraSample> samples, std::span
 void WhittedWavefront::estimate_batch(std::span<const CameraSample> samples, std::span<Channels> out,
                                       bool terms) {
     start(samples);
-    waves_.clear();
-    for (Wave wave{0, samples.size()}; wave.count > 0;) {
-        if (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) return;
-        waves_.push_back(wave);
-        find_hits(wave);
-        locate_surfaces(wave);
-        for (const LightRecord& light : scene_.lights) add_light(light, wave);
-        shade_.limit_terms(modes_, wave, *states_);
-        wave = spawn(wave, static_cast<int>(waves_.size()) - 1);
+    follow({0, samples.size()}, 0);
+    if (!is_cancelled()) finish(out, terms);
+}
+
+/// Sets the sums of a wave.
+void WhittedWavefront::follow(Wave wave, int depth) {
+    if (is_cancelled()) return;
+    find_hits(wave);
+    locate_surfaces(wave);
+    for (const LightRecord& light : scene_.lights) add_light(light, wave);
+    shade_.limit_terms(modes_, wave, *states_);
+    if (depth < max_depth_) follow_branches(wave, depth);
+    if (scene_.any_transparent) absorb(wave);
+    shade_.sum_terms(wave, *states_);
+}
+
+/// Sets the terms of a wave's branches.
+void WhittedWavefront::follow_branches(Wave wave, int depth) {
+    const std::size_t room = PathStates::capacity - std::min(PathStates::capacity, wave.end());
+    // Half of the room is left to their branches.
+    const std::size_t at_once = std::min(room / 2, PathStates::max_wave);
+    if (at_once < 2 * PathStates::alignment) {
+        for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) branch_by_recursion(i, depth);
+        return;
     }
-    add_up();
-    finish(out, terms);
+    for (std::size_t done = 0; done < wave.count;) {
+        const Wave parents = parents_of({wave.first + done, wave.count - done}, at_once);
+        done += parents.count;
+        const InteriorArena::Scope lists(single_.arena());
+        const Wave next = spawn(parents, wave.end(), depth);
+        if (next.count == 0) continue;
+        follow(next, depth + 1);
+        shade_.add_to_parents(next, *states_);
+    }
+}
+
+/// The first paths of a wave, whole vectors of them, that have at most so many branches.
+Wave WhittedWavefront::parents_of(Wave wave, std::size_t branches) const {
+    Wave parents{wave.first, 0};
+    while (parents.count < wave.count) {
+        const std::size_t more = std::min(PathStates::alignment, wave.count - parents.count);
+        const std::size_t of_more = max_branches({wave.first + parents.count, more});
+        if (of_more > branches) break;
+        branches -= of_more;
+        parents.count += more;
+    }
+    return parents;
+}
+
+/// Bound on the number of branches of a wave.
+std::size_t WhittedWavefront::max_branches(Wave wave) const {
+    std::size_t count = 0;
+    for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
+        const MaterialRecord& m = *states_->materials[i];
+        count += m.transparency > 0.0f ? 2 : m.reflectivity > 0.0f ? 1 : 0;
+    }
+    return count;
 }
 
 void WhittedWavefront::start(std::span<const CameraSample> samples) {
@@ -76,6 +121,7 @@ void WhittedWavefront::start(std::span<const CameraSample> samples) {
         states_->rays[i].origin = samples[i].origin;
         states_->rays[i].direction = samples[i].direction;
         states_->interiors[i] = interior;
+        put(vec3(1.0f), states_->weights, i);
     }
 }
 
@@ -90,10 +136,12 @@ void WhittedWavefront::finish(std::span<Channels> out, bool terms) {
 void WhittedWavefront::find_hits(Wave wave) {
     PathStates& s = *states_;
     scene_.world.closest(part(s.rays, wave), part(s.hits, wave), RayHint::coherent, scratch_, kernel_);
-    if (scene_.any_transparent)
+    if (scene_.any_transparent || scene_.any_contact)
         for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
-            if (s.interiors[i] != nullptr) single_.skip_hidden(s.rays[i], s.hits[i], s.interiors[i]);
+            if (scene_.any_contact || s.interiors[i] != nullptr)
+                s.contacts[i] = single_.find_seen(s.rays[i], s.hits[i], s.interiors[i]);
     choose_materials(wave);
+    if (scene_.any_transparent) meet_media(wave);
 }
 
 void WhittedWavefront::choose_materials(Wave wave) {
@@ -113,7 +161,9 @@ void WhittedWavefront::locate_surfaces(Wave wave) {
                           part(s.located, wave), kernel_);
     shade_.set_up(wave, s);
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
-        if (s.hits[i] && (s.located[i] == 0 || needs_attributes(s.hits[i].object))) put_surface(i);
+        if (s.hits[i] && (s.located[i] == 0 || needs_attributes(s.hits[i].object) ||
+                          (scene_.any_contact && s.contacts[i].exists)))
+            put_surface(i);
     shade_.start_terms(scene_.ambient, wave, s);
 }
 
@@ -124,7 +174,7 @@ bool WhittedWavefront::needs_attributes(std::uint32_t object) const {
 
 void WhittedWavefront::put_surface(std::size_t i) {
     PathStates& s = *states_;
-    const SurfaceInteraction at = surface_interaction(scene_, s.rays[i], s.hits[i]);
+    const SurfaceInteraction at = surface_interaction(scene_, s.rays[i], s.hits[i], s.contacts[i]);
     put(at.surface.p, s.p, i);
     put(at.surface.p_error, s.p_error, i);
     put(at.surface.n_g, s.n_g, i);
@@ -137,7 +187,7 @@ void WhittedWavefront::put_surface(std::size_t i) {
 /// Adds one light to all paths that it reaches.
 void WhittedWavefront::add_light(const LightRecord& light, Wave wave) {
     PathStates& s = *states_;
-    const std::size_t count = shade_.spawn_shadow_rays(light, wave, s);
+    const std::size_t count = shade_.spawn_shadow_rays(modes_, light, wave, s);
     if (count == 0) return;
     counts_.shadow += count;
     scene_.world.occluded(part(s.shadow_rays, wave), part(s.blocked, wave), RayHint::coherent, scratch_,
@@ -157,19 +207,14 @@ void WhittedWavefront::pass_blockers(Wave wave) {
     }
 }
 
-/// Spawns the branches of a wave: the next wave.
-Wave WhittedWavefront::spawn(Wave wave, int depth) {
-    Wave next{wave.end(), 0};
-    if (depth >= max_depth_) return next;
-    const std::size_t max_count = wave.count * (scene_.any_transparent ? 2 : 1);
-    if (next.first + max_count > PathStates::capacity) {
-        for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) branch_by_recursion(i, depth);
-        return next;
-    }
-    next.count = shade_.spawn_reflected(modes_, wave, next.first, *states_);
-    counts_.reflected += next.count;
+/// Spawns the branches of a wave from path `first` on.
+Wave WhittedWavefront::spawn(Wave parents, std::size_t first, int depth) {
+    const Branches mirrored = shade_.spawn_reflected(modes_, min_weight_, parents, first, *states_);
+    counts_.reflected += mirrored.followed;
+    counts_.left_out += mirrored.left_out;
+    Wave next{first, mirrored.followed};
     if (scene_.any_transparent)
-        for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
+        for (std::size_t i = parents.first; i < parents.first + parents.count; ++i)
             if (states_->materials[i]->transparency > 0.0f) spawn_at_glass(i, depth, next);
     return next;
 }
@@ -180,9 +225,9 @@ void WhittedWavefront::spawn_at_glass(std::size_t i, int depth, Wave& next) {
     weigh_local_terms(i);
     const Bounce bounce = single_.bounce_at(path, at);
     const Split& split = bounce.split;
-    if (split.reflected > 0.0f)
-        spawn(single_.reflected_path(path, at), i, Term::reflection, split.reflected, next);
-    if (split.refracted > 0.0f)
+    if (single_.follows(path, split.reflected))
+        spawn(single_.reflected_path(path, at, bounce), i, Term::reflection, split.reflected, next);
+    if (single_.follows(path, split.refracted))
         spawn(single_.refracted_path(path, at, bounce), i, Term::transmission, split.refracted, next);
 }
 
@@ -194,6 +239,7 @@ void WhittedWavefront::spawn(const Whitted::Path& path, std::size_t parent, Term
     s.rays[i].origin = path.ray.origin;
     s.rays[i].direction = path.ray.direction;
     s.interiors[i] = path.interior;
+    put(path.weight, s.weights, i);
     s.parents[i] = static_cast<std::uint32_t>(parent);
     s.parent_terms[i] = term;
     s.parent_weights[i] = weight;
@@ -213,12 +259,14 @@ void WhittedWavefront::weigh_local_terms(std::size_t i) {
         for (PathStates::Numbers& row : states_->terms[static_cast<std::size_t>(term)]) row[i] *= weight;
 }
 
-/// Sums the paths' terms, including those from branches, the deepest wave first.
-void WhittedWavefront::add_up() {
-    for (std::size_t n = waves_.size(); n-- > 0;) {
-        if (scene_.any_transparent) absorb(waves_[n]);
-        shade_.sum_terms(waves_[n], *states_);
-        if (n > 0) shade_.add_to_parents(waves_[n], *states_);
+/// Weighs paths by what the media around them leave of their light.
+void WhittedWavefront::meet_media(Wave wave) {
+    PathStates& s = *states_;
+    for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
+        if (s.interiors[i] == nullptr || !s.hits[i]) continue;
+        const vec3 left_over = single_.left_by_medium(s.interiors[i], s.hits[i].t);
+        put(left_over, s.left_over, i);
+        put(element(s.weights, i) * left_over, s.weights, i);
     }
 }
 
@@ -226,15 +274,15 @@ void WhittedWavefront::absorb(Wave wave) {
     PathStates& s = *states_;
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
         if (s.interiors[i] == nullptr || !s.hits[i]) continue;
-        Terms terms = terms_at(i);
-        single_.absorb(s.interiors[i], s.hits[i].t, terms);
-        put_terms(terms, i);
+        const vec3 left_over = element(s.left_over, i);
+        for (PathStates::Vectors& term : s.terms) put(element(term, i) * left_over, term, i);
     }
 }
 
 Whitted::Path WhittedWavefront::path_at(std::size_t i, int depth) const {
     const Ray& ray = states_->rays[i];
-    return {{ray.origin, ray.direction, ray.tmax}, states_->interiors[i], depth};
+    return {
+        {ray.origin, ray.direction, ray.tmax}, states_->interiors[i], element(states_->weights, i), depth};
 }
 
 SurfaceInteraction WhittedWavefront::surface_at(std::size_t i) const {
@@ -250,6 +298,7 @@ SurfaceInteraction WhittedWavefront::surface_at(std::size_t i) const {
     at.material = s.materials[i];
     at.object = s.hits[i].object;
     at.entering = s.entering[i] != 0.0f;
+    at.contact = s.contacts[i];
     return at;
 }
 

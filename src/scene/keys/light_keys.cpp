@@ -26,7 +26,9 @@ KeyRow type_of_light() {
     };
     spec.set = [](const KeyOwner& owner, const KeyValue& value) {
         constexpr auto all = std::make_index_sequence<light_names.size()>();
-        owner.as<Light>()->kind = default_kind(std::get<Choice>(value).index, all);
+        Light& light = *owner.as<Light>();
+        const std::size_t type = std::get<Choice>(value).index;
+        if (light.kind.index() != type) light.kind = default_kind(type, all);
     };
     return KeyRow(std::move(spec)).required();
 }
@@ -55,6 +57,7 @@ TableSpec light_table() {
         .help = "Lights add up in their order.",
         .keys = {
             type_of_light(),
+            text<&Light::name>("name").help("to be named by `-D`; unique among lights"),
             point<&P::position, &S::position>("position").required(),
             direction<&D::direction, &S::direction>("direction").required().help("the way the light travels"),
             number<&S::angle>("angle")

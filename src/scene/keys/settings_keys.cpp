@@ -1,4 +1,4 @@
-// [camera], [render] and [whitted].
+// [camera], [render] and the settings of the integrators.
 
 #include "scene/keys/bind.h"
 #include "scene/keys/tables.h"
@@ -64,6 +64,10 @@ TableSpec render_table() {
                 .range(between(1, sample_limit))
                 .typical(1, 64)
                 .help("samples per pixel; 1 is the pixel's centre"),
+            integer<&R::max_spp>("max_spp")
+                .range(between(0, sample_limit))
+                .typical(0, 64)
+                .help("samples of each pixel that differs from a neighbour, if more than `spp`"),
             integer<&R::seed>("seed").range(at_least_0).help("of the random numbers"),
             choice<&R::integrator>("integrator").help("the light model"),
             choice<&R::filter>("filter").help(
@@ -83,15 +87,34 @@ TableSpec whitted_table() {
                 .range(between(0, 1000))
                 .typical(0, 16)
                 .help("bounces after the first hit"),
+            number<&W::min_weight>("min_weight")
+                .range(share)
+                .typical(0, 0.01)
+                .help("rays that carry a smaller share of a sample's light are not followed; 0: all are"),
             choice<&W::shadows>("shadows").help("whether light shines through transparent objects"),
             boolean<&W::clamp>("clamp").help("limit each light's diffuse term, and then the local sum, to 1"),
             choice<&W::energy>("energy").help(
-                "`\"balanced\"` scales the local light by 1 − ρ − τ and needs ρ + τ ≤ 1"),
+                "`\"balanced\"` scales the local light by 1 − ρ − τ and needs ρ + τ ≤ 1; `\"report\"`, "
+                "written down, says that materials may give more light than they get"),
             choice<&W::highlight_model>("highlight_model")
                 .help("by the half-way vector, or by the mirror direction"),
             number<&W::index>("index").range(above_0).limits(divisor).typical(1, 2).not_in_metadata().help(
                 "of refraction, of what surrounds everything"),
         }};
+}
+
+TableSpec ambient_occlusion_table() {
+    using A = AmbientOcclusionSettings;
+    return {.name = "ambient_occlusion",
+            .help = "How open the surroundings of surfaces are, without lights.",
+            .keys = {
+                bound<std::optional<double>, &A::distance>("distance", KeyType::number_or_auto)
+                    .unit("scene units")
+                    .range(length)
+                    .help("how near what darkens a surface must be; `auto`: a tenth of the diagonal of "
+                          "everything finite"),
+                boolean<&A::colored>("colored").help("multiply by the colours of the materials"),
+            }};
 }
 
 } // namespace glint::scene::keys

@@ -29,7 +29,9 @@ std::vector<KeySpec> common_keys() {
         integer<&O::priority>("priority")
             .range(between(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))
             .typical(-8, 8)
-            .help("where solids overlap, the higher owns the space; among equals the later in the file"),
+            .help(
+                "where transparent solids overlap, the higher owns the space; where surfaces coincide, it is "
+                "seen; among equals the later in the file"),
         bound<Mat4, &O::transform>("transform", KeyType::transform)
             .help("a list of the entries below, applied in order"),
     };
@@ -177,6 +179,10 @@ TableSpec shape_table<MeshShape>() {
             scale<&M::scale>("scale").help("before `transform`; negative mirrors"),
             choice<&M::normals>("normals").help(
                 "`\"auto\"`: stored ones if any, else flat; `\"smooth\"`: weighted by angle"),
+            number<&M::crease_angle>("crease_angle")
+                .unit("degrees")
+                .range({.low = 0, .high = 180, .low_open = true})
+                .help("with `normals = \"smooth\"`: faces whose normals differ by more meet in a sharp edge"),
             choice<&M::facing>("facing").help(
                 "where lights find its normals: turned to the viewer, or as its winding has them, so that "
                 "the inside of an open mesh is lit through its back, as in the report's pictures"),

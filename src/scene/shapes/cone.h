@@ -13,10 +13,6 @@ inline double support(const ConeShape& s, const dvec3& d) {
     return std::max(rim, glm::dot(d, apex(s)));
 }
 
-inline std::vector<FlatFace> flat_faces(const ConeShape& s) {
-    return {circle_face(s.base, glm::normalize(s.axis), s.radius)};
-}
-
 inline void bake(const ConeShape& s, ShapeBaker& out) {
     out.quadric(geometry::make_cone(s.base, glm::normalize(s.axis), s.height, s.radius));
 }

@@ -11,11 +11,6 @@ inline double support(const CylinderShape& s, const dvec3& d) {
     return glm::dot(d, s.base) + std::max(0.0, s.height * glm::dot(d, axis)) + s.radius * glm::length(across);
 }
 
-inline std::vector<FlatFace> flat_faces(const CylinderShape& s) {
-    const dvec3 axis = glm::normalize(s.axis);
-    return {circle_face(s.base, axis, s.radius), circle_face(s.base + axis * s.height, axis, s.radius)};
-}
-
 inline void bake(const CylinderShape& s, ShapeBaker& out) {
     out.quadric(geometry::make_cylinder(s.base, glm::normalize(s.axis), s.height, s.radius));
 }

@@ -10,10 +10,6 @@ inline double support(const DiskShape& s, const dvec3& d) {
     return glm::dot(d, s.center) + s.radius * glm::length(d - glm::dot(d, normal) * normal);
 }
 
-inline std::vector<FlatFace> flat_faces(const DiskShape& s) {
-    return {circle_face(s.center, glm::normalize(s.normal), s.radius)};
-}
-
 inline void bake(const DiskShape& s, ShapeBaker& out) {
     out.quadric(geometry::make_disk(s.center, glm::normalize(s.normal), s.radius));
 }

@@ -15,11 +15,6 @@ inline ShapeBox box(const PlaneShape& s) {
     return box;
 }
 
-inline std::vector<FlatFace> flat_faces(const PlaneShape& s) {
-    const double length = glm::length(s.normal);
-    return {{s.normal / length * (s.offset / length), s.normal / length, {}}};
-}
-
 inline void bake(const PlaneShape& s, ShapeBaker& out) { out.plane(s.normal, s.offset); }
 
 } // namespace glint::scene

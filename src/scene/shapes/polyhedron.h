@@ -41,14 +41,6 @@ inline geometry::Polyhedron make_polyhedron(const PolyhedronShape& s) {
     return {};
 }
 
-inline std::vector<FlatFace> flat_faces(const PolyhedronShape& s) {
-    const geometry::Polyhedron solid = make_polyhedron(s);
-    std::vector<FlatFace> faces;
-    for (const uvec3& t : solid.triangles)
-        faces.push_back(polygon_face({solid.positions[t.x], solid.positions[t.y], solid.positions[t.z]}));
-    return faces;
-}
-
 inline void bake(const PolyhedronShape& s, ShapeBaker& out) {
     geometry::Polyhedron solid = make_polyhedron(s);
     out.triangles(solid.positions, std::move(solid.triangles), true);

@@ -24,8 +24,6 @@ inline std::optional<KeyFault> shape_fault(const RectangleShape& s) {
     return KeyFault{"the rectangle has no area: its edges are parallel", {}};
 }
 
-inline std::vector<FlatFace> flat_faces(const RectangleShape& s) { return {polygon_face(corners(s))}; }
-
 inline void bake(const RectangleShape& s, ShapeBaker& out) {
     out.triangles(corners(s), {{0, 1, 2}, {0, 2, 3}}, false);
 }

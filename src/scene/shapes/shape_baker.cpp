@@ -1,7 +1,5 @@
 #include "scene/shapes/shape_baker.h"
 
-#include "scene/validate.h"
-
 namespace glint::scene {
 
 using trace::WorldInput;
@@ -57,7 +55,7 @@ void ShapeBaker::triangles(const std::vector<dvec3>& positions, std::vector<uvec
 void ShapeBaker::mesh() { meshes_.bake(object_, object_.transform, id_, MeshBaker::BakedAs::triangles); }
 
 void ShapeBaker::instance(const std::string& name) {
-    const Object& mesh = *find_mesh(scene_, name);
+    const Object& mesh = *names_.mesh(name);
     meshes_.bake(mesh, object_.transform * mesh.transform, id_, MeshBaker::BakedAs::instance);
 }
 

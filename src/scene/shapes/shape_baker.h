@@ -3,9 +3,9 @@
 
 #include "geometry/quadric.h"
 #include "glint/scene.h"
-#include "math/trig.h"
 #include "scene/bake_mesh.h"
 #include "scene/keys/check.h"
+#include "scene/names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,44 +42,14 @@ std::optional<KeyFault> shape_fault(const S&) {
     return std::nullopt;
 }
 
-/// A flat part of a surface: a convex polygon, or a whole plane if it has no corners.
-struct FlatFace {
-    dvec3 point{0}; ///< any of its points
-    dvec3 normal{0, 0, 1};
-    std::vector<dvec3> corners;
-};
-
-inline FlatFace polygon_face(std::vector<dvec3> corners) {
-    const dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    const dvec3 point = corners[0];
-    return {point, normal, std::move(corners)};
-}
-
-/// A circular face as a polygon of 48 corners; `axis` is of unit length.
-inline FlatFace circle_face(const dvec3& center, const dvec3& axis, double radius) {
-    const dvec3 across = std::abs(axis.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-    const dvec3 x = radius * glm::normalize(glm::cross(axis, across));
-    const dvec3 y = glm::cross(axis, x);
-    FlatFace face{center, axis, {}};
-    for (int i = 0; i < 48; ++i)
-        face.corners.push_back(center + x * cos_degrees(7.5 * i) + y * cos_degrees(7.5 * i - 90));
-    return face;
-}
-
-/// The flat parts of a shape's surface; those of meshes are not listed.
-template <class S>
-std::vector<FlatFace> flat_faces(const S&) {
-    return {};
-}
-
 /// Adds the parts of one object to the input of the tracing core: they come in the shape's space, and the
 /// object's transform is applied in double and rounded once.
 class ShapeBaker {
   public:
     /// All must outlive this.
-    ShapeBaker(const SceneDescription& scene, const Object& object, std::uint32_t id, Baked& baked,
+    ShapeBaker(const NameIndex& names, const Object& object, std::uint32_t id, Baked& baked,
                MeshBaker& meshes)
-        : scene_(scene), object_(object), id_(id), baked_(baked), meshes_(meshes) {}
+        : names_(names), object_(object), id_(id), baked_(baked), meshes_(meshes) {}
 
     /// All p with normal · p = offset.
     void plane(const dvec3& normal, double offset);
@@ -93,7 +63,7 @@ class ShapeBaker {
     void instance(const std::string& name);
 
   private:
-    const SceneDescription& scene_;
+    const NameIndex& names_;
     const Object& object_;
     std::uint32_t id_;
     Baked& baked_;

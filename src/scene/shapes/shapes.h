@@ -5,7 +5,6 @@
 //   double support(const S&, const dvec3& d) the largest d · p over its points; no_support if none is finite
 //   ShapeBox box(const S&)                   only where support() does not give it
 //   optional<KeyFault> shape_fault(const S&) only where keys that are good by themselves may not go together
-//   vector<FlatFace> flat_faces(const S&)    only where there are any
 //   void bake(const S&, ShapeBaker&)         its parts for the tracing core
 //
 // All in the shape's own space, before the object's transform.

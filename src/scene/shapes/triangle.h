@@ -22,10 +22,6 @@ inline std::optional<KeyFault> shape_fault(const TriangleShape& s) {
     return KeyFault{"the triangle is degenerate: its vertices lie on one line", {}};
 }
 
-inline std::vector<FlatFace> flat_faces(const TriangleShape& s) {
-    return {polygon_face({s.vertices.begin(), s.vertices.end()})};
-}
-
 inline void bake(const TriangleShape& s, ShapeBaker& out) {
     out.triangles({s.vertices.begin(), s.vertices.end()}, {{0, 1, 2}}, false);
 }

@@ -51,12 +51,17 @@ void walk(const MeshTree& tree, const Ray& ray, float tmin, const float& limit, 
         const WideNode& boxes = tree.nodes[at.code];
         node();
         const std::size_t base = size;
-        for (std::size_t child = 0; child < wide_children; ++child) {
-            const float t = entry_distance(boxes, child, box_ray, box_ray.pad, tmin, limit);
-            if (boxes.child[child] == invalid_index || !(t <= limit)) continue;
-            std::size_t slot = size++;
-            for (; slot > base && stack[slot - 1].t < t; --slot) stack[slot] = stack[slot - 1];
-            stack[slot] = {boxes.child[child], t};
+        for (std::size_t first = 0; first < wide_children; first += 4) {
+            float4 entry = splat(tmin);
+            float4 exit = splat(limit);
+            clip_boxes(boxes, first, box_ray, entry, exit);
+            for (std::size_t k = 0; k < 4; ++k) {
+                const float t = entry[k];
+                if (boxes.child[first + k] == invalid_index || !(t <= exit[k])) continue;
+                std::size_t slot = size++;
+                for (; slot > base && stack[slot - 1].t < t; --slot) stack[slot] = stack[slot - 1];
+                stack[slot] = {boxes.child[first + k], t};
+            }
         }
     }
 }

@@ -42,6 +42,8 @@ void World::closest(std::span<const Ray> rays, std::span<Hit> hits, RayHint hint
     const std::size_t count = rays.size();
     std::uint8_t* meets_mesh = grown(scratch.flags, count);
     quadric_kernels[row_of(choice.target)]->closest(*data_, rays.data(), count, hits.data(), meets_mesh);
+    if (!data_->wide_tree.nodes.empty())
+        for (std::size_t i = 0; i < count; ++i) keep_closer_wide(*data_, rays[i], hits[i]);
     if (has_no_triangles(*data_)) return;
 
     Ray* rest = grown(scratch.rays, count);
@@ -74,6 +76,12 @@ void World::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
     const std::size_t count = rays.size();
     std::uint8_t* meets_mesh = grown(scratch.flags, count);
     quadric_kernels[row_of(choice.target)]->occluded(*data_, rays.data(), count, blocked.data(), meets_mesh);
+    if (!data_->wide_tree.nodes.empty())
+        for (std::size_t i = 0; i < count; ++i) {
+            if (blocked[i] != 0 || !occluded_by_wide(*data_, rays[i])) continue;
+            blocked[i] = 1;
+            meets_mesh[i] = 0;
+        }
     if (has_no_triangles(*data_)) return;
 
     Ray* rest = grown(scratch.rays, count);

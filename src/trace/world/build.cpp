@@ -1,5 +1,6 @@
 // Building the trees of a World.
 
+#include "geometry/mesh.h"
 #include "trace/world/data.h"
 
 #include <algorithm>
@@ -20,10 +21,11 @@ std::uint64_t bytes_of(const std::vector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-/// Concatenates all meshes for the build.
-WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
+/// Concatenates the wide meshes, or the others, for the build.
+WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes, bool wide) {
     WorldInput::Triangles all;
     for (const auto& mesh : meshes) {
+        if (mesh.wide != wide) continue;
         const auto first = static_cast<std::uint32_t>(all.positions.size());
         all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (const uvec3& corners : mesh.triangles) all.triangles.push_back(corners + first);
@@ -31,20 +33,22 @@ WorldInput::Triangles joined(const std::vector<WorldInput::Triangles>& meshes) {
     return all;
 }
 
-void build_triangles(WorldData& world, BuildQuality quality, parallel::TaskPool& pool) {
+void build_triangles(WorldData& world, bool wide, BuildQuality quality, parallel::TaskPool& pool) {
+    std::vector<std::uint32_t>& first_numbers = wide ? world.wide_numbers : world.first_numbers;
     std::size_t triangles = 0;
     std::size_t positions = 0;
     for (const auto& mesh : world.meshes) {
-        check_corners(mesh.positions, mesh.triangles);
-        world.first_numbers.push_back(static_cast<std::uint32_t>(triangles));
+        first_numbers.push_back(static_cast<std::uint32_t>(triangles));
+        if (mesh.wide != wide) continue;
         triangles += mesh.triangles.size();
         positions += mesh.positions.size();
     }
     if (std::max(triangles, positions) >= invalid_index) throw std::length_error("too many triangles");
-    const WorldInput::Triangles all =
-        world.meshes.size() == 1 ? WorldInput::Triangles{} : joined(world.meshes);
-    const WorldInput::Triangles& source = world.meshes.size() == 1 ? world.meshes.front() : all;
-    world.mesh_tree = build_mesh_tree(source.positions, source.triangles, pool, quality);
+    const bool is_only = world.meshes.size() == 1 && world.meshes.front().wide == wide;
+    const WorldInput::Triangles all = is_only ? WorldInput::Triangles{} : joined(world.meshes, wide);
+    const WorldInput::Triangles& source = is_only ? world.meshes.front() : all;
+    (wide ? world.wide_tree : world.mesh_tree) =
+        build_mesh_tree(source.positions, source.triangles, pool, quality);
 }
 
 /// Float bounds of a quadric, rounded outward by one float.
@@ -133,14 +137,26 @@ void count(WorldData& world, const WorldInput& input) {
     for (const Quadric& q : world.quadrics) ++stats.quadrics[static_cast<std::size_t>(q.shape.kind)];
     stats.planes = input.planes.size();
     stats.quality = input.quality;
-    stats.nodes += world.mesh_tree.nodes.size() + world.quadric_tree.nodes.size();
-    stats.depth = std::max({stats.depth, world.mesh_tree.depth, world.quadric_tree.depth});
-    stats.bytes += world.mesh_tree.bytes() + bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) +
-                   bytes_of(world.planes) + bytes_of(world.affines) + bytes_of(world.surfaces) +
-                   bytes_of(world.first_surface);
+    for (const MeshTree* tree : {&world.mesh_tree, &world.wide_tree}) {
+        stats.nodes += tree->nodes.size();
+        stats.depth = std::max(stats.depth, tree->depth);
+        stats.bytes += tree->bytes();
+    }
+    stats.nodes += world.quadric_tree.nodes.size();
+    stats.depth = std::max(stats.depth, world.quadric_tree.depth);
+    stats.bytes += bytes_of(world.quadric_tree.nodes) + bytes_of(world.quadrics) + bytes_of(world.planes) +
+                   bytes_of(world.affines) + bytes_of(world.surfaces) + bytes_of(world.first_surface);
 }
 
 } // namespace
+
+double margin_off_edges(std::span<const vec3> positions, std::span<const uvec3> triangles) {
+    constexpr std::size_t max_searched = 4096;
+    constexpr double sine_of_1_degree = 0.0175;
+    if (triangles.size() > max_searched) return edge_margin;
+    const double sine = geometry::sine_at_sharpest_edge(positions, triangles);
+    return std::max(edge_margin, 8.5 / std::max(sine, sine_of_1_degree));
+}
 
 World::World() : data_(std::make_shared<WorldData>()) {}
 
@@ -161,7 +177,11 @@ World::World(WorldInput input, parallel::TaskPool& pool) {
     std::sort(world->planes.begin(), world->planes.end(),
               [](auto& a, auto& b) { return a.object < b.object; });
 
-    build_triangles(*world, input.quality, pool);
+    for (const auto& mesh : world->meshes) {
+        check_corners(mesh.positions, mesh.triangles);
+        world->off_edges.push_back(margin_off_edges(mesh.positions, mesh.triangles));
+    }
+    for (const bool wide : {false, true}) build_triangles(*world, wide, input.quality, pool);
     build_quadrics(*world, input, pool);
     number_surfaces(*world);
     count(*world, input);

@@ -13,11 +13,14 @@ class CountedSearch {
 
     TraceCost run() {
         search_surfaces();
-        search_mesh(world_.mesh_tree, ray_, invalid_index);
+        search_mesh(world_.mesh_tree, ray_, TriangleTester<Closest>(world_, ray_, nearest_));
+        search_mesh(world_.wide_tree, ray_, WideTester<Closest>(world_, ray_, nearest_));
         world_.instance_tree.visit(ray_, nearest_.limit, [&](std::uint32_t instance) {
             ++cost_.nodes;
             const Ray local = world_.instance_tree.to_local(instance, ray_);
-            if (is_traceable(local)) search_mesh(world_.instance_tree.mesh(instance), local, instance);
+            if (is_traceable(local))
+                search_mesh(world_.instance_tree.mesh(instance), local,
+                            TriangleTester<Closest>(world_, local, nearest_, instance));
             return false;
         });
         return cost_;
@@ -41,8 +44,8 @@ class CountedSearch {
                  [&] { ++cost_.nodes; });
     }
 
-    void search_mesh(const MeshTree& tree, const Ray& ray, std::uint32_t instance) {
-        TriangleTester<Closest> test(world_, ray, nearest_, instance);
+    template <class Tester>
+    void search_mesh(const MeshTree& tree, const Ray& ray, Tester test) {
         const auto triangles = [&](LeafCode leaf) {
             cost_.shapes += leaf.triangles();
             return test.leaf(tree, leaf);

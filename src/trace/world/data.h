@@ -1,5 +1,6 @@
 #pragma once
-// Data of a World, and scalar traversal. Private to this room and to backends that build their own trees.
+// Data of a World, and scalar traversal. Private to this room, to backends that build their own trees, and to
+// what compares primitives (scene/contacts.cpp).
 
 #include "bvh/traverse.h"
 #include "bvh/tree.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace glint::trace {
@@ -58,7 +60,12 @@ struct Affine {
 struct SharedMesh {
     WorldInput::SharedMesh source;
     MeshTree tree;
+    double off_edges = edge_margin; ///< as in WorldData
 };
+
+/// How far rays start from the edges of a mesh's triangles, in errors of their start points: see "Away from
+/// edges" in geometry/surface.shared.h. The edges of large meshes are taken not to be sharp.
+double margin_off_edges(std::span<const vec3> positions, std::span<const uvec3> triangles);
 
 /// An instance of a shared mesh; WorldData::instance_tree has the inverse transform.
 struct InstanceData {
@@ -70,7 +77,8 @@ struct InstanceData {
 };
 
 struct WorldData {
-    MeshTree mesh_tree; ///< of all meshes that are not shared, with consecutive triangle indices
+    MeshTree mesh_tree; ///< of all meshes that are neither shared nor wide, with consecutive triangle indices
+    MeshTree wide_tree; ///< of the wide meshes, likewise
     Tree quadric_tree;
     std::vector<Quadric> quadrics; ///< in leaf order
     std::vector<PlanePrim> planes;
@@ -80,7 +88,9 @@ struct WorldData {
     std::vector<std::uint32_t> first_surface;
 
     std::vector<WorldInput::Triangles> meshes; ///< by object
-    std::vector<std::uint32_t> first_numbers;  ///< index of each mesh's first triangle
+    std::vector<std::uint32_t> first_numbers;  ///< index of each mesh's first triangle in mesh_tree
+    std::vector<std::uint32_t> wide_numbers;   ///< and in wide_tree
+    std::vector<double> off_edges;             ///< margin_off_edges() of each mesh
     std::vector<SharedMesh> shared_meshes;     ///< never reallocated: trees point into it
     std::vector<InstanceData> instances;       ///< by object
     InstanceTree instance_tree;                ///< of `instances`, in their order
@@ -99,8 +109,8 @@ inline bool intersect(const WorldData& world, const geometry::Line& line, const 
     return intersect(local, quadric.shape, span);
 }
 
-/// Bounds of all triangles. `slack` is the additional growth of the box test per unit of the origin's largest
-/// |coordinate|.
+/// Bounds of all triangles but wide ones. `slack` is the additional growth of the box test per unit of the
+/// origin's largest |coordinate|.
 struct TriangleBounds {
     Bounds box;
     float slack = 0;
@@ -112,13 +122,12 @@ inline TriangleBounds triangle_bounds(const WorldData& world) {
     return bounds;
 }
 
-/// The hit of a triangle given by its index in mesh_tree.
-inline Hit numbered_hit(const WorldData& world, std::uint32_t number, float t, float u, float v,
-                        bool on_edge) {
-    const auto above = std::upper_bound(world.first_numbers.begin(), world.first_numbers.end(), number);
-    const auto mesh = static_cast<std::size_t>(above - world.first_numbers.begin()) - 1;
-    return {t,      u, v, world.meshes[mesh].object, number - world.first_numbers[mesh], PrimKind::triangle,
-            on_edge};
+/// The hit of a triangle given by its index in mesh_tree or wide_tree, with the tree's `first_numbers`.
+inline Hit numbered_hit(const WorldData& world, const std::vector<std::uint32_t>& first_numbers,
+                        std::uint32_t number, float t, float u, float v, bool on_edge) {
+    const auto above = std::upper_bound(first_numbers.begin(), first_numbers.end(), number);
+    const auto mesh = static_cast<std::size_t>(above - first_numbers.begin()) - 1;
+    return {t, u, v, world.meshes[mesh].object, number - first_numbers[mesh], PrimKind::triangle, on_edge};
 }
 
 inline Hit instance_hit(const WorldData& world, std::uint32_t instance, std::uint32_t triangle, float t,
@@ -135,10 +144,15 @@ inline std::uint32_t instance_of(const WorldData& world, std::uint32_t object) {
     return static_cast<std::uint32_t>(at - world.instances.begin());
 }
 
-/// The triangles of an object that is not an instance.
+/// The index in `meshes` of an object that is not an instance.
+inline std::size_t mesh_number(const WorldData& world, std::uint32_t object) {
+    const auto at = std::lower_bound(world.meshes.begin(), world.meshes.end(), object,
+                                     [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
+    return static_cast<std::size_t>(at - world.meshes.begin());
+}
+
 inline const WorldInput::Triangles& mesh_of(const WorldData& world, std::uint32_t object) {
-    return *std::lower_bound(world.meshes.begin(), world.meshes.end(), object,
-                             [](const auto& mesh, std::uint32_t o) { return mesh.object < o; });
+    return world.meshes[mesh_number(world, object)];
 }
 
 inline geometry::TriangleVertices vertices_of(std::span<const vec3> positions, const uvec3& corners) {
@@ -189,12 +203,10 @@ inline geometry::Line exact_line(const Ray& ray) { return {dvec3(ray.origin), dv
 struct Closest {
     float limit;
     Hit best{};
-    bool positive = false;
 
-    bool add(const Hit& hit, bool facing) {
+    bool add(const Hit& hit) {
         if (precedes(hit, best)) {
             best = hit;
-            positive = facing;
             limit = hit.t;
         }
         return false;
@@ -202,9 +214,8 @@ struct Closest {
 };
 
 /// Tests triangles of an instance (with the ray in the mesh's space) or of mesh_tree, and passes hits to a
-/// sink. A sink has `limit`, the upper bound of t, and add(hit, positive), which returns true to end the
-/// search; `positive` is the facing of the triangle.
-template <class Sink>
+/// sink. A sink has `limit`, the upper bound of t, and add(hit), which returns true to end the search.
+template <class Sink, class Sheared = geometry::ShearedRay>
 class TriangleTester {
   public:
     TriangleTester(const WorldData& world, const Ray& ray, Sink& sink, std::uint32_t instance = invalid_index)
@@ -222,19 +233,29 @@ class TriangleTester {
     bool triangle(const geometry::TriangleVertices& vertices, std::uint32_t number) {
         TriangleHit hit;
         if (!geometry::intersect_triangle(sheared_, vertices, tmin_, sink_.limit, hit)) return false;
-        const Hit found = instance_ == invalid_index
-                              ? numbered_hit(world_, number, hit.t, hit.u, hit.v, hit.on_edge)
-                              : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
-        return sink_.add(found, hit.positive);
+        Hit found = instance_ == invalid_index
+                        ? numbered_hit(world_, first_numbers(), number, hit.t, hit.u, hit.v, hit.on_edge)
+                        : instance_hit(world_, instance_, number, hit.t, hit.u, hit.v, hit.on_edge);
+        found.positive = hit.positive;
+        return sink_.add(found);
     }
 
   private:
+    static constexpr bool wide = std::is_same_v<Sheared, geometry::DoubleShearedRay>;
+    const std::vector<std::uint32_t>& first_numbers() const {
+        return wide ? world_.wide_numbers : world_.first_numbers;
+    }
+
     const WorldData& world_;
-    geometry::ShearedRay sheared_;
+    Sheared sheared_;
     float tmin_;
     Sink& sink_;
     std::uint32_t instance_;
 };
+
+/// The same for wide_tree.
+template <class Sink>
+using WideTester = TriangleTester<Sink, geometry::DoubleShearedRay>;
 
 /// Tests planes and quadrics, and passes hits to a sink.
 template <class Sink>
@@ -268,7 +289,7 @@ class QuadricTester {
     bool root(double t, float which, std::uint32_t object, std::uint32_t prim, PrimKind kind) {
         const float rounded = static_cast<float>(t);
         if (!(t > tmin_ && rounded <= sink_.limit)) return false;
-        return sink_.add(Hit{rounded, which, 0.0f, object, prim, kind, false}, false);
+        return sink_.add(Hit{rounded, which, 0.0f, object, prim, kind});
     }
 
     const WorldData& world_;
@@ -293,9 +314,9 @@ bool trace_quadrics(const WorldData& world, const Ray& ray, float from, Sink& si
     return done;
 }
 
-/// Like trace_quadrics() for the triangles of a tree: mesh_tree, or that of an instance.
-template <class Sink>
-bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, TriangleTester<Sink> test) {
+/// Like trace_quadrics() for the triangles of a tree: mesh_tree, wide_tree, or that of an instance.
+template <class Sink, class Tester>
+bool trace_mesh(const MeshTree& tree, const Ray& ray, float from, Sink& sink, Tester test) {
     bool done = false;
     walk(tree, ray, from, sink.limit, [&](LeafCode leaf) { return done = test.leaf(tree, leaf); });
     return done;
@@ -319,6 +340,9 @@ bool trace_instances(const WorldData& world, const Ray& ray, float from, Sink& s
 template <class Sink>
 void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
     if (!is_traceable(ray) || trace_quadrics(world, ray, from, sink)) return;
+    if (!world.wide_tree.nodes.empty() &&
+        trace_mesh(world.wide_tree, ray, from, sink, WideTester<Sink>(world, ray, sink)))
+        return;
     if (trace_mesh(world.mesh_tree, ray, from, sink, TriangleTester<Sink>(world, ray, sink))) return;
     trace_instances(world, ray, from, sink);
 }
@@ -326,6 +350,11 @@ void trace(const WorldData& world, const Ray& ray, float from, Sink& sink) {
 /// Closest hit, or any hit, of planes and quadrics.
 Hit closest_surface(const WorldData& world, const Ray& ray);
 bool occluded_surface(const WorldData& world, const Ray& ray);
+
+/// Replaces `hit` by the closest hit of a wide mesh if that precedes it.
+void keep_closer_wide(const WorldData& world, const Ray& ray, Hit& hit);
+
+bool occluded_by_wide(const WorldData& world, const Ray& ray);
 
 /// Replaces `hit` by the result of a mesh kernel if that precedes it.
 void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit);
@@ -340,9 +369,14 @@ void trace_brute_force(const WorldData& world, const Ray& ray, Sink& sink) {
     if (quadrics.planes()) return;
     if (quadrics.quadrics(0, static_cast<std::uint32_t>(world.quadrics.size()))) return;
     TriangleTester<Sink> triangles(world, ray, sink);
-    for (std::size_t m = 0; m < world.meshes.size(); ++m)
-        for (std::uint32_t prim = 0; prim < world.meshes[m].triangles.size(); ++prim)
-            if (triangles.triangle(vertices_of(world.meshes[m], prim), world.first_numbers[m] + prim)) return;
+    WideTester<Sink> wide(world, ray, sink);
+    for (std::size_t m = 0; m < world.meshes.size(); ++m) {
+        const WorldInput::Triangles& mesh = world.meshes[m];
+        for (std::uint32_t prim = 0; prim < mesh.triangles.size(); ++prim)
+            if (mesh.wide ? wide.triangle(vertices_of(mesh, prim), world.wide_numbers[m] + prim)
+                          : triangles.triangle(vertices_of(mesh, prim), world.first_numbers[m] + prim))
+                return;
+    }
     for (std::uint32_t i = 0; i < world.instances.size(); ++i) {
         const Ray local = world.instance_tree.to_local(i, ray);
         if (!is_traceable(local)) continue;

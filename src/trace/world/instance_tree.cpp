@@ -10,6 +10,8 @@ namespace {
 
 constexpr double grown_by = 0x1p-20; ///< 16 u
 constexpr double max_condition = 0x1p20;
+/// Rays with coordinates up to 10^12 stay within the range of floats in the space of a mesh.
+constexpr double max_inverse = 0x1p80;
 
 float below(double x) {
     return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
@@ -103,8 +105,9 @@ InstanceTree::InstanceTree(std::span<const MeshInstance> instances, parallel::Ta
 }
 
 bool InstanceTree::accepts(const MeshInstance& instance) {
-    const double condition = condition_of(instance, inverted(instance.linear));
-    return is_valid(instance, condition) &&
+    const dmat3 inverse = inverted(instance.linear);
+    const double condition = condition_of(instance, inverse);
+    return is_valid(instance, condition) && norm(inverse) <= max_inverse &&
            (instance.mesh->bounds.empty() ||
             is_bounded(box_of(instance, {&instance.mesh->bounds, 1}, condition, 0)));
 }

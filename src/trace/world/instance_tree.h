@@ -44,7 +44,8 @@ class InstanceTree {
     /// singular (condition number above 2^20, about a million), or that exceeds the range of floats.
     InstanceTree(std::span<const MeshInstance> instances, parallel::TaskPool& pool);
 
-    /// Whether the constructor accepts the instance.
+    /// Whether the constructor accepts the instance, and it is not so small that rays of ordinary size leave
+    /// the range of floats in its space.
     static bool accepts(const MeshInstance& instance);
 
     /// Single-ray queries.

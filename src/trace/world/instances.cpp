@@ -27,6 +27,7 @@ WorldInput::Triangles baked(const WorldInput::SharedMesh& mesh, const WorldInput
         triangles.positions.push_back(vec3(dvec3(instance.world_from_mesh * dvec4(dvec3(p), 1.0))));
     triangles.triangles = *mesh.triangles;
     triangles.flip = instance.flip;
+    triangles.wide = instance.wide;
     return triangles;
 }
 
@@ -49,7 +50,8 @@ void add_instances(WorldData& world, WorldInput& input, parallel::TaskPool& pool
             throw std::invalid_argument("a shared mesh has no vertices or no triangles");
         check_corners(*mesh.positions, *mesh.triangles);
         MeshTree tree = build_mesh_tree(*mesh.positions, *mesh.triangles, pool, input.quality);
-        world.shared_meshes.push_back({std::move(mesh), std::move(tree)});
+        const double off_edges = margin_off_edges(*mesh.positions, *mesh.triangles);
+        world.shared_meshes.push_back({std::move(mesh), std::move(tree), off_edges});
     }
     std::sort(input.instances.begin(), input.instances.end(),
               [](auto& a, auto& b) { return a.object < b.object; });
@@ -58,7 +60,7 @@ void add_instances(WorldData& world, WorldInput& input, parallel::TaskPool& pool
         if (instance.mesh >= world.shared_meshes.size())
             throw std::invalid_argument("an instance refers to a mesh that does not exist");
         const MeshInstance at = inner(world, instance);
-        if (!InstanceTree::accepts(at)) {
+        if (instance.wide || !InstanceTree::accepts(at)) {
             input.meshes.push_back(baked(world.shared_meshes[instance.mesh].source, instance));
             continue;
         }

@@ -5,7 +5,6 @@
 #include "trace/world/data.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace glint::trace {
 
@@ -17,9 +16,9 @@ struct ClosestAfter {
     float limit;
     Closest closest{limit};
 
-    bool add(const Hit& hit, bool facing) {
+    bool add(const Hit& hit) {
         if (!precedes(previous, hit)) return false;
-        closest.add(hit, facing);
+        closest.add(hit);
         limit = closest.limit;
         return false;
     }
@@ -30,23 +29,19 @@ struct Any {
     float limit;
     bool found = false;
 
-    bool add(const Hit&, bool) { return found = true; }
+    bool add(const Hit&) { return found = true; }
 };
 
-/// A hit and its facing.
-struct FacedHit {
-    Hit hit;
-    bool positive;
-};
-
-/// Sink that keeps all hits.
+/// Sink that keeps all hits, up to one that ends the search.
 struct All {
     float limit;
-    std::vector<FacedHit> hits{};
+    std::vector<Hit>& hits;
+    const EndsSearch& ends;
+    bool ended = false;
 
-    bool add(const Hit& hit, bool positive) {
-        hits.push_back({hit, positive});
-        return false;
+    bool add(const Hit& hit) {
+        hits.push_back(hit);
+        return ended = ends && ends(hit);
     }
 };
 
@@ -54,10 +49,10 @@ struct All {
 float lowest_same(float t) { return t - std::abs(t) * 0x1p-18f; }
 
 /// Whether `later` repeats `earlier` in the adjacent triangle across an edge or a vertex.
-bool same_crossing(const FacedHit& earlier, const FacedHit& later) {
-    return earlier.hit.on_edge && later.hit.on_edge && earlier.hit.object == later.hit.object &&
-           earlier.positive == later.positive && earlier.hit.t >= lowest_same(later.hit.t) &&
-           precedes(earlier.hit, later.hit);
+bool same_crossing(const Hit& earlier, const Hit& later) {
+    return earlier.on_edge && later.on_edge && earlier.object == later.object &&
+           earlier.positive == later.positive && earlier.t >= lowest_same(later.t) &&
+           precedes(earlier, later);
 }
 
 /// Whether two hits are of the same triangle, found in different leaves.
@@ -66,13 +61,49 @@ bool same_hit(const Hit& a, const Hit& b) {
            a.object == b.object && a.prim == b.prim;
 }
 
+/// Whether hit i of a sorted list repeats one before it.
+bool repeats_earlier(const std::vector<Hit>& hits, std::size_t i) {
+    if (i > 0 && same_hit(hits[i - 1], hits[i])) return true;
+    if (!hits[i].on_edge) return false;
+    for (std::size_t k = i; k-- > 0 && hits[k].t >= lowest_same(hits[i].t);)
+        if (same_crossing(hits[k], hits[i])) return true;
+    return false;
+}
+
+/// Sink that keeps the first hit of each facing among those of one object at one t.
+struct FirstOfFacing {
+    const Hit& at;
+    float limit = at.t;
+    Hit of_facing[2]{};
+
+    bool add(const Hit& hit) {
+        Hit& first = of_facing[hit.positive ? 1 : 0];
+        if (hit.object == at.object && hit.t == at.t && (!first || precedes(hit, first))) first = hit;
+        return false;
+    }
+};
+
+/// Sink that keeps the closest hit of an object.
+struct ClosestOf {
+    std::uint32_t object;
+    float limit;
+    Closest closest{limit};
+
+    bool add(const Hit& hit) {
+        if (hit.object != object) return false;
+        closest.add(hit);
+        limit = closest.limit;
+        return false;
+    }
+};
+
 /// Sink that checks whether a hit was already reported by an earlier one.
 struct Repeated {
-    const FacedHit& later;
-    float limit = later.hit.t;
+    const Hit& later;
+    float limit = later.t;
     bool found = false;
 
-    bool add(const Hit& hit, bool positive) { return found = same_crossing({hit, positive}, later); }
+    bool add(const Hit& hit) { return found = same_crossing(hit, later); }
 };
 
 /// Kernels do not report hits on edges; only hits with a weight of (nearly) 0 can be on one.
@@ -107,8 +138,22 @@ bool occluded_surface(const WorldData& world, const Ray& ray) {
     return trace_quadrics(world, ray, ray.tmin, sink);
 }
 
+void keep_closer_wide(const WorldData& world, const Ray& ray, Hit& hit) {
+    if (world.wide_tree.nodes.empty() || !is_traceable(ray)) return;
+    Closest sink{std::min(hit.t, limit_below(ray.tmax)), hit};
+    trace_mesh(world.wide_tree, ray, ray.tmin, sink, WideTester<Closest>(world, ray, sink));
+    hit = sink.best;
+}
+
+bool occluded_by_wide(const WorldData& world, const Ray& ray) {
+    if (world.wide_tree.nodes.empty() || !is_traceable(ray)) return false;
+    Any sink{limit_below(ray.tmax)};
+    return trace_mesh(world.wide_tree, ray, ray.tmin, sink, WideTester<Any>(world, ray, sink));
+}
+
 void keep_closer(const WorldData& world, const Ray& ray, const TriangleRecord& record, Hit& hit) {
-    const Hit triangle = numbered_hit(world, record.triangle, record.t, record.u, record.v, false);
+    const Hit triangle =
+        numbered_hit(world, world.first_numbers, record.triangle, record.t, record.u, record.v, false);
     if (!precedes(triangle, hit)) return;
     hit = triangle;
     if (may_be_on_edge(hit))
@@ -127,6 +172,7 @@ void keep_closer(const WorldData& world, const Ray& ray, const InstanceRecord& r
 
 Hit World::closest(const Ray& ray, const KernelChoice& choice) const {
     Hit hit = closest_surface(*data_, ray);
+    keep_closer_wide(*data_, ray, hit);
     Ray limited = ray;
     if (hit) limited.tmax = next_float(hit.t, 1.0f);
     const TriangleRecord record = trace::closest(data_->mesh_tree, limited, choice);
@@ -145,8 +191,8 @@ Hit World::closest_brute_force(const Ray& ray) const {
 }
 
 bool World::occluded(const Ray& ray, const KernelChoice& choice) const {
-    return occluded_surface(*data_, ray) || trace::occluded(data_->mesh_tree, ray, choice) ||
-           data_->instance_tree.occluded(ray, choice);
+    return occluded_surface(*data_, ray) || occluded_by_wide(*data_, ray) ||
+           trace::occluded(data_->mesh_tree, ray, choice) || data_->instance_tree.occluded(ray, choice);
 }
 
 bool World::occluded_brute_force(const Ray& ray) const {
@@ -161,29 +207,25 @@ Hit World::next(const Ray& ray, const Hit& previous) const {
     for (;;) {
         ClosestAfter sink{last, limit_below(ray.tmax)};
         trace(*data_, ray, std::max(ray.tmin, last.t), sink);
-        const FacedHit found{sink.closest.best, sink.closest.positive};
-        if (!found.hit || !found.hit.on_edge) return found.hit;
+        const Hit& found = sink.closest.best;
+        if (!found || !found.on_edge) return found;
         Repeated repeated{found};
-        trace(*data_, ray, std::max(ray.tmin, lowest_same(found.hit.t)), repeated);
-        if (!repeated.found) return found.hit;
-        last = found.hit;
+        trace(*data_, ray, std::max(ray.tmin, lowest_same(found.t)), repeated);
+        if (!repeated.found) return found;
+        last = found;
     }
 }
 
-void World::all_hits(const Ray& ray, std::vector<Hit>& out) const {
+bool World::all_hits(const Ray& ray, std::vector<Hit>& out, const EndsSearch& ends) const {
     out.clear();
-    All sink{limit_below(ray.tmax)};
+    All sink{limit_below(ray.tmax), out, ends};
     trace(*data_, ray, ray.tmin, sink);
-    std::sort(sink.hits.begin(), sink.hits.end(),
-              [](const FacedHit& a, const FacedHit& b) { return precedes(a.hit, b.hit); });
-    for (auto hit = sink.hits.begin(); hit != sink.hits.end(); ++hit) {
-        bool repeated = hit != sink.hits.begin() && same_hit(std::prev(hit)->hit, hit->hit);
-        for (auto earlier = hit; hit->hit.on_edge && !repeated && earlier-- != sink.hits.begin();) {
-            if (earlier->hit.t < lowest_same(hit->hit.t)) break;
-            repeated = same_crossing(*earlier, *hit);
-        }
-        if (!repeated) out.push_back(hit->hit);
-    }
+    if (sink.ended) return false;
+    std::sort(out.begin(), out.end(), precedes);
+    // From the last on, so that each is compared with all before it.
+    for (std::size_t i = out.size(); i-- > 0;)
+        if (repeats_earlier(out, i)) out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
+    return true;
 }
 
 // ── From a hit back to the surface: computed in double, rounded once
@@ -199,17 +241,46 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
     const double v = hit.v;
     const std::uint32_t instance = instance_of(world, hit.object);
     if (instance == invalid_index) {
-        const WorldInput::Triangles& mesh = mesh_of(world, hit.object);
+        const std::size_t number = mesh_number(world, hit.object);
+        const WorldInput::Triangles& mesh = world.meshes[number];
         const geometry::TriangleVertices at = vertices_of(mesh, hit.prim);
-        return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(ray.direction),
+        const double off_edges = world.off_edges[number];
+        const geometry::Line line = exact_line(ray);
+        if (mesh.wide)
+            return wide_triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2),
+                                         line.origin + line.direction * double(hit.t), off_edges,
+                                         line.direction, mesh.flip);
+        return triangle_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, off_edges, line.direction,
                                 mesh.flip);
     }
     const InstanceData& data = world.instances[instance];
     const geometry::TriangleVertices at = vertices_of(world, data, hit.prim);
     const Ray local = world.instance_tree.to_local(instance, ray);
-    return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v, dvec3(local.direction),
-                            data.linear, world.instance_tree.inverse(instance),
-                            world.instance_tree.translation(instance), data.slack, data.turned);
+    return instance_surface(corner(at, 0), corner(at, 1), corner(at, 2), u, v,
+                            world.shared_meshes[data.mesh].off_edges, dvec3(local.direction), data.linear,
+                            world.instance_tree.inverse(instance), world.instance_tree.translation(instance),
+                            data.slack, data.turned);
+}
+
+/// Far enough from edges for a neighbour not to be hit at the same t.
+constexpr float off_edge_weight = 0x1p-10f;
+
+/// The hit whose face a ray meets. Where it touches an edge of a mesh's outline, it meets a face from before
+/// and one from behind at the same t, and `hit` is the one of the lower number. Of a closed mesh the right one
+/// is that which faces the other way than what the ray would have met last on its way to its origin.
+Hit hit_at_outline(const WorldData& world, const Ray& ray, const Hit& hit) {
+    if (std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) > off_edge_weight) return hit;
+    FirstOfFacing touched{hit};
+    trace(world, ray, hit.t, touched);
+    const auto& [negative, positive] = touched.of_facing;
+    if (!negative || !positive) return hit;
+    Ray back = ray;
+    back.tmin = 0;
+    back.direction = -ray.direction;
+    ClosestOf behind{hit.object, limit_below(std::numeric_limits<float>::infinity())};
+    trace(world, back, back.tmin, behind);
+    if (behind.closest.best) return behind.closest.best.positive ? negative : positive;
+    return glm::dot(triangle_point(world, ray, positive).n, ray.direction) < 0 ? positive : negative;
 }
 
 SurfacePoint quadric_point(const WorldData& world, const Ray& ray, const Hit& hit) {
@@ -234,7 +305,7 @@ SurfacePoint plane_point(const WorldData& world, const Ray& ray, const Hit& hit)
 SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
     switch (hit.kind) {
     case PrimKind::triangle:
-        return triangle_point(*data_, ray, hit);
+        return triangle_point(*data_, ray, hit_at_outline(*data_, ray, hit));
     case PrimKind::quadric:
         return quadric_point(*data_, ray, hit);
     case PrimKind::plane:
@@ -247,6 +318,7 @@ SurfacePoint World::surface(const Ray& ray, const Hit& hit) const {
 
 Bounds World::bounds() const {
     Bounds box = triangle_bounds(*data_).box;
+    box.grow(data_->wide_tree.bounds);
     box.grow(data_->quadric_tree.bounds);
     return box;
 }

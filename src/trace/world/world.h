@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,10 +32,14 @@ struct Hit {
     std::uint32_t object = invalid_index;
     std::uint32_t prim = 0; ///< primitive index within its object, in file order
     PrimKind kind = PrimKind::none;
-    bool on_edge = false; ///< triangle: hit exactly on an edge or a vertex
+    bool on_edge = false;  ///< triangle: hit exactly on an edge or a vertex
+    bool positive = false; ///< triangle: met on its positive side. Set only by next() and all_hits()
 
     explicit operator bool() const { return kind != PrimKind::none; }
 };
+
+/// True for a hit after which no other need be found. Hits are asked about in no order.
+using EndsSearch = std::function<bool(const Hit&)>;
 
 /// Order of hits by (t, object, prim); at equal t a quadric is entered before it is left.
 bool precedes(const Hit& a, const Hit& b);
@@ -59,6 +64,7 @@ struct WorldInput {
         std::vector<vec3> positions; ///< world space
         std::vector<uvec3> triangles;
         bool flip = false; ///< turn the normals against the winding
+        bool wide = false; ///< trace these in double, and slower: see geometry/triangle.h
     };
     /// A mesh in local space, stored once for any number of instances.
     struct SharedMesh {
@@ -70,6 +76,7 @@ struct WorldInput {
         std::uint32_t mesh = 0;     ///< index into `shared_meshes`
         dmat4 world_from_mesh{1.0}; ///< affine and regular
         bool flip = false;          ///< normals are opposite to the winding in world space
+        bool wide = false;          ///< bake it into world space, as a wide mesh
     };
     struct Quadric {
         std::uint32_t object = 0;
@@ -134,8 +141,9 @@ class World {
     /// 1 for each ray that hits something, otherwise 0; both spans must have equal length.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked, RayHint hint, Scratch& scratch,
                   const KernelChoice& choice = {}) const;
-    /// All hits with tmin < t < tmax in order; those on a shared edge of a mesh once.
-    void all_hits(const Ray& ray, std::vector<Hit>& out) const;
+    /// All hits with tmin < t < tmax in order; those on a shared edge of a mesh once. False, with nothing of
+    /// use in `out`, if one of them ends the search.
+    bool all_hits(const Ray& ray, std::vector<Hit>& out, const EndsSearch& ends = {}) const;
     /// closest() by testing every primitive: the reference for the trees.
     Hit closest_brute_force(const Ray& ray) const;
     bool occluded_brute_force(const Ray& ray) const;
