@@ -49,7 +49,8 @@ TEST_F(Interrupt, BeforeTheFirstTileIsDone) {
 TEST_F(Interrupt, KeepsAPartWhenAsked) {
     const Outcome outcome = stopped("long.toml -o part.pfm --keep-partial --stats part.json", SIGINT);
     EXPECT_EQ(outcome.exit, 130) << outcome.err;
-    EXPECT_NE(outcome.err.find("\"output\":\"part.pfm\",\"complete\":false"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"output\":\"part.pfm\",\"complete\":false"), std::string::npos)
+        << outcome.err;
     EXPECT_NE(content("part.json").find("\"complete\": false"), std::string::npos);
     // A picture like any other: it equals itself.
     const Outcome same = glint("diff part.pfm part.pfm");

@@ -38,8 +38,9 @@ TEST(GpuProgressive, RefusesAdaptiveSamples) {
     SceneDescription scene = exhibit("mirrors", 1);
     scene.render.max_spp = 8;
     GpuProgressive progressive;
-    EXPECT_NE(refusal([&] { progressive.start(build_scene(scene)); })
-                  .find("progressive pictures on graphics cards have no adaptive samples"),
+    EXPECT_NE(refusal([&] {
+                  progressive.start(build_scene(scene));
+              }).find("progressive pictures on graphics cards have no adaptive samples"),
               std::string::npos);
 }
 

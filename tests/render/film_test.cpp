@@ -223,7 +223,8 @@ TEST(Film, TakesNoMemoryForWhatOnlyItsHeaderClaims) {
 }
 
 TEST(Film, DamageIsFoundWhereverItIs) {
-    const std::vector<std::byte> sound = film_of(exhibit_scene(4), in_tiles(8), {{1, false, 0, 2}}, {0, 2}).save();
+    const std::vector<std::byte> sound =
+        film_of(exhibit_scene(4), in_tiles(8), {{1, false, 0, 2}}, {0, 2}).save();
     EXPECT_NO_THROW(Film::load(sound));
     for (std::size_t at = 0; at < sound.size(); at += 1 + at / 16) {
         std::vector<std::byte> damaged = sound;

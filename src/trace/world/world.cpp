@@ -266,8 +266,8 @@ SurfacePoint triangle_point(const WorldData& world, const Ray& ray, const Hit& h
 constexpr float off_edge_weight = 0x1p-10f;
 
 /// The hit whose face a ray meets. Where it touches an edge of a mesh's outline, it meets a face from before
-/// and one from behind at the same t, and `hit` is the one of the lower number. Of a closed mesh the right one
-/// is that which faces the other way than what the ray would have met last on its way to its origin.
+/// and one from behind at the same t, and `hit` is the one of the lower number. Of a closed mesh the right
+/// one is that which faces the other way than what the ray would have met last on its way to its origin.
 Hit hit_at_outline(const WorldData& world, const Ray& ray, const Hit& hit) {
     if (std::min({hit.u, hit.v, 1.0f - hit.u - hit.v}) > off_edge_weight) return hit;
     FirstOfFacing touched{hit};
