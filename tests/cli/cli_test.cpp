@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace glint::test {
 namespace fs = std::filesystem;
@@ -68,9 +67,6 @@ end_header
 } // namespace
 
 CliTest::CliTest() {
-    std::string name = (fs::temp_directory_path() / "glint-test-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    folder_ = name;
     write("good.toml", scene);
     write("dark.toml", dark);
     write("bad.toml", bad);
@@ -79,32 +75,23 @@ CliTest::CliTest() {
     write("long.toml", slow);
     write("mesh.ply", tetrahedron);
     write("garbage.png", "not a picture");
-    fs::create_directory(folder_ / "empty");
-}
-
-CliTest::~CliTest() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    fs::create_directory(path("empty"));
 }
 
 Outcome CliTest::glint(const std::string& line, Setting setting) const {
-    setting.folder = folder_.string();
+    setting.folder = folder_.path().string();
     return run_glint(words_of(line), setting);
 }
 
 std::string CliTest::content(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
+    std::ifstream file(path(name), std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
 }
 
-void CliTest::write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-}
-
 void CliTest::write_pfm(const std::string& name, int width, int height, float value) const {
-    std::ofstream file(folder_ / name, std::ios::binary);
+    std::ofstream file(path(name), std::ios::binary);
     file << "PF\n" << width << " " << height << "\n-1.0\n";
     for (int i = 0; i < width * height * 3; ++i)
         file.write(reinterpret_cast<const char*>(&value), sizeof value);
@@ -112,7 +99,7 @@ void CliTest::write_pfm(const std::string& name, int width, int height, float va
 
 std::string CliTest::listing() const {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_))
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
         names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     std::string text;

@@ -1,6 +1,7 @@
 #pragma once
 // A folder with a few small inputs, in which glint runs.
 
+#include "../kit/temporary_folder.h"
 #include "process.h"
 
 #include <gtest/gtest.h>
@@ -16,15 +17,14 @@ namespace glint::test {
 class CliTest : public testing::Test {
   public:
     CliTest();
-    ~CliTest() override;
 
     /// Runs `glint LINE`, split at blanks.
     Outcome glint(const std::string& line, Setting setting = {}) const;
 
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+    std::string path(const std::string& name) const { return folder_.at(name); }
+    bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
     std::string content(const std::string& name) const;
-    void write(const std::string& name, const std::string& text) const;
+    void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
     /// A float picture, every value of it the same.
     void write_pfm(const std::string& name, int width, int height, float value) const;
     /// Every file in the folder, sorted, joined by blanks.
@@ -36,7 +36,7 @@ class CliTest : public testing::Test {
     bool has_device(const Setting& setting = {}) const;
 
   private:
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 /// Does a sanitizer look on, which has an allocator of its own and takes terabytes of addresses?

@@ -2,38 +2,30 @@
 
 #include "gpu/program.h"
 
+#include "../kit/temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 namespace glint::gpu {
 namespace {
-
-namespace fs = std::filesystem;
 
 class GpuShaders : public testing::Test {
   protected:
     void SetUp() override {
         if (std::system("command -v glslangValidator >/dev/null") != 0)
             GTEST_SKIP() << "glslangValidator is not installed (Debian: glslang-tools)";
-        std::string name = (fs::temp_directory_path() / "glint-shaders-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-        folder_ = name;
-    }
-    void TearDown() override {
-        if (!folder_.empty()) fs::remove_all(folder_);
     }
 
     /// What the compiler says against it.
     std::string complaint(const std::string& source) const {
-        std::ofstream(folder_ / "shader.comp") << source;
+        folder_.write("shader.comp", source);
         const std::string command =
-            "cd '" + folder_.string() + "' && glslangValidator -V -o shader.spv shader.comp 2>&1";
+            "cd '" + folder_.path().string() + "' && glslangValidator -V -o shader.spv shader.comp 2>&1";
         FILE* said = popen(command.c_str(), "r");
         if (said == nullptr) throw std::runtime_error("no process can be started");
         std::string text;
@@ -44,7 +36,7 @@ class GpuShaders : public testing::Test {
     }
 
   private:
-    fs::path folder_;
+    const test::TemporaryFolder folder_;
 };
 
 /// All that is ever compiled, but for the size of stacks.

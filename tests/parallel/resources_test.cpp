@@ -2,47 +2,37 @@
 
 #include "parallel/resources.h"
 
+#include "../kit/temporary_folder.h"
+
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <stdlib.h>
+#include <limits>
 
 namespace glint::parallel {
 namespace {
 
-namespace fs = std::filesystem;
-
 class GroupFolders : public testing::Test {
-  public:
-    GroupFolders() {
-        std::string name = (fs::temp_directory_path() / "glint-test-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        root = name;
-    }
-    ~GroupFolders() override { fs::remove_all(root); }
-
+  protected:
     void write(const std::string& name, const std::string& text) const {
-        const fs::path path = root + name;
-        fs::create_directories(path.parent_path());
-        std::ofstream(path) << text;
+        folder_.write(name.substr(1), text);
     }
+    GroupLimits limits() const { return group_limits(folder_.path().string()); }
 
-    std::string root;
+  private:
+    const test::TemporaryFolder folder_;
 };
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST_F(GroupFolders, OfVersion2SayTheLeastLimitOfAllGroupsAbove) {
-    write("/proc/self/cgroup", "0::/farm/job/step\n");
-    write("/sys/fs/cgroup/farm/memory.max", "4000000\n");
-    write("/sys/fs/cgroup/farm/cpu.max", "150000 100000\n");
-    write("/sys/fs/cgroup/farm/job/memory.max", "300000000\n");
-    write("/sys/fs/cgroup/farm/job/step/memory.max", "max\n");
-    write("/sys/fs/cgroup/farm/job/step/cpu.max", "max 100000\n");
-    EXPECT_EQ(group_limits(root).memory, 4e6);
-    EXPECT_EQ(group_limits(root).processors, 1.5);
+    write("/proc/self/cgroup", "0::/batch/job/step\n");
+    write("/sys/fs/cgroup/batch/memory.max", "4000000\n");
+    write("/sys/fs/cgroup/batch/cpu.max", "150000 100000\n");
+    write("/sys/fs/cgroup/batch/job/memory.max", "300000000\n");
+    write("/sys/fs/cgroup/batch/job/step/memory.max", "max\n");
+    write("/sys/fs/cgroup/batch/job/step/cpu.max", "max 100000\n");
+    EXPECT_EQ(limits().memory, 4e6);
+    EXPECT_EQ(limits().processors, 1.5);
 }
 
 TEST_F(GroupFolders, OfVersion1AreOneForEachController) {
@@ -53,25 +43,25 @@ TEST_F(GroupFolders, OfVersion1AreOneForEachController) {
     write("/sys/fs/cgroup/cpu,cpuacct/job/cpu.cfs_period_us", "100000\n");
     write("/sys/fs/cgroup/cpu,cpuacct/cpu.cfs_quota_us", "-1\n");
     write("/sys/fs/cgroup/cpu,cpuacct/cpu.cfs_period_us", "100000\n");
-    EXPECT_EQ(group_limits(root).memory, 314572800);
-    EXPECT_EQ(group_limits(root).processors, 2);
+    EXPECT_EQ(limits().memory, 314572800);
+    EXPECT_EQ(limits().processors, 2);
 }
 
 TEST_F(GroupFolders, OfAContainerAreTheRootWhereThePathIsThatOutside) {
     write("/proc/self/cgroup", "0::/docker/0123\n");
     write("/sys/fs/cgroup/memory.max", "300000000\n");
     write("/sys/fs/cgroup/cpu.max", "50000 100000\n");
-    EXPECT_EQ(group_limits(root).memory, 3e8);
-    EXPECT_EQ(group_limits(root).processors, 0.5);
+    EXPECT_EQ(limits().memory, 3e8);
+    EXPECT_EQ(limits().processors, 0.5);
 }
 
 TEST_F(GroupFolders, WithoutLimitsSayNone) {
-    EXPECT_EQ(group_limits(root).memory, infinity);
+    EXPECT_EQ(limits().memory, infinity);
     write("/proc/self/cgroup", "nonsense\n0::\n:::\n0::/a\n");
     write("/sys/fs/cgroup/a/cpu.max", "0 0\n");
     write("/sys/fs/cgroup/a/memory.max", "");
-    EXPECT_EQ(group_limits(root).memory, infinity);
-    EXPECT_EQ(group_limits(root).processors, infinity);
+    EXPECT_EQ(limits().memory, infinity);
+    EXPECT_EQ(limits().processors, infinity);
 }
 
 TEST(Memory, OfThisProcessIsSomeOfTheMachines) {
