@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
 
 namespace glint::rendering {
@@ -130,16 +131,21 @@ TEST(Cancel, ACoarsePictureFirstChangesNoFinishedPicture) {
 }
 
 TEST(Cancel, ReachesIntoARayTreeThatWouldNeverEnd) {
-    // Facing half mirrors of glass: each bounce has two branches, 2^1000 rays in all.
+    // Facing half mirrors of glass: each bounce has two branches, 2^1000 rays in all, and none of
+    // them is dropped for its small weight.
     Material m = glass(1, 0.5);
     m.reflectivity = 0.5;
     SceneDescription scene = empty_scene(Vec3(0, 0.5, 0), Vec3(0, 1, 0), 2);
     scene.whitted.max_depth = 1000;
+    scene.whitted.min_weight = 0;
     for (int i = 0; i < 40; ++i) add(scene, PlaneShape{Vec3(0, 1, 0), i * 1.0}, m);
     CancelFlag cancel{false};
+    std::atomic<bool> started{false};
     RenderOptions options;
     options.cancel = &cancel;
+    options.progress = [&](const Progress&) { started = true; };
     std::thread stopper([&] {
+        while (!started) std::this_thread::yield();
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         cancel = true;
     });
