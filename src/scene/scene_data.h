@@ -75,8 +75,9 @@ struct SceneData {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
-    bool any_contact = false;  ///< some object has a contact zone
-    bool solids_known = false; ///< ObjectData::solid is valid for meshes too
+    bool any_front_emission = false; ///< some material emits from its front alone
+    bool any_contact = false;        ///< some object has a contact zone
+    bool solids_known = false;       ///< ObjectData::solid is valid for meshes too
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first
 };
