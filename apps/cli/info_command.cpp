@@ -72,7 +72,7 @@ std::string properties(const Material& material) {
         const KeyValue value = key.get(KeyOwner(material));
         if (std::holds_alternative<std::monostate>(value)) continue;
         const bool tells = key.key == "color" || (key.key == "index" && is_transparent(material));
-        if (!tells && value == key.initial()) continue;
+        if (!tells && key.initial && value == key.initial()) continue;
         text += (text.empty() ? "" : ", ") + std::string(key.key);
         if (key.type != KeyType::boolean) text += " " + shown(key, value);
     }

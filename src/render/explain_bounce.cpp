@@ -135,7 +135,8 @@ class BounceSteps {
     static Step weighted(Step s, const std::string& tint_symbol, const vec3& tint) {
         if (tint == vec3(1.0f)) return s;
         s.result = tint * s.result.value.x;
-        s.formula = tint_symbol + " · (" + s.formula + ")";
+        const bool is_sum = s.formula.find(' ') != std::string::npos;
+        s.formula = tint_symbol + " · " + (is_sum ? "(" + s.formula + ")" : s.formula);
         return s;
     }
 
