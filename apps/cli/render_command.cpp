@@ -34,9 +34,8 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     options.bits = request.bits;
     options.alpha = std::move(picture.coverage);
     if (request.render.terms)
-        for (int i = 0; i < term_count; ++i)
-            options.layers.push_back(
-                {term_name(static_cast<Term>(i)), std::move(picture.terms[std::size_t(i)])});
+        for (std::size_t i = 0; const std::string& name : term_names(scene.render_settings().integrator))
+            options.layers.push_back({name, std::move(picture.terms[i++])});
     options.metadata = picture_settings(scene);
     if (request.render.show != Aov::final)
         options.metadata.emplace_back("glint.show", aov_name(request.render.show));
@@ -48,6 +47,8 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
     }
+    if (picture.stats.clamped_light > 0)
+        options.metadata.emplace_back("glint.clamped", fmt::format("{:.2g}", clamped_share(picture.stats)));
     // The last bits depend on the rounding of the graphics card.
     if (!record.device.empty()) options.metadata.emplace_back("glint.device", record.device);
     options.metadata.emplace_back("glint.hash", record.hash);
@@ -69,9 +70,13 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
     const std::string partial =
         picture.complete ? "" : fmt::format("stopped early with {:.0f} % done, ", record.fraction * 100);
     const std::string device = record.device.empty() ? "" : "on " + record.device + ", ";
-    return fmt::format("{}: {}{}×{}, {}, {}, {}{}, {}, hash {}", shown_name(record.output), partial,
+    const std::string clamped =
+        picture.stats.clamped_light > 0
+            ? fmt::format("{:.2g} % of the light clamped, ", 100 * clamped_share(picture.stats))
+            : "";
+    return fmt::format("{}: {}{}×{}, {}, {}, {}{}{}, {}, hash {}", shown_name(record.output), partial,
                        picture.image.width, picture.image.height,
-                       samples_text(scene.render_settings(), picture), size, device,
+                       samples_text(scene.render_settings(), picture), size, clamped, device,
                        duration(picture.stats.wall_seconds),
                        ray_rate(picture.stats.rays(), picture.stats.wall_seconds), record.hash);
 }

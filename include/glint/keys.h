@@ -149,6 +149,7 @@ template <class Description, class Use>
 void for_settings(Description& description, const Use& use) {
     use("render", description.render);
     use("whitted", description.whitted);
+    use("path", description.path);
     use("ambient_occlusion", description.ambient_occlusion);
 }
 

@@ -54,10 +54,16 @@ struct CameraDescription {
     Location where;
 };
 
-enum class Integrator { whitted, ambient_occlusion };
+enum class Integrator { whitted, path, path_simple, direct, ambient_occlusion };
 template <>
-inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>{"whitted",
-                                                                                 "ambient-occlusion"};
+inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>{
+    "whitted", "path", "path-simple", "direct", "ambient-occlusion"};
+
+/// Whether it estimates all light by paths, in the units of light that they share.
+constexpr bool traces_paths(Integrator integrator) {
+    return integrator == Integrator::path || integrator == Integrator::path_simple ||
+           integrator == Integrator::direct;
+}
 
 struct RenderSettings {
     int width = 640;
@@ -89,6 +95,28 @@ struct WhittedSettings {
     bool energy_chosen = false; ///< written down: materials that give more light than they get are meant
     HighlightModel highlight_model = HighlightModel::blinn;
     double index = 1.0; ///< index of refraction of the surroundings
+};
+
+enum class LightSampling { uniform, power, tree };
+template <>
+inline constexpr NamesUpTo<LightSampling::tree> enum_names<LightSampling>{"uniform", "power", "tree"};
+/// What shadow rays of paths pass, beside thin panes.
+enum class PathShadows {
+    exact,       ///< nothing: light through solid glass arrives by paths
+    transmissive ///< solid glass, unbent, as in Whitted's model
+};
+template <>
+inline constexpr NamesUpTo<PathShadows::transmissive> enum_names<PathShadows>{"exact", "transmissive"};
+
+/// Bounces are counted after the first hit. Those by mirrors and smooth glass are specular, all others
+/// diffuse; going straight through a thin pane is neither.
+struct PathSettings {
+    int max_depth = 32;
+    int max_diffuse_bounces = 1000; ///< beside max_depth
+    int roulette_depth = 4;         ///< the first bounce that may end a path for its small weight
+    LightSampling light_sampling = LightSampling::tree;
+    double clamp_indirect = 0; ///< largest radiance of a sample's indirect light; 0: as it is
+    PathShadows shadows = PathShadows::exact;
 };
 
 struct AmbientOcclusionSettings {
@@ -289,6 +317,7 @@ struct SceneDescription {
     Framing framing;
     RenderSettings render;
     WhittedSettings whitted;
+    PathSettings path;
     AmbientOcclusionSettings ambient_occlusion;
     std::vector<Material> materials;
     std::vector<Object> objects;

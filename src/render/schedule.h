@@ -24,6 +24,8 @@ inline void add_rays(const RayCounts& rays, RenderStats& stats) {
     stats.refracted_rays += rays.refracted;
     stats.shadow_rays += rays.shadow;
     stats.left_out_rays += rays.left_out;
+    stats.light += rays.light;
+    stats.clamped_light += rays.clamped;
 }
 
 inline bool is_cancelled(const CancelFlag* cancel) {

@@ -5,6 +5,7 @@
 #include "geometry/surface.shared.h"
 #include "glint/scene.h"
 #include "math/vec.h"
+#include "scene/light_set.h"
 #include "shading/records.shared.h"
 #include "trace/world/world.h"
 
@@ -71,9 +72,10 @@ struct SceneData {
     std::vector<MaterialRecord> materials;
     std::vector<ObjectData> objects;
     std::vector<MeshAttributes> attributes;
-    std::vector<dmat3> normal_matrices; ///< of instances, from the mesh's space to the world
-    std::vector<LightRecord> lights;    ///< lights except ambient ones, in file order
-    vec3 ambient{0.0f};                 ///< sum of the ambient lights
+    std::vector<dmat3> normal_matrices;        ///< of instances, from the mesh's space to the world
+    std::vector<LightRecord> lights;           ///< lights except ambient ones, in file order
+    std::shared_ptr<const LightSet> light_set; ///< what path tracers sample; null for other integrators
+    vec3 ambient{0.0f};                        ///< sum of the ambient lights
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;

@@ -103,6 +103,39 @@ TableSpec whitted_table() {
         }};
 }
 
+TableSpec path_table() {
+    using P = PathSettings;
+    return {
+        .name = "path",
+        .help = "All of light, by paths: integrators `\"path\"`, `\"path-simple\"` and `\"direct\"`.",
+        .keys = {
+            integer<&P::max_depth>("max_depth")
+                .range(between(0, 1000))
+                .typical(0, 64)
+                .help("bounces after the first hit"),
+            integer<&P::max_diffuse_bounces>("max_diffuse_bounces")
+                .range(between(0, 1000))
+                .typical(0, 16)
+                .help("of these, bounces that are not by mirrors or smooth glass; `\"direct\"` has none"),
+            integer<&P::roulette_depth>("roulette_depth")
+                .range(between(1, 1000))
+                .typical(1, 16)
+                .help("the first bounce that may end a path at random, the more likely the less light it "
+                      "carries; what goes on weighs more"),
+            choice<&P::light_sampling>("light_sampling")
+                .help("how lights are chosen: alike, by their power, or by what arrives from them"),
+            number<&P::clamp_indirect>("clamp_indirect")
+                .range(at_least_0)
+                .limits(single_precision)
+                .typical(0, 10)
+                .help("largest radiance of a sample's indirect light: less noise, and less light; 0: as it "
+                      "is"),
+            choice<&P::shadows>("shadows").help(
+                "`\"exact\"`: light through solid glass arrives by paths; `\"transmissive\"`: it shines "
+                "straight through, as in Whitted's model"),
+        }};
+}
+
 TableSpec ambient_occlusion_table() {
     using A = AmbientOcclusionSettings;
     return {.name = "ambient_occlusion",

@@ -46,8 +46,12 @@ std::string TableSpec::header(std::string_view name_of_it) const {
 
 const std::vector<TableSpec>& description_tables() {
     static const std::vector<TableSpec> tables = [] {
-        std::vector<TableSpec> all{keys::camera_table(), keys::render_table(), keys::whitted_table(),
-                                   keys::ambient_occlusion_table(), keys::material_table()};
+        std::vector<TableSpec> all{keys::camera_table(),
+                                   keys::render_table(),
+                                   keys::whitted_table(),
+                                   keys::path_table(),
+                                   keys::ambient_occlusion_table(),
+                                   keys::material_table()};
         for (TableSpec& table : keys::object_tables()) all.push_back(std::move(table));
         all.push_back(keys::light_table());
         return all;
