@@ -62,7 +62,7 @@ void GpuProgressive::State::start(const Scene& scene, const ProgressiveOptions& 
             if (executor->pass().is_preview()) show_centres_of(tile, film);
         },
         [this](const rendering::Pass& pass) {
-            const rendering::SampleCounts& samples = executor->layout().samples;
+            const SampleCounts& samples = executor->layout().samples;
             if (samples.adaptive() && !pass.adaptive && pass.first + pass.count == samples.all)
                 begin_adaptive();
         });
