@@ -88,7 +88,7 @@ GLINT_FN BsdfValue no_value() {
     return value;
 }
 
-GLINT_FN real largest_channel(vec3 color) { return max(color.x, max(color.y, color.z)); }
+GLINT_FN real max_channel(vec3 color) { return max(color.x, max(color.y, color.z)); }
 
 /// Has it lobes that are not deltas? If not, sampling lights is of no use.
 GLINT_FN truth has_spread(GLINT_IN(Bsdf) b) { return b.pick_diffuse > 0.0f || b.pick_gloss > 0.0f; }
@@ -120,10 +120,10 @@ GLINT_FN Bsdf black_bsdf(GLINT_IN(SurfaceRecord) s) {
 /// With probabilities in proportion to estimates of what the lobes reflect: of the glossy one `gloss_albedo`.
 GLINT_FN Bsdf with_choice(GLINT_IN(Bsdf) lobes, real gloss_albedo) {
     Bsdf b = lobes;
-    b.pick_diffuse = largest_channel(b.diffuse);
+    b.pick_diffuse = max_channel(b.diffuse);
     b.pick_gloss = gloss_albedo;
-    b.pick_mirror = largest_channel(b.mirror);
-    b.pick_refracted = largest_channel(b.refracted);
+    b.pick_mirror = max_channel(b.mirror);
+    b.pick_refracted = max_channel(b.refracted);
     real sum = b.pick_diffuse + b.pick_gloss + b.pick_mirror + b.pick_refracted;
     real scale = sum > 0.0f ? 1.0f / sum : 0.0f;
     b.pick_diffuse = b.pick_diffuse * scale;

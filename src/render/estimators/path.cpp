@@ -136,7 +136,7 @@ void PathTracer::clamp_indirect(Terms& terms) {
     vec3* indirect = &terms[PathTerm::indirect_diffuse];
     const vec3 all = terms.sum();
     const float most = static_cast<float>(settings_.clamp_indirect);
-    const float largest = largest_channel((indirect[0] + indirect[1]) + indirect[2]);
+    const float largest = max_channel((indirect[0] + indirect[1]) + indirect[2]);
     if (largest > most)
         for (int i = 0; i < 3; ++i) indirect[i] = indirect[i] * (most / largest);
     counts_.light += static_cast<double>(all.x + all.y + all.z);
@@ -232,7 +232,7 @@ bool PathTracer::go_on(Path& path, const PathVertex& vertex, Ray& next) {
 /// Russian roulette, by what the path can still bring once it has left all glass. What goes on weighs more.
 bool PathTracer::survives(Path& path, int vertex) const {
     if (path.length.bounces < settings_.roulette_depth) return true;
-    const float survival = std::min(0.95f, largest_channel(path.throughput / path.radiance_scale));
+    const float survival = std::min(0.95f, max_channel(path.throughput / path.radiance_scale));
     if (path.numbers.roulette(vertex) >= survival) return false;
     path.throughput = path.throughput / survival;
     return true;

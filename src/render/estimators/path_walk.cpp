@@ -26,7 +26,7 @@ PathSettings path_settings(const SceneDescription& scene) {
 
 bool PathLength::grow(const PathStep& step, const PathSettings& settings) {
     if (step.crosses) {
-        ++crossings;
+        ++crossed;
         return true;
     }
     if (last) return false;
@@ -68,8 +68,7 @@ vec3 PathWalk::background(const InteriorList* interior) const {
 
 PathStep PathWalk::step(const PathVertex& from, const PathLength& length,
                         const SampleNumbers& numbers) const {
-    const float lobe =
-        length.crossings == 0 ? numbers.lobe(length.bounces) : numbers.crossing(length.crossings);
+    const float lobe = length.crossed == 0 ? numbers.lobe(length.bounces) : numbers.crossing(length.crossed);
     const vec2 u = numbers.direction(length.bounces);
     PathStep step;
     step.sample = bsdf_sample(from.bsdf, lobe, u.x, u.y);

@@ -39,7 +39,7 @@ struct PathStep {
 struct PathLength {
     int bounces = 0;
     int diffuse = 0;   ///< bounces that are not specular
-    int crossings = 0; ///< surfaces that it went straight through
+    int crossed = 0;   ///< surfaces that it went straight through
     bool last = false; ///< its last ray, which collects emission and background alone
 
     /// Counts a step. False if the path ends before it.
