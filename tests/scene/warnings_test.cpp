@@ -46,6 +46,24 @@ TEST(Warnings, TellOfMissingLight) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
+TEST(Warnings, OfPathTracingTellWhatItLeavesOutAndWhatItFindsByChance) {
+    SceneDescription scene = plain();
+    scene.render.integrator = Integrator::path;
+    EXPECT_EQ(warned(scene), Messages{});
+    add_ambient(scene, Vec3(0.1));
+    EXPECT_EQ(warned(scene),
+              Messages{"path tracing leaves ambient lights out: light from everywhere is indirect"});
+    scene.lights.clear();
+    EXPECT_EQ(warned(scene), Messages{"the scene has no light: everything will be black"});
+    scene.render.background = Vec3(0.5);
+    EXPECT_EQ(warned(scene), Messages{});
+    add(scene, PlaneShape{Vec3(0, 0, 1), -5}, lamp(Vec3(1)));
+    EXPECT_EQ(warned(scene),
+              Messages{"plane.0 emits light and is infinite: paths find its light by chance alone"});
+    scene.render.integrator = Integrator::whitted;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
 TEST(Warnings, TellOfALightInsideSomething) {
     SceneDescription scene = plain();
     scene.objects[0].name = "lampshade";
