@@ -55,11 +55,17 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     return options;
 }
 
+/// "4 spp" or "1..16 spp".
+std::string samples_text(const SampleCounts& samples) {
+    return samples.adaptive() ? fmt::format("{}..{} spp", samples.all, samples.differing)
+                              : fmt::format("{} spp", samples.all);
+}
+
 /// "4 spp", or "1..16 spp, 2.7 on average".
-std::string samples_text(const RenderSettings& settings, const Picture& picture) {
-    if (settings.max_spp <= settings.spp) return fmt::format("{} spp", settings.spp);
-    return fmt::format("{}..{} spp, {:.1f} on average", settings.spp, settings.max_spp,
-                       samples_per_pixel(picture));
+std::string samples_text(const Scene& scene, const Picture& picture) {
+    const SampleCounts samples = sample_counts(scene.render_settings());
+    if (!samples.adaptive()) return samples_text(samples);
+    return fmt::format("{}, {:.1f} on average", samples_text(samples), samples_per_pixel(picture));
 }
 
 /// "scene.png: 640×480, 4 spp, 871,306 triangles, 1.23 s, 3.41 Mrays/s, hash …"
@@ -76,7 +82,7 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
             : "";
     return fmt::format("{}: {}{}×{}, {}, {}, {}{}{}, {}, hash {}", shown_name(record.output), partial,
                        picture.image.width, picture.image.height,
-                       samples_text(scene.render_settings(), picture), size, clamped, device,
+                       samples_text(scene, picture), size, clamped, device,
                        duration(picture.stats.wall_seconds),
                        ray_rate(picture.stats.rays(), picture.stats.wall_seconds), record.hash);
 }
@@ -107,8 +113,8 @@ std::string needs_text(const RenderRequest& request, const SceneDescription& sce
     std::string text = printable(shown_name(request.output));
     if (request.frames) text += fmt::format(": {}, each", counted(pictures, "frame"));
     const auto& crop = request.render.crop;
-    text += fmt::format(": {}×{}, {} spp\n", crop ? crop->width : scene.render.width,
-                        crop ? crop->height : scene.render.height, scene.render.spp);
+    text += fmt::format(": {}×{}, {}\n", crop ? crop->width : scene.render.width,
+                        crop ? crop->height : scene.render.height, samples_text(sample_counts(scene.render)));
     text += row("scene", needs.scene) + row("picture", needs.picture) + row("writing", needs.writing);
     return text + fmt::format("  {:<9}{} of {} that are left\n", "memory", bytes_text(needs.total()),
                               bytes_text(available_memory()));

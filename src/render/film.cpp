@@ -102,11 +102,8 @@ FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& opti
     layout.tile_size = std::clamp(options.tile_size, 1, picture_side_limit);
     layout.show = options.show;
     if (!is_light(options.show)) return layout;
-    layout.samples.all = settings.spp;
-    if (settings.max_spp > settings.spp) {
-        layout.samples.differing = settings.max_spp;
-        layout.area = with_neighbours(layout.kept, settings);
-    }
+    layout.samples = sample_counts(settings);
+    if (layout.samples.adaptive()) layout.area = with_neighbours(layout.kept, settings);
     require_terms(settings.integrator, options);
     layout.term = term_of(options.show, settings.integrator);
     layout.terms = options.terms;

@@ -68,15 +68,6 @@ class TileGrid {
     int rows_ = 0;
 };
 
-/// Samples of the pixels of a picture.
-struct SampleCounts {
-    int all = 1;       ///< of each pixel
-    int differing = 0; ///< of those that differ from a neighbour, instead; 0: of none
-
-    bool adaptive() const { return differing > 0; }
-    friend bool operator==(const SampleCounts&, const SampleCounts&) = default;
-};
-
 /// The passes of render(): all samples of a tile in one visit, then those of the pixels that differ from a
 /// neighbour; `coarse_first`, previews before that take at most a sixteenth of the work.
 std::vector<Pass> picture_passes(const SampleCounts& samples, const RenderOptions& options);

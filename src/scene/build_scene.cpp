@@ -188,7 +188,7 @@ BuildQuality quality_for(const SceneDescription& description, const WorldInput& 
     for (const auto& mesh : input.meshes) triangles += static_cast<double>(mesh.triangles.size());
     for (const auto& mesh : input.shared_meshes) triangles += static_cast<double>(mesh.triangles->size());
     const RenderSettings& r = description.render;
-    const double samples = double(r.width) * double(r.height) * double(r.spp);
+    const double samples = double(r.width) * double(r.height) * sample_counts(r).mean();
     const double rays = samples * (1.0 + static_cast<double>(description.lights.size()));
     return rays < rays_a_triangle * triangles ? BuildQuality::fast : BuildQuality::high;
 }

@@ -16,6 +16,8 @@
 
 namespace glint::scene {
 
+class BoxTree;
+
 /// Vertex attributes of a mesh, shared by its instances.
 struct MeshAttributes {
     /// Per vertex; null without interpolation. Unit vectors in world space or, if the object has a normal
@@ -77,7 +79,9 @@ struct SceneData {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
-    bool any_contact = false;  ///< some object has a contact zone
+    bool any_contact = false; ///< some object has a contact zone
+    /// Where pairs of objects touch; null where that is nowhere or, for planes, everywhere.
+    std::shared_ptr<const BoxTree> contact_places;
     bool solids_known = false; ///< ObjectData::solid is valid for meshes too
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first

@@ -146,10 +146,7 @@ Channels Whitted::radiance(Path&& path) {
 }
 
 Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interior) {
-    const auto is_simple = [&] {
-        return interior == nullptr && scene_.objects[hit.object].contact.box.empty();
-    };
-    while (hit && !is_simple()) {
+    while (hit && (interior != nullptr || may_coincide(scene_, ray, hit))) {
         find_coincident(scene_, ray, hit, met_);
         const Hit* seen = seen_of(met_.hits, interior, scene_);
         if (recorder_ != nullptr)

@@ -60,10 +60,11 @@ TableSpec render_table() {
         .help = "The picture. Flags of the command line override these.",
         .keys = {
             picture_size().help("width and height; at most 2^30 pixels"),
-            integer<&R::spp>("spp")
+            integer_or_auto<&R::spp>("spp")
                 .range(between(1, sample_limit))
                 .typical(1, 64)
-                .help("samples per pixel; 1 is the pixel's centre"),
+                .help("samples per pixel; 1 is the pixel's centre; `\"auto\"`: 1, and 8 (or `max_spp`) where "
+                      "neighbours differ; 64 of paths, 4 of `ambient-occlusion`"),
             integer<&R::max_spp>("max_spp")
                 .range(between(0, sample_limit))
                 .typical(0, 64)

@@ -87,7 +87,10 @@ struct PlainText {
     std::string operator()(std::int64_t value) const { return std::to_string(value); }
     std::string operator()(std::uint64_t value) const { return std::to_string(value); }
     std::string operator()(double value) const { return show(value); }
-    std::string operator()(const std::optional<double>& value) const { return value ? show(*value) : "auto"; }
+    template <class Number>
+    std::string operator()(const std::optional<Number>& value) const {
+        return value ? (*this)(*value) : "auto";
+    }
     std::string operator()(Choice value) const { return std::string(key.choices[value.index]); }
     std::string operator()(const std::string& value) const { return value; }
     std::string operator()(const std::array<int, 2>& size) const {
