@@ -109,15 +109,6 @@ TEST(Warnings, TellOfACameraAndALightBehindAWall) {
     EXPECT_EQ(warned(scene), Messages{}) << "a window";
 }
 
-TEST(Warnings, TellOfAFieldOfViewInRadians) {
-    SceneDescription scene = plain();
-    scene.camera->fov = 0.785;
-    EXPECT_EQ(warned(scene), Messages{"a field of view of 0.785° is very narrow"});
-    EXPECT_EQ(warnings(build_scene(scene)).at(0).hint, "fov is in degrees; 0.785 radians are 45°");
-    scene.camera->fov = 2;
-    EXPECT_EQ(warned(scene), Messages{}) << "a telescope";
-}
-
 TEST(Warnings, TellOfACameraInsideSomething) {
     SceneDescription scene = plain();
     scene.camera->eye = Vec3(0, 0.5, 0);
