@@ -35,6 +35,15 @@ using Messages = std::vector<std::string>;
 
 TEST(Warnings, AreNoneForAPlainScene) { EXPECT_EQ(warned(plain()), Messages{}); }
 
+TEST(Warnings, TellOfOpacityThatIsNotRead) {
+    SceneDescription scene = plain();
+    scene.materials[0].opacity = 0.5;
+    EXPECT_EQ(warned(scene).size(), 1u);
+    EXPECT_NE(warned(scene).at(0).find("reads no opacity"), std::string::npos);
+    scene.render.integrator = Integrator::ambient_occlusion;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
 TEST(Warnings, TellOfMissingLight) {
     SceneDescription scene = plain();
     scene.lights.clear();
