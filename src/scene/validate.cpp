@@ -92,8 +92,8 @@ class Checker {
     void fail_material(const Object& object) {
         std::vector<std::string> names;
         for (const Material& m : scene_.materials) names.push_back(m.name);
-        fail(object.where, "unknown material " + in_quotes(object.material),
-             did_you_mean(object.material, names, "define it as [material." + object.material + "]"));
+        const KeyFault fault = unknown_material(object.material);
+        fail(object.where, fault.message, did_you_mean(object.material, names, fault.hint));
     }
 
     void check_shape(const MeshShape& s, const Object& o) {

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <numbers>
 
 namespace glint {
 namespace {
@@ -146,10 +145,6 @@ class WarningFinder {
         for (const std::uint32_t id : everything_around(camera.eye))
             warn(camera.where, "the camera is inside " + title(object(id)),
                  "move it out if that is not meant");
-        if (scene_.has_own_camera && camera.fov <= std::numbers::pi && camera.fov != std::floor(camera.fov))
-            warn(camera.where, "a field of view of " + scene::show(camera.fov) + "° is very narrow",
-                 "fov is in degrees; " + scene::show(camera.fov) + " radians are " +
-                     scene::rounded(camera.fov * 180 / std::numbers::pi) + "°");
     }
 
     // Single precision rounds coordinates about the origin of the world, double those of the scene.

@@ -55,6 +55,24 @@ TEST(Warnings, TellOfMissingLight) {
     EXPECT_EQ(warned(scene), Messages{});
 }
 
+TEST(Warnings, OfPathTracingTellWhatItLeavesOutAndWhatItFindsByChance) {
+    SceneDescription scene = plain();
+    scene.render.integrator = Integrator::path;
+    EXPECT_EQ(warned(scene), Messages{});
+    add_ambient(scene, Vec3(0.1));
+    EXPECT_EQ(warned(scene),
+              Messages{"path tracing leaves ambient lights out: light from everywhere is indirect"});
+    scene.lights.clear();
+    EXPECT_EQ(warned(scene), Messages{"the scene has no light: everything will be black"});
+    scene.render.background = Vec3(0.5);
+    EXPECT_EQ(warned(scene), Messages{});
+    add(scene, PlaneShape{Vec3(0, 0, 1), -5}, lamp(Vec3(1)));
+    EXPECT_EQ(warned(scene),
+              Messages{"plane.0 emits light and is infinite: paths find its light by chance alone"});
+    scene.render.integrator = Integrator::whitted;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
 TEST(Warnings, TellOfALightInsideSomething) {
     SceneDescription scene = plain();
     scene.objects[0].name = "lampshade";
@@ -98,15 +116,6 @@ TEST(Warnings, TellOfACameraAndALightBehindAWall) {
     scene.objects.pop_back();
     add(scene, plane, glass(1.5));
     EXPECT_EQ(warned(scene), Messages{}) << "a window";
-}
-
-TEST(Warnings, TellOfAFieldOfViewInRadians) {
-    SceneDescription scene = plain();
-    scene.camera->fov = 0.785;
-    EXPECT_EQ(warned(scene), Messages{"a field of view of 0.785° is very narrow"});
-    EXPECT_EQ(warnings(build_scene(scene)).at(0).hint, "fov is in degrees; 0.785 radians are 45°");
-    scene.camera->fov = 2;
-    EXPECT_EQ(warned(scene), Messages{}) << "a telescope";
 }
 
 TEST(Warnings, TellOfACameraInsideSomething) {

@@ -40,6 +40,8 @@ PathWalk::PathWalk(const SceneData& scene, const PathSettings& settings, const C
                    const KernelChoice& kernel)
     : scene_(scene), modes_(scene::whitted_modes(scene.description.whitted)),
       exact_shadows_(settings.shadows == PathShadows::exact),
+      any_see_through_(std::ranges::any_of(
+          scene.materials, [](const MaterialRecord& m) { return m.transparency > 0.0f || m.opacity < 1.0f; })),
       solids_(scene, whitted_settings(scene.description), cancel, kernel),
       ends_shadow_([&scene](const Hit& hit) {
           const MaterialRecord& m = scene.materials[scene.objects[hit.object].material];
@@ -87,11 +89,20 @@ Ray PathWalk::next_ray(const PathVertex& from, const BsdfSample& sample,
     return ray_of(spawn_ray(from.at.surface, sample.direction));
 }
 
-vec3 PathWalk::passing(const Ray& shadow, bool occluded, const InteriorList* interior) {
-    if (!exact_shadows_) return occluded ? solids_.light_past_blockers(shadow, interior) : vec3(1.0f);
+PassedLight PathWalk::passing(const Ray& shadow, bool occluded, const InteriorList* interior) {
+    if (!exact_shadows_) return occluded ? passing_all(shadow, interior) : PassedLight{vec3(1.0f)};
     const vec3 left_over = left_by_medium(interior, length(shadow.direction) * shadow.tmax);
-    if (!occluded) return left_over;
-    return scene_.any_see_through ? left_over * passing_panes(shadow, interior) : vec3(0.0f);
+    if (!occluded) return {left_over};
+    return {any_see_through_ ? left_over * passing_panes(shadow, interior) : vec3(0.0f)};
+}
+
+/// As by Whitted's model.
+PassedLight PathWalk::passing_all(const Ray& shadow, const InteriorList* interior) {
+    const PassedLight passed{solids_.light_past_blockers(shadow, interior)};
+    if (is_dark(passed.share)) return passed;
+    scene_.world.all_hits(shadow, blockers_);
+    const auto is_solid = [&](const Hit& hit) { return is_dielectric(hit.object, scene_); };
+    return {passed.share, std::any_of(blockers_.begin(), blockers_.end(), is_solid)};
 }
 
 /// The product of the shares that thin panes, and surfaces that are not there in part, let through; 0 where
