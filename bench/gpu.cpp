@@ -1,8 +1,8 @@
 // glint-bench-gpu: tracing and rendering rates of a graphics card.
 
+#include "../tests/kit/temporary_folder.h"
 #include "gpu_frames.h"
 #include "gpu_rays.h"
-#include "temporary_folder.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -127,7 +127,7 @@ int run(const Options& options) {
     const gpu::GpuContext context(options.device);
     GpuRenderer renderer(options.device);
     std::cout << context.device().name << "; " << context.device().driver << "\n" << std::flush;
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const std::vector<Model> models = models_of(options, folder.path());
     print_rays(options, context, renderer, models);
     print_frames(options, renderer, models);

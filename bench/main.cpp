@@ -1,8 +1,8 @@
 // glint-bench: tracing and building rates of glint and Embree per CPU second.
 
+#include "../tests/kit/temporary_folder.h"
 #include "agreement.h"
 #include "report.h"
-#include "temporary_folder.h"
 
 #include <fstream>
 #include <iostream>
@@ -68,7 +68,7 @@ ModelResult measure(const Model& model, const Options& options) {
 
 int run(const Options& options) {
     Report report{options, {}};
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     for (const std::string& file : options.files) report.models.push_back(measure(load_model(file), options));
     if (options.files.empty())
         for (const char* name : generated_names)

@@ -1,11 +1,11 @@
 // glint-bench-odd-rays: cost of unusual rays, such as zero components or huge origins, relative to the
 // ordinary rays they are made from.
 
+#include "../tests/kit/temporary_folder.h"
 #include "model.h"
 #include "peer.h"
 #include "rays.h"
 #include "rounds.h"
-#include "temporary_folder.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ double cost(const Peer& peer, const std::vector<Ray>& plain, const std::vector<R
 }
 
 int run(const std::vector<std::string>& files) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const Model model = files.empty() ? generate_model("knot", folder.path()) : load_model(files.front());
     const tracing::Mesh mesh = build_ours(model, tracing::BuildQuality::high, 1);
     const Peer peer = our_peer(mesh);

@@ -1,9 +1,9 @@
 // glint-bench-ply: speed of reading PLY files, each in a new process like a program that opens one mesh.
 
+#include "../tests/kit/temporary_folder.h"
 #include "model.h"
 #include "process.h"
 #include "rounds.h"
-#include "temporary_folder.h"
 
 #include "glint/mesh_files.h"
 
@@ -51,7 +51,7 @@ std::string row(const std::string& file) {
 }
 
 int run(std::vector<std::string> files) {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     if (files.empty()) files.push_back(generate_model("terrain", folder.path()).file);
     std::cout << "MB a CPU second, medians of " << rounds << " new processes:\n\n"
               << "| mesh | triangles | MB | first read | read again |\n|---|---:|---:|---:|---:|\n";

@@ -1,9 +1,9 @@
 // The program `glint`: from the words of the command line to the exit code.
+#include "../common/interrupt.h"
 #include "../common/out_of_memory.h"
 #include "commands.h"
 #include "failures.h"
 #include "help.h"
-#include "interrupt.h"
 
 #include "glint/render.h"
 

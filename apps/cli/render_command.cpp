@@ -1,8 +1,8 @@
 // glint render: a picture, or the frames of an animation.
+#include "../common/interrupt.h"
 #include "backend.h"
 #include "commands.h"
 #include "frames.h"
-#include "interrupt.h"
 #include "json_output.h"
 #include "outputs.h"
 #include "progress.h"

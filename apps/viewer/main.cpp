@@ -1,9 +1,9 @@
 // The program `glint-view`: runs the window and maps errors to exit codes.
 #include "../common/exit_code.h"
+#include "../common/interrupt.h"
 #include "../common/out_of_memory.h"
 #include "app.h"
 
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -72,8 +72,8 @@ int run(const std::vector<std::string>& words) noexcept {
 } // namespace glint::viewer
 
 int main(int argc, char** argv) {
-    // A picture that exceeds the limit on the size of files is an error, not the end of the program.
-    std::signal(SIGXFSZ, SIG_IGN);
+    glint::report_failing_writes();
+    glint::watch_signals();
     glint::end_if_bad_alloc_is_uncaught();
     return glint::viewer::run({argv + 1, argv + argc});
 }

@@ -23,6 +23,8 @@ namespace {
     std::string hint = "check the disk and the file system";
     if (code == ENOENT || code == ENOTDIR)
         hint = "check the name; relative names start at the working directory";
+    if (code == ENAMETOOLONG) hint = "shorten the name";
+    if (code == ELOOP) hint = "mend the symbolic links, which lead back to themselves";
     if (code == EISDIR) hint = "name a file inside the folder";
     if (code == EACCES || code == EPERM) hint = "ask for permission to read it";
     throw Error(ErrorKind::input, "cannot read the file: " + std::generic_category().message(code), hint,
@@ -112,7 +114,7 @@ void require_memory_to_grow(std::size_t bytes, const std::string& name) {
     require_memory(2 * static_cast<double>(bytes), "reading on", "give it a smaller input", {.file = name});
 }
 
-FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
+FileBytes read_bytes(InputFile& file, const LoadWatch& watch, const CheckStart& check_start) {
     // Pipes have no size, and files may grow: the size is only an initial guess. Reading one byte more
     // detects the end.
     constexpr std::size_t least = 1U << 16U;
@@ -124,6 +126,7 @@ FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
     std::size_t used = 0;
     for (;;) {
         if (used == bytes.size()) {
+            if (used == least && check_start) check_start(bytes);
             require_memory_to_grow(used, file.path());
             bytes.grow(2 * used, used);
         }
@@ -134,11 +137,6 @@ FileBytes read_bytes(InputFile& file, const LoadWatch& watch) {
     }
     bytes.cut(used);
     return bytes;
-}
-
-FileBytes read_bytes(const std::string& path) {
-    InputFile file(path);
-    return read_bytes(file);
 }
 
 } // namespace glint::formats

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -67,9 +68,10 @@ const char* special_file(const std::filesystem::file_status& status);
 /// size, such as pipes, may never end.
 void require_memory_to_grow(std::size_t bytes, const std::string& name);
 
-/// Reads the rest of a file.
-FileBytes read_bytes(InputFile& file, const LoadWatch& watch = {});
-/// Reads a whole file.
-FileBytes read_bytes(const std::string& path);
+/// Throws for a file that begins with bytes with which none of its kind does.
+using CheckStart = std::function<void(std::span<const std::byte>)>;
+
+/// Reads the rest of a file. `check_start` ends reading what may have no end.
+FileBytes read_bytes(InputFile& file, const LoadWatch& watch = {}, const CheckStart& check_start = {});
 
 } // namespace glint::formats

@@ -94,7 +94,8 @@ double memory_limit() {
     double bytes = own_group_limits().memory;
     struct sysinfo machine = {};
     if (::sysinfo(&machine) == 0) bytes = std::min(bytes, double(machine.totalram) * machine.mem_unit);
-    for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
+    // Linux does not enforce RLIMIT_RSS (ulimit -m).
+    for (const auto resource : {RLIMIT_AS, RLIMIT_DATA, RLIMIT_RSS}) {
         rlimit limit = {};
         if (::getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
             bytes = std::min(bytes, double(limit.rlim_cur));

@@ -39,14 +39,6 @@ class CliTest : public testing::Test {
     const TemporaryFolder folder_;
 };
 
-/// Does a sanitizer look on, which has an allocator of its own and takes terabytes of addresses?
-constexpr bool sanitized =
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    true;
-#else
-    false;
-#endif
-
 /// Ends a test where --backend gpu cannot be had, and says so.
 #define GLINT_NEEDS_DEVICE()                                                                                 \
     if (!has_device()) GTEST_SKIP() << "no device: " << glint("info --devices").out

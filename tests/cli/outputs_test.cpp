@@ -77,7 +77,9 @@ TEST_F(Outputs, HaveNamesThatFileSystemsTake) {
     expect_refused("$G new -o " + name, 4, "choose a shorter name");
     expect_refused("$G " + name, 2, "neither a command nor a file");
     expect_refused("$G " + name + ".toml", 3, "cannot read the file: File name too long");
-    expect_refused("$G diff " + name + " " + name, 3, "File name too long");
+    expect_refused("$G diff " + name + " " + name, 3, "shorten the name");
+    write("mesh.toml", "[material.m]\n[[mesh]]\nfile = \"" + name + "\"\nmaterial = \"m\"\n");
+    expect_refused("$G check mesh.toml", 3, "cannot be read: File name too long");
 }
 
 TEST_F(Outputs, DoNotReplaceAFileThatIsMountedByItself) {
@@ -89,6 +91,7 @@ TEST_F(Outputs, DoNotReplaceAFileThatIsMountedByItself) {
 TEST_F(Outputs, MayGoToDevices) {
     EXPECT_EQ(glint("good.toml -o /dev/null --stats /dev/null").exit, 0);
     EXPECT_EQ(glint("diff garbage.png /dev/zero").exit, 3);
+    expect_refused("cat /dev/zero | $G diff /dev/stdin /dev/stdin", 3, "this is no picture");
 }
 
 TEST_F(Outputs, OfASingleFrameHaveItsNumber) {
@@ -123,6 +126,15 @@ TEST_F(Outputs, EndWithAnErrorIfNobodyReadsThem) {
     EXPECT_EQ(outcome.exit, 4);
     EXPECT_NE(outcome.err.find("the program that reads the output has ended"), std::string::npos)
         << outcome.err;
+}
+
+// A picture may have taken hours.
+TEST_F(Outputs, StayWhereThoseAfterThemFail) {
+    const Outcome outcome = glint("good.toml -o a.png --stats /dev/full");
+    EXPECT_EQ(outcome.exit, 4);
+    EXPECT_NE(outcome.err.find("a.png: 16×12"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("/dev/full: error: "), std::string::npos) << outcome.err;
+    EXPECT_EQ(content("a.png").substr(1, 3), "PNG");
 }
 
 TEST_F(Outputs, DoNotDependOnMessages) {

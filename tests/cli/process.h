@@ -32,4 +32,13 @@ Outcome run_glint(const std::vector<std::string>& words, const Setting& setting)
 /// "a b  c" → {"a", "b", "c"}.
 std::vector<std::string> words_of(const std::string& line);
 
+/// Does a sanitizer look on, which has an allocator of its own and takes terabytes of addresses, and must be
+/// loaded before other libraries?
+constexpr bool sanitized =
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    true;
+#else
+    false;
+#endif
+
 } // namespace glint::test

@@ -1,5 +1,7 @@
 #include "picture_support.h"
 
+#include "formats/picture/exr_header.h"
+
 namespace glint::test {
 
 namespace {
@@ -114,8 +116,29 @@ class MalformedExr : public PictureTest {
     /// The good file with a little-endian number put in.
     Bytes with(std::size_t at, std::uint32_t value) const {
         Bytes changed = good_;
-        for (std::size_t i = 0; i < 4; ++i) changed[at + i] = static_cast<std::byte>(value >> (8 * i) & 255U);
+        std::ranges::copy(bytes_of(little_endian(value)), changed.begin() + static_cast<std::ptrdiff_t>(at));
         return changed;
+    }
+
+    /// The good file with an attribute more.
+    Bytes with_attribute(const std::string& type, const std::string& value) const {
+        const std::string text =
+            "more" + std::string(1, '\0') + type + '\0' + little_endian(value.size()) + value;
+        Bytes changed = good_;
+        const Bytes added = bytes_of(text);
+        changed.insert(changed.begin() + 8, added.begin(), added.end());
+        return changed;
+    }
+
+    static std::string little_endian(std::size_t value) {
+        std::string text;
+        for (std::size_t i = 0; i < 4; ++i) text += static_cast<char>(value >> (8 * i) & 255U);
+        return text;
+    }
+
+    /// An entry of a list of channels.
+    static std::string channel(const std::string& name) {
+        return name + '\0' + little_endian(2) + little_endian(0) + little_endian(1) + little_endian(1);
     }
 
     Bytes good_;
@@ -146,6 +169,53 @@ TEST_F(MalformedExr, HeadersThatLie) {
     Bytes no_compression = good_;
     no_compression[length_field("compression", "compression") + 4] = std::byte{77};
     EXPECT_REFUSED(no_compression, "damaged EXR");
+}
+
+TEST_F(MalformedExr, AttributesOfOtherLengthsThanTheirTypes) {
+    const std::string nul(1, '\0');
+    const std::string much = little_endian(0x7ffffff0);
+    const std::pair<std::string, std::string> damaged[] = {
+        {"float", "123"},
+        {"box2i", std::string(15, '1')},
+        {"m44d", std::string(129, '1')},
+        {"compression", ""},
+        {"floatvector", "123456"},
+        {"idmanifest", "123"},
+        {"preview", little_endian(1) + little_endian(1) + "123"},
+        {"preview", much + much + "1234"},
+        {"preview", little_endian(0)},
+        {"stringvector", much + "abc"},
+        {"stringvector", little_endian(2) + "abc"},
+        {"chlist", ""},
+        {"chlist", channel("B")},
+        {"chlist", channel("B") + "G" + nul + little_endian(2) + nul},
+        {"chlist", channel("B") + nul + "123"},
+    };
+    for (const auto& [type, value] : damaged)
+        EXPECT_REFUSED(with_attribute(type, value), "the attribute 'more' is no whole " + type, "byte 8");
+    EXPECT_REFUSED(with_attribute(std::string(256, 'x'), ""), "longer than 255 bytes");
+
+    const std::pair<std::string, std::string> whole[] = {
+        {"float", "1234"},
+        {"floatvector", "12345678"},
+        {"preview", little_endian(1) + little_endian(2) + "12345678"},
+        {"stringvector", little_endian(3) + "abc" + little_endian(0)},
+        {"chlist", channel("B") + nul},
+        {"string", ""},
+        {"unknown", "12345"},
+    };
+    for (const auto& [type, value] : whole)
+        EXPECT_EQ(formats::read_exr_header(with_attribute(type, value), "picture").window.width(), 9) << type;
+}
+
+TEST_F(MalformedExr, BlocksThatMemoryDoesNotHold) {
+    std::string channels;
+    for (int i = 0; i < 2000; ++i) channels += channel("c" + std::to_string(i));
+    constexpr char dwab = 9;
+    good_[length_field("compression", "compression") + 4] = std::byte{dwab};
+    good_ = with(length_field("dataWindow", "box2i") + 12, 65535);
+    expect_error(ErrorKind::resource, {"picture", "65536 x 40 pixels", "GiB of memory"},
+                 [&] { read(with_attribute("chlist", channels + '\0')); });
 }
 
 TEST_F(MalformedExr, EveryCut) {

@@ -2,6 +2,8 @@
 
 #include "scene_support.h"
 
+#include "glint/document.h"
+
 #include <numbers>
 
 namespace glint::test {
@@ -140,6 +142,87 @@ emission = [9, 8, 7]
     EXPECT_EQ(d.materials[1].ambient, 1);
     EXPECT_EQ(d.materials[1].shininess, 32);
     EXPECT_EQ(d.materials[1].index, 1.5);
+}
+
+TEST(SceneKeys, ModelsOfMaterialsHaveTheirKeysAndDefaults) {
+    const std::vector<Material> all = parse(R"([material.a]
+[material.b]
+model = "diffuse"
+opacity = 0.5
+emission_sides = "front"
+[material.c]
+model = "conductor"
+metal = "gold"
+roughness = 0.3
+[material.d]
+model = "dielectric"
+absorption = [1, 2, 3]
+[material.e]
+model = "plastic"
+[material.f]
+roughness = 1
+metallic = 0.25
+transmission = 0.5
+clearcoat = 0.75
+clearcoat_roughness = 0.125
+sheen = 0.5
+sheen_color = [1, 0, 0]
+specular = 0.5
+specular_color = [0, 1, 0]
+model = "principled"
+[material.g]
+model = "principled")")
+                                          .description.materials;
+    ASSERT_EQ(all.size(), 7u);
+    EXPECT_EQ(all[0].model, MaterialModel::whitted);
+    EXPECT_EQ(all[1].model, MaterialModel::diffuse);
+    EXPECT_EQ(all[1].opacity, 0.5);
+    EXPECT_EQ(all[1].emission_sides, EmissionSides::front);
+    EXPECT_EQ(all[2].metal, Metal::gold);
+    EXPECT_EQ(all[2].roughness, 0.3);
+    EXPECT_EQ(all[3].color, Vec3(1));
+    EXPECT_EQ(all[3].roughness, 0);
+    EXPECT_EQ(all[3].absorption, Vec3(1, 2, 3));
+    EXPECT_EQ(all[4].color, Vec3(0.8));
+    EXPECT_EQ(all[4].roughness, 0.2);
+    EXPECT_EQ(all[5].roughness, 1);
+    EXPECT_EQ(all[5].metallic, 0.25);
+    EXPECT_EQ(all[5].transmission, 0.5);
+    EXPECT_EQ(all[5].clearcoat, 0.75);
+    EXPECT_EQ(all[5].clearcoat_roughness, 0.125);
+    EXPECT_EQ(all[5].sheen, 0.5);
+    EXPECT_EQ(all[5].sheen_color, Vec3(1, 0, 0));
+    EXPECT_EQ(all[5].specular, 0.5);
+    EXPECT_EQ(all[5].specular_color, Vec3(0, 1, 0));
+    EXPECT_EQ(all[6].roughness, 0.5);
+}
+
+TEST(SceneKeys, MaterialsOfEveryModelSurviveWriting) {
+    SceneDescription scene;
+    for (const MaterialModel model :
+         {MaterialModel::whitted, MaterialModel::diffuse, MaterialModel::conductor, MaterialModel::dielectric,
+          MaterialModel::plastic, MaterialModel::principled}) {
+        Material m;
+        m.name = name_of(model);
+        m.model = model;
+        m.color = Vec3(0.25, 0.5, 0.75);
+        m.roughness = 0.2;
+        scene.materials.push_back(m);
+        m.name += " 2";
+        m.color = Vec3(1);
+        if (model == MaterialModel::conductor) m.metal = Metal::silver;
+        m.roughness = 0;
+        scene.materials.push_back(m);
+    }
+    const std::vector<Material> read = parse(scene_text(scene)).description.materials;
+    ASSERT_EQ(read.size(), scene.materials.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const Material& m = scene.materials[i];
+        EXPECT_EQ(read[i].model, m.model);
+        EXPECT_EQ(read[i].metal, m.metal);
+        EXPECT_TRUE(m.metal || read[i].color == m.color) << m.name;
+        EXPECT_TRUE(m.model <= MaterialModel::diffuse || read[i].roughness == m.roughness) << m.name;
+    }
 }
 
 TEST(SceneKeys, ShapesAreRead) {
@@ -355,6 +438,31 @@ TEST(SceneKeys, ReflectivityAboveOneWarns) {
     EXPECT_EQ(scene.warnings[0].message, "\"reflectivity\" 1.25 is above 1");
     EXPECT_EQ(scene.warnings[0].location, (Location{"scenes/a.toml", 2, 16, {}}));
     EXPECT_TRUE(parse("[material.m]\nreflectivity = 1\n").warnings.empty());
+}
+
+TEST(SceneKeys, AnglesInRadiansWarn) {
+    const auto warned = [](const std::string& table) {
+        return parse("[material.m]\n[[mesh]]\nname = \"a\"\nfile = \"a.ply\"\nmaterial = \"m\"\n" + table)
+            .warnings;
+    };
+    const auto turned = [](const std::string& angle) {
+        return "transform = [{ rotate = [0, 0, 1], angle = " + angle + " }]\n";
+    };
+    const std::string spot = "[[light]]\ntype = \"spot\"\nposition = [0, 0, 9]\ndirection = [0, 0, -1]\n";
+    const std::string camera = "[camera]\neye = [0, -5, 0]\nlook_at = [0, 0, 0]\n";
+    for (const std::string& table : {camera + "fov = 0.785\n", spot + "angle = 0.35\n", turned("1.5708"),
+                                     turned("-0.785"), turned("3.14159265"), turned("6.2832"),
+                                     std::string("normals = \"smooth\"\ncrease_angle = 0.5236\n")})
+        EXPECT_EQ(warned(table).size(), 1u) << table;
+    for (const std::string& table :
+         {camera + "fov = 2\n", camera + "fov = 3.5\n", spot + "angle = 2.5\n", turned("1.5"), turned("0"),
+          turned("2"), turned("0.5"), turned("22.5"), turned("47.1239")})
+        EXPECT_TRUE(warned(table).empty()) << table;
+
+    const Diagnostic one = warned(turned("1.5708")).at(0);
+    EXPECT_EQ(one.message, "\"angle\" 1.5708 looks like radians");
+    EXPECT_EQ(one.hint, "angles are in degrees; 1.5708 radians are 90°");
+    EXPECT_EQ(one.location.line, 6);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// A folder for the files of a test.
+// A folder for the files of a test or a measurement.
 
 #include <filesystem>
 #include <fstream>

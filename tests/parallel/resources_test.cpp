@@ -5,6 +5,7 @@
 #include "../kit/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <limits>
 
@@ -67,6 +68,16 @@ TEST_F(GroupFolders, WithoutLimitsSayNone) {
 TEST(Memory, OfThisProcessIsSomeOfTheMachines) {
     EXPECT_GT(resident_memory(), 1e5);
     EXPECT_GT(memory_limit(), resident_memory());
+}
+
+TEST(Memory, OfThisProcessKeepsTheLimitOfUlimit) {
+    rlimit before = {};
+    ASSERT_EQ(::getrlimit(RLIMIT_RSS, &before), 0);
+    rlimit lower = before;
+    lower.rlim_cur = 12'345'678;
+    ASSERT_EQ(::setrlimit(RLIMIT_RSS, &lower), 0);
+    EXPECT_EQ(memory_limit(), 12'345'678);
+    ::setrlimit(RLIMIT_RSS, &before);
 }
 
 } // namespace

@@ -35,6 +35,15 @@ using Messages = std::vector<std::string>;
 
 TEST(Warnings, AreNoneForAPlainScene) { EXPECT_EQ(warned(plain()), Messages{}); }
 
+TEST(Warnings, TellOfOpacityThatIsNotRead) {
+    SceneDescription scene = plain();
+    scene.materials[0].opacity = 0.5;
+    EXPECT_EQ(warned(scene).size(), 1u);
+    EXPECT_NE(warned(scene).at(0).find("reads no opacity"), std::string::npos);
+    scene.render.integrator = Integrator::ambient_occlusion;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
 TEST(Warnings, TellOfMissingLight) {
     SceneDescription scene = plain();
     scene.lights.clear();
@@ -107,15 +116,6 @@ TEST(Warnings, TellOfACameraAndALightBehindAWall) {
     scene.objects.pop_back();
     add(scene, plane, glass(1.5));
     EXPECT_EQ(warned(scene), Messages{}) << "a window";
-}
-
-TEST(Warnings, TellOfAFieldOfViewInRadians) {
-    SceneDescription scene = plain();
-    scene.camera->fov = 0.785;
-    EXPECT_EQ(warned(scene), Messages{"a field of view of 0.785° is very narrow"});
-    EXPECT_EQ(warnings(build_scene(scene)).at(0).hint, "fov is in degrees; 0.785 radians are 45°");
-    scene.camera->fov = 2;
-    EXPECT_EQ(warned(scene), Messages{}) << "a telescope";
 }
 
 TEST(Warnings, TellOfACameraInsideSomething) {

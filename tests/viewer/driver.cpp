@@ -45,11 +45,14 @@ std::vector<std::string> Screen::display_setting() const {
     return {"DISPLAY=" + display_, "LIBGL_ALWAYS_SOFTWARE=1", "ASAN_OPTIONS=detect_leaks=0"};
 }
 
-void Screen::open(const std::string& file, const std::vector<std::string>& options) {
+void Screen::open(const std::string& file, const std::vector<std::string>& options,
+                  const std::vector<std::string>& environment) {
     std::vector<std::string> arguments{GLINT_VIEW_PROGRAM, "--ui-map", path("map")};
     arguments.insert(arguments.end(), options.begin(), options.end());
     if (!file.empty()) arguments.push_back(path(file));
-    viewer_ = std::make_unique<Child>(arguments, display_setting(), path("log"));
+    std::vector<std::string> setting = display_setting();
+    setting.insert(setting.end(), environment.begin(), environment.end());
+    viewer_ = std::make_unique<Child>(arguments, setting, path("log"));
     ASSERT_TRUE(wait_until([&] { return exists("map") || viewer_->ended(); }));
     ASSERT_FALSE(viewer_->ended()) << log();
 }
@@ -66,6 +69,13 @@ std::string Screen::content(const std::string& name) const {
 }
 
 bool Screen::exists(const std::string& name) const { return fs::exists(path(name)); }
+
+int Screen::count(const std::string& beginning) const {
+    int found = 0;
+    for (const auto& entry : fs::directory_iterator(folder_->path()))
+        found += entry.path().filename().string().starts_with(beginning) ? 1 : 0;
+    return found;
+}
 
 std::string Screen::path(const std::string& name) const { return folder_->at(name); }
 

@@ -30,10 +30,13 @@ class Screen : public testing::Test {
     void TearDown() override;
 
     /// Opens the window with a file of the test's folder, or none, and waits for its first map.
-    void open(const std::string& file, const std::vector<std::string>& options = {});
+    void open(const std::string& file, const std::vector<std::string>& options = {},
+              const std::vector<std::string>& environment = {});
     void write(const std::string& name, const std::string& text) const;
     std::string content(const std::string& name) const;
     bool exists(const std::string& name) const;
+    /// The files of the test's folder that begin with this.
+    int count(const std::string& beginning) const;
     std::string path(const std::string& name) const;
 
     /// The current map.

@@ -1,11 +1,13 @@
 // Opening files in the window.
 
+#include "../cli/process.h"
 #include "driver.h"
 
 #include "glint/image.h"
 #include "glint/mesh_files.h"
 
 #include <cmath>
+#include <csignal>
 
 namespace glint::test {
 namespace {
@@ -70,6 +72,17 @@ TEST_F(Files, ALongWayInIsShownAndCanBeCancelled) {
     std::string text = bare_ball;
     write("scene.toml", text.replace(text.find("0.8, 0.1"), 8, "0.1, 0.8"));
     EXPECT_TRUE(wait_until([&] { return state("picture_hash") != before; }));
+}
+
+TEST_F(Files, ASignalWhileOneIsSavedLeavesNoTemporaryFile) {
+    if (sanitized) GTEST_SKIP() << "a sanitizer must be loaded first";
+    write("scene.toml", bare_ball);
+    open("scene.toml", {}, {std::string("LD_PRELOAD=") + GLINT_SIGNAL_IN_FSYNC});
+    finished_picture();
+    press("F12");
+    EXPECT_EQ(viewer().wait(30), 128 + SIGTERM) << log();
+    EXPECT_EQ(count(".glint-"), 0);
+    EXPECT_EQ(count("scene-window"), 0);
 }
 
 TEST_F(Files, WaitsForAFileWhenGivenNone) {

@@ -56,9 +56,10 @@ std::string size_text(std::int64_t width, std::int64_t height);
 /// Throws unless the size is 1 … 65,536 on each side and at most 2^30 pixels.
 void check_picture_size(const std::string& name, std::int64_t width, std::int64_t height);
 
-/// Throws Error(resource) where there is no memory for pixels of so many bytes each.
+/// Throws Error(resource) where there is no memory for pixels of so many bytes each, and `more` bytes to read
+/// them.
 void require_picture_memory(const std::string& name, std::int64_t width, std::int64_t height,
-                            std::size_t pixel_bytes);
+                            std::size_t pixel_bytes, double more = 0);
 
 /// Bytes of all channels of a picture that is written, as floats.
 std::size_t channel_bytes(const Image& image, const PictureOptions& options);

@@ -1,6 +1,7 @@
 // Reading EXR files with OpenEXR.
 
 #include "formats/picture/codecs.h"
+#include "formats/picture/exr_header.h"
 #include "formats/picture/exr_twice.h"
 
 #include <ImfChannelList.h>
@@ -42,86 +43,6 @@ class MemoryInput : public Imf::IStream {
     std::uint64_t at_ = 0;
 };
 
-struct Window {
-    std::int32_t min_x = 0;
-    std::int32_t min_y = 0;
-    std::int32_t max_x = -1;
-    std::int32_t max_y = -1;
-    std::int64_t width() const { return std::int64_t{max_x} - min_x + 1; }
-    std::int64_t height() const { return std::int64_t{max_y} - min_y + 1; }
-};
-
-/// Checks the structure of the header before OpenEXR parses it, since OpenEXR allocates memory for any
-/// lengths and sizes that a header claims. Structure: magic, version and flags, then name 0 type 0 length
-/// value …, then 0.
-class HeaderCheck {
-  public:
-    HeaderCheck(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name) {}
-
-    Window run() {
-        check_kind();
-        Window window;
-        bool found = false;
-        for (;;) {
-            const std::size_t start = at_;
-            const std::string_view key = text();
-            if (key.empty()) break;
-            text();
-            const std::int32_t length = integer();
-            if (length < 0 || static_cast<std::size_t>(length) > bytes_.size() - at_)
-                refuse("an attribute is longer than the file", cut_hint, start);
-            if (key == "dataWindow" && length == 16) {
-                window = {integer_at(at_), integer_at(at_ + 4), integer_at(at_ + 8), integer_at(at_ + 12)};
-                found = true;
-            }
-            at_ += static_cast<std::size_t>(length);
-        }
-        if (!found) refuse("the header has no data window", cut_hint, at_);
-        return window;
-    }
-
-  private:
-    void check_kind() {
-        constexpr std::uint32_t tiled = 0x200;
-        constexpr std::uint32_t deep = 0x800;
-        constexpr std::uint32_t parts = 0x1000;
-        at_ = 4;
-        const auto flags = static_cast<std::uint32_t>(integer());
-        if ((flags & 255U) != 2) refuse("an EXR of an unknown version", "version 2 is known", 4);
-        if ((flags & (tiled | deep | parts)) != 0)
-            refuse("an EXR in tiles, in several parts or with deep pixels",
-                   "save it as a flat picture in one part, by scan lines", 4);
-    }
-
-    std::string_view text() {
-        const std::size_t start = at_;
-        while (at_ < bytes_.size() && bytes_[at_] != std::byte{0}) ++at_;
-        if (at_ == bytes_.size()) refuse("the file ends within its header", cut_hint, start);
-        return {reinterpret_cast<const char*>(bytes_.data()) + start, at_++ - start};
-    }
-
-    std::int32_t integer() {
-        if (bytes_.size() - at_ < 4) refuse("the file ends within its header", cut_hint, at_);
-        at_ += 4;
-        return integer_at(at_ - 4);
-    }
-
-    std::int32_t integer_at(std::size_t offset) const {
-        std::uint32_t value = 0;
-        for (unsigned i = 0; i < 4; ++i)
-            value |= std::to_integer<std::uint32_t>(bytes_[offset + i]) << (8 * i);
-        return static_cast<std::int32_t>(value);
-    }
-
-    [[noreturn]] void refuse(const std::string& message, const std::string& hint, std::size_t byte) const {
-        refuse_picture(name_, message, hint, byte);
-    }
-
-    std::span<const std::byte> bytes_;
-    const std::string& name_;
-    std::size_t at_ = 0;
-};
-
 using ChannelNames = std::array<const char*, 3>;
 
 /// R, G and B, or Y for all three.
@@ -139,7 +60,7 @@ ChannelNames choose_channels(const Imf::ChannelList& list, const std::string& na
 
 /// Reads rows in blocks and grows the image with them, so a file that claims too many rows fails before much
 /// memory is used.
-LoadedPicture read_rows(Imf::InputFile& file, const Window& window, const ChannelNames& channels) {
+LoadedPicture read_rows(Imf::InputFile& file, const ExrWindow& window, const ChannelNames& channels) {
     constexpr std::int64_t block_rows = 64;
     LoadedPicture picture;
     Image& image = picture.image;
@@ -183,9 +104,13 @@ LoadedPicture read_rows(Imf::InputFile& file, const Window& window, const Channe
 } // namespace
 
 LoadedPicture decode_exr(std::span<const std::byte> bytes, const std::string& name) {
-    const Window window = HeaderCheck(bytes, name).run();
+    const ExrHeader header = read_exr_header(bytes, name);
+    const ExrWindow& window = header.window;
     check_picture_size(name, window.width(), window.height());
-    require_picture_memory(name, window.width(), window.height(), 3 * sizeof(float));
+    // With alpha; and a block as it is read, decompressed, and once or twice within the decompressor.
+    constexpr double copies = 4;
+    require_picture_memory(name, window.width(), window.height(), 4 * sizeof(float),
+                           copies * header.pixel_bytes * header.rows_of_a_block * double(window.width()));
     try {
         return twice([&] {
             MemoryInput input(bytes);

@@ -1,6 +1,7 @@
 // Writing EXR files with OpenEXR.
 
 #include "formats/picture/codecs.h"
+#include "formats/picture/exr_header.h"
 #include "formats/picture/exr_twice.h"
 
 #include <ImfChannelList.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 namespace glint::formats {
 
@@ -85,7 +87,9 @@ std::vector<std::byte> encode(const Image& image, const PictureOptions& options)
         file.setFrameBuffer(buffer);
         file.writePixels(image.height);
     }
-    return out.take();
+    std::vector<std::byte> bytes = out.take();
+    if (!has_all_blocks(bytes)) throw std::bad_alloc();
+    return bytes;
 }
 
 } // namespace

@@ -92,10 +92,10 @@ void check_picture_size(const std::string& name, std::int64_t width, std::int64_
 }
 
 void require_picture_memory(const std::string& name, std::int64_t width, std::int64_t height,
-                            std::size_t pixel_bytes) {
+                            std::size_t pixel_bytes, double more) {
     const double bytes = static_cast<double>(width) * static_cast<double>(height) * double(pixel_bytes);
-    require_memory(bytes, "a picture of " + size_text(width, height) + " pixels", "make it smaller first",
-                   {.file = name});
+    require_memory(bytes + more, "a picture of " + size_text(width, height) + " pixels",
+                   "make it smaller first", {.file = name});
 }
 
 std::size_t channel_bytes(const Image& image, const PictureOptions& options) {
@@ -104,14 +104,25 @@ std::size_t channel_bytes(const Image& image, const PictureOptions& options) {
     return floats * sizeof(float);
 }
 
-LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
+namespace {
+
+using Decoder = LoadedPicture (*)(std::span<const std::byte>, const std::string&);
+
+/// The decoder of a file that begins with these bytes.
+Decoder decoder_of(std::span<const std::byte> bytes, const std::string& name) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.starts_with("\x89PNG")) return decode_png(bytes, name);
-    if (text.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, name);
-    if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm(bytes, name);
+    if (text.starts_with("\x89PNG")) return decode_png;
+    if (text.starts_with("\x76\x2f\x31\x01")) return decode_exr;
+    if (text.starts_with("PF") || text.starts_with("Pf")) return decode_pfm;
     refuse_compressed(text, name);
     if (bytes.empty()) refuse_picture(name, "the file is empty", "write or copy it again");
     refuse_picture(name, "this is no picture in PNG, EXR or PFM", "convert it to one of these first", 0);
+}
+
+} // namespace
+
+LoadedPicture decode_picture(std::span<const std::byte> bytes, const std::string& name) {
+    return decoder_of(bytes, name)(bytes, name);
 }
 
 } // namespace glint::formats
@@ -162,7 +173,9 @@ LoadedPicture read_picture(const std::string& path) {
         if (const fs::file_status status = fs::status(path, none);
             fs::is_character_file(status) || fs::is_block_file(status))
             formats::refuse_picture(path, "this is a device, not a picture", "name a file");
-        return formats::decode_picture(formats::read_bytes(path), path);
+        formats::InputFile file(path);
+        const auto check_start = [&](std::span<const std::byte> bytes) { formats::decoder_of(bytes, path); };
+        return formats::decode_picture(formats::read_bytes(file, {}, check_start), path);
     } catch (const std::bad_alloc&) {
         throw Error(ErrorKind::resource, "not enough memory to read the picture", "close other programs",
                     {.file = path});

@@ -22,7 +22,8 @@ void png_fail(png_struct_def* png, const char* message) {
 
 void throw_if_out_of_memory(const PngFailure& failure) {
     const std::string_view message = failure.message.data();
-    for (const char* words : {"ut of memory", "not enough memory", "nsufficient memory"})
+    for (const char* words :
+         {"ut of memory", "not enough memory", "nsufficient memory", "too many text chunks"})
         if (message.find(words) != std::string_view::npos) throw std::bad_alloc();
 }
 

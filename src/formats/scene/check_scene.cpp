@@ -86,9 +86,9 @@ class SceneCheck {
     void check_references(const Object& object, const ObjectPositions& positions) {
         check_name(positions.table, object.name, positions.name);
         if (!object.material.empty() && names_.material_of(object) == nullptr) {
-            problems_.error(positions.material, "unknown material " + in_quotes(object.material),
-                            problems_.suggestion(object.material, material_names_,
-                                                 "define it as [material." + object.material + "]"));
+            const scene::KeyFault fault = scene::unknown_material(object.material);
+            problems_.error(positions.material, fault.message,
+                            problems_.suggestion(object.material, material_names_, fault.hint));
         }
         const auto* instance = std::get_if<InstanceShape>(&object.shape);
         if (instance && !instance->mesh.empty() && names_.mesh(instance->mesh) == nullptr)

@@ -24,9 +24,8 @@ namespace fs = std::filesystem;
 // are too long.
 fs::path resolve_links(const fs::path& path) {
     std::error_code failed;
-    const fs::path absolute = fs::absolute(path, failed);
-    if (failed) return {};
-    const fs::path resolved = fs::weakly_canonical(absolute, failed);
+    fs::path resolved = fs::absolute(path, failed);
+    if (!failed) resolved = fs::weakly_canonical(resolved, failed);
     if (failed == std::errc::not_enough_memory) throw std::bad_alloc();
     return failed ? fs::path() : resolved;
 }
@@ -84,8 +83,12 @@ class MeshLoader {
 
     void check(const Wanted& wanted) {
         const bool trusted = policy_.allow_outside || wanted.where.origin > 0;
+        std::error_code failed;
+        const fs::file_status status = fs::status(wanted.path, failed);
+        const bool nowhere =
+            failed == std::errc::filename_too_long || failed == std::errc::too_many_symbolic_link_levels;
         const fs::path resolved = resolve_links(wanted.path);
-        if (!trusted && !is_inside(resolved, folder_)) {
+        if (!trusted && !nowhere && !is_inside(resolved, folder_)) {
             const bool known = !resolved.empty() && !folder_.empty();
             return problems_.error(
                 wanted.where,
@@ -95,8 +98,6 @@ class MeshLoader {
                 "--allow-outside permits it, and so does -D mesh." + wanted.called + ".file=…");
         }
         if (!policy_.load) return;
-        std::error_code failed;
-        const fs::file_status status = fs::status(wanted.path, failed);
         if (status.type() == fs::file_type::not_found)
             problems_.error(wanted.where, "mesh file " + in_quotes(wanted.path.string()) + " does not exist",
                             "say where it is with -D mesh." + wanted.called + ".file=…");

@@ -7,6 +7,8 @@
 #include "scene/text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace glint::formats {
 
@@ -224,6 +226,17 @@ class ValueReader {
     const ReadContext& context_;
 };
 
+/// Was an angle in degrees probably meant in radians? Only whole degrees are taken for certain.
+bool looks_like_radians(const KeySpec& key, double angle) {
+    constexpr double degree = std::numbers::pi / 180;
+    if (key.unit != "degrees" || angle == std::floor(angle)) return false;
+    if (key.range.high <= 180) return angle <= key.range.high * degree;
+    // Rotations may be small: only multiples of 15° up to a whole turn, as rounded to three digits.
+    const double steps = std::abs(angle) / (15 * degree);
+    const double nearest = std::round(steps);
+    return nearest > 0 && nearest <= 24 && std::abs(steps - nearest) < 6e-4 * nearest;
+}
+
 } // namespace
 
 Vec3 vec3_of(const TreeValue& list) {
@@ -296,6 +309,11 @@ std::optional<KeyValue> TableReader::value(const KeySpec& key) {
         error(entry->value.where, std::move(fault->message), std::move(fault->hint));
         return std::nullopt;
     }
+    if (const auto* angle = std::get_if<double>(&*read); angle && looks_like_radians(key, *angle))
+        context_.problems.warning(entry->value.where,
+                                  label_of(key) + " " + scene::show(*angle) + " looks like radians",
+                                  "angles are in degrees; " + scene::show(*angle) + " radians are " +
+                                      scene::rounded(*angle * 180 / std::numbers::pi) + "°");
     return read;
 }
 
@@ -308,10 +326,14 @@ const TreeValue* TableReader::list(std::string_view key) {
 }
 
 std::string selected_type(const TreeValue& table, const TableSpec& spec) {
-    const TreeEntry* entry = spec.selector.empty() ? nullptr : table.find(spec.selector);
-    if (!entry || entry->value.kind != Kind::text) return {};
-    const auto& types = find_key(spec, spec.selector, {})->choices;
-    return std::find(types.begin(), types.end(), entry->value.text) != types.end() ? entry->value.text : "";
+    if (spec.selector.empty()) return {};
+    const KeySpec& selector = *find_key(spec, spec.selector, {});
+    const TreeEntry* entry = table.find(spec.selector);
+    if (!entry) return selector.initial ? plain_text(selector, selector.initial()) : "";
+    const auto& types = selector.choices;
+    const bool good =
+        entry->value.kind == Kind::text && std::ranges::find(types, entry->value.text) != types.end();
+    return good ? entry->value.text : "";
 }
 
 } // namespace glint::formats

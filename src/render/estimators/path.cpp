@@ -175,7 +175,8 @@ void PathTracer::sample_emitter(std::size_t number, const PathVertex& vertex) {
     if (!(sample.pdf > 0.0f)) return;
     const float pdf = chosen.probability * sample.pdf;
     const float weight = mis_weight(pdf, bsdf_pdf(vertex.bsdf, sample.direction));
-    const vec3& emission = scene_.materials[scene_.objects[emitter.object].material].emission;
+    const vec3 emission = emitted(scene_.materials[scene_.objects[emitter.object].material],
+                                  dot(sample.n, sample.direction) < 0.0f);
     Ray ray = ray_of(spawn_ray(s, sample.direction));
     ray.direction = end_before(emitter, sample) - ray.origin;
     ray.tmax = 1.0f;

@@ -52,7 +52,7 @@ bool PathWalk::find_vertex(const Ray& ray, Hit& hit, const InteriorList*& interi
     vertex.before = interior;
     vertex.beyond = solids_.beyond(vertex.at, interior);
     vertex.refracts = contact.refracts || is_dielectric(hit.object, scene_);
-    vertex.emission = vertex.at.material->emission;
+    vertex.emission = emitted(*vertex.at.material, vertex.at.entering);
     const float index_after = refractive_index(vertex.beyond, scene_);
     vertex.bsdf = bsdf_of(vertex.at, {refractive_index(interior, scene_), index_after, vertex.refracts});
     return true;
@@ -94,7 +94,7 @@ PassedLight PathWalk::passing(const Ray& shadow, bool occluded, const InteriorLi
 
 /// As by Whitted's model.
 PassedLight PathWalk::passing_all(const Ray& shadow, const InteriorList* interior) {
-    const PassedLight passed{vec3(solids_.light_past_blockers(shadow, interior))};
+    const PassedLight passed{solids_.light_past_blockers(shadow, interior)};
     if (is_dark(passed.share)) return passed;
     scene_.world.all_hits(shadow, blockers_);
     const auto is_solid = [&](const Hit& hit) { return is_dielectric(hit.object, scene_); };

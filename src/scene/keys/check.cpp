@@ -146,6 +146,10 @@ std::optional<KeyFault> fault_of(const KeySpec& key, const KeyValue& value) {
     return value_fault(key, value);
 }
 
+KeyFault unknown_material(const std::string& name) {
+    return {"unknown material " + in_quotes(name), "define it as [material." + name + "]"};
+}
+
 std::optional<KeyFault> view_fault(const CameraDescription& camera) {
     // Relative to both lengths: what is left of a cross product of parallel vectors is rounding.
     const Vec3 side = glm::cross(camera.direction, camera.up);

@@ -25,6 +25,9 @@ std::optional<KeyFault> fault_of(const KeySpec& key, const KeyValue& value);
 
 // ── Checks of several values together ──────────────────────────────────────────────────────────────────────
 
+/// What is said of a material that the scene does not have, with the cure where no other name is near.
+KeyFault unknown_material(const std::string& name);
+
 std::optional<KeyFault> view_fault(const CameraDescription& camera);
 /// With energy = "balanced".
 std::optional<KeyFault> balance_fault(const Material& material);

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <unistd.h>
 
-namespace glint::cli {
+namespace glint {
 namespace {
 
 constexpr unsigned seconds_to_stop = 1;
@@ -57,4 +57,4 @@ const CancelFlag& cancel_flag() { return cancelled; }
 
 int stopped_by() { return last_signal == 0 ? 0 : 128 + last_signal; }
 
-} // namespace glint::cli
+} // namespace glint

@@ -1,11 +1,11 @@
 #pragma once
-// SIGINT (Ctrl-C), SIGTERM and SIGHUP. They end the program and leave no temporary file. While frames are
-// rendered the first one stops at the next tiles instead; the second one, or a second of time, ends the
+// SIGINT (Ctrl-C), SIGTERM and SIGHUP. They end the program and leave no temporary file. While `glint`
+// renders frames the first one stops at the next tiles instead; the second one, or a second of time, ends the
 // program.
 
-#include "glint/render.h"
+#include "glint/scene.h"
 
-namespace glint::cli {
+namespace glint {
 
 /// Writing to a pipe that nobody reads, or beyond the limit on the size of files, fails with an error instead
 /// of ending the program.
@@ -21,4 +21,4 @@ const CancelFlag& cancel_flag();
 /// The exit code after a signal, 128 + its number; 0 without one.
 int stopped_by();
 
-} // namespace glint::cli
+} // namespace glint
