@@ -40,8 +40,6 @@ PathWalk::PathWalk(const SceneData& scene, const PathSettings& settings, const C
                    const KernelChoice& kernel)
     : scene_(scene), modes_(scene::whitted_modes(scene.description.whitted)),
       exact_shadows_(settings.shadows == PathShadows::exact),
-      any_see_through_(std::ranges::any_of(
-          scene.materials, [](const MaterialRecord& m) { return m.transparency > 0.0f || m.opacity < 1.0f; })),
       solids_(scene, whitted_settings(scene.description), cancel, kernel),
       ends_shadow_([&scene](const Hit& hit) {
           const MaterialRecord& m = scene.materials[scene.objects[hit.object].material];
@@ -76,7 +74,7 @@ PathStep PathWalk::step(const PathVertex& from, const PathLength& length,
     PathStep step;
     step.sample = bsdf_sample(from.bsdf, lobe, u.x, u.y);
     if (step.sample.transmits) {
-        step.crosses = step.sample.straight && !from.refracts;
+        step.crosses = step.sample.straight;
         step.sample.weight.transmission =
             step.sample.weight.transmission * from.at.contact.others * from.at.contact.tint;
     }
@@ -93,7 +91,7 @@ PassedLight PathWalk::passing(const Ray& shadow, bool occluded, const InteriorLi
     if (!exact_shadows_) return occluded ? passing_all(shadow, interior) : PassedLight{vec3(1.0f)};
     const vec3 left_over = left_by_medium(interior, length(shadow.direction) * shadow.tmax);
     if (!occluded) return {left_over};
-    return {any_see_through_ ? left_over * passing_panes(shadow, interior) : vec3(0.0f)};
+    return {scene_.any_see_through ? left_over * passing_panes(shadow, interior) : vec3(0.0f)};
 }
 
 /// As by Whitted's model.

@@ -87,7 +87,6 @@ class PathWalk {
     const scene::SceneData& scene_;
     const WhittedModes modes_;
     const bool exact_shadows_;
-    const bool any_see_through_; ///< shadow rays may pass something
     Whitted solids_; ///< keeps the lists of solids around rays
     std::vector<trace::Hit> blockers_;
     Coincidence met_;
