@@ -289,11 +289,6 @@ SceneDescription models() {
     add(scene, SphereShape{Vec3(-1.1, -1.9, -0.5), 0.5}, part);
     add(scene, RectangleShape{Vec3(1.2, -2.4, -0.9), Vec3(0.9, 0.3, 0), Vec3(0, 0.1, 1.3)},
         modelled(MaterialModel::dielectric, Vec3(0.3, 0.9, 0.4), 0));
-    Material lit = paint(Vec3(0.2));
-    lit.emission = Vec3(0.5, 0.4, 0.3);
-    lit.emission_sides = EmissionSides::front;
-    add(scene, RectangleShape{Vec3(-3, 1, 0.5), Vec3(0.7, 0.2, 0), Vec3(0, 0.2, 0.8)}, lit);
-    add(scene, RectangleShape{Vec3(-3, 1, 1.6), Vec3(0, 0.2, 0.8), Vec3(0.7, 0.2, 0)}, lit);
     return scene;
 }
 

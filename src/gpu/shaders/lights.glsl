@@ -40,7 +40,7 @@ void meet_surface(Hit hit, SurfacePoint point) {
 #if GLINT_CONTACTS
     if (contact.exists) {
         refracts = contact.refracts;
-        others = transparency_at(hit) / material.transparency;
+        if (material.transparency > 0.0f) others = transparency_at(hit) / material.transparency;
         point.p_error += vec3(contact.margin);
     }
 #endif
