@@ -31,6 +31,11 @@ Json scene_json(const SceneStats& stats) {
     return json;
 }
 
+template <class T>
+constexpr bool is_optional = false;
+template <class T>
+constexpr bool is_optional<std::optional<T>> = true;
+
 /// Numbers, booleans and lists as such, everything else as text.
 Json value_json(const KeySpec& key, const KeyValue& value) {
     return std::visit(
@@ -38,6 +43,8 @@ Json value_json(const KeySpec& key, const KeyValue& value) {
             if constexpr (std::is_arithmetic_v<T>) return held;
             if constexpr (std::is_same_v<T, Vec3>) return vector_json(held);
             if constexpr (std::is_same_v<T, std::array<int, 2>>) return held;
+            if constexpr (is_optional<T>)
+                if (held) return *held;
             return plain_text(key, value);
         },
         value);

@@ -34,9 +34,8 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
     options.bits = request.bits;
     options.alpha = std::move(picture.coverage);
     if (request.render.terms)
-        for (int i = 0; i < term_count; ++i)
-            options.layers.push_back(
-                {term_name(static_cast<Term>(i)), std::move(picture.terms[std::size_t(i)])});
+        for (std::size_t i = 0; const std::string& name : term_names(scene.render_settings().integrator))
+            options.layers.push_back({name, std::move(picture.terms[i++])});
     options.metadata = picture_settings(scene);
     if (request.render.show != Aov::final)
         options.metadata.emplace_back("glint.show", aov_name(request.render.show));
@@ -48,17 +47,25 @@ PictureOptions picture_options(const RenderRequest& request, const Scene& scene,
         options.metadata.emplace_back(
             "glint.crop", fmt::format("{},{},{},{}", crop->x, crop->y, crop->width, crop->height));
     }
+    if (picture.stats.clamped_light > 0)
+        options.metadata.emplace_back("glint.clamped", fmt::format("{:.2g}", clamped_share(picture.stats)));
     // The last bits depend on the rounding of the graphics card.
     if (!record.device.empty()) options.metadata.emplace_back("glint.device", record.device);
     options.metadata.emplace_back("glint.hash", record.hash);
     return options;
 }
 
+/// "4 spp" or "1..16 spp".
+std::string samples_text(const SampleCounts& samples) {
+    return samples.adaptive() ? fmt::format("{}..{} spp", samples.all, samples.differing)
+                              : fmt::format("{} spp", samples.all);
+}
+
 /// "4 spp", or "1..16 spp, 2.7 on average".
-std::string samples_text(const RenderSettings& settings, const Picture& picture) {
-    if (settings.max_spp <= settings.spp) return fmt::format("{} spp", settings.spp);
-    return fmt::format("{}..{} spp, {:.1f} on average", settings.spp, settings.max_spp,
-                       samples_per_pixel(picture));
+std::string samples_text(const Scene& scene, const Picture& picture) {
+    const SampleCounts samples = sample_counts(scene.render_settings());
+    if (!samples.adaptive()) return samples_text(samples);
+    return fmt::format("{}, {:.1f} on average", samples_text(samples), samples_per_pixel(picture));
 }
 
 /// "scene.png: 640×480, 4 spp, 871,306 triangles, 1.23 s, 3.41 Mrays/s, hash …"
@@ -69,9 +76,13 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
     const std::string partial =
         picture.complete ? "" : fmt::format("stopped early with {:.0f} % done, ", record.fraction * 100);
     const std::string device = record.device.empty() ? "" : "on " + record.device + ", ";
-    return fmt::format("{}: {}{}×{}, {}, {}, {}{}, {}, hash {}", shown_name(record.output), partial,
+    const std::string clamped =
+        picture.stats.clamped_light > 0
+            ? fmt::format("{:.2g} % of the light clamped, ", 100 * clamped_share(picture.stats))
+            : "";
+    return fmt::format("{}: {}{}×{}, {}, {}, {}{}{}, {}, hash {}", shown_name(record.output), partial,
                        picture.image.width, picture.image.height,
-                       samples_text(scene.render_settings(), picture), size, device,
+                       samples_text(scene, picture), size, clamped, device,
                        duration(picture.stats.wall_seconds),
                        ray_rate(picture.stats.rays(), picture.stats.wall_seconds), record.hash);
 }
@@ -102,8 +113,8 @@ std::string needs_text(const RenderRequest& request, const SceneDescription& sce
     std::string text = printable(shown_name(request.output));
     if (request.frames) text += fmt::format(": {}, each", counted(pictures, "frame"));
     const auto& crop = request.render.crop;
-    text += fmt::format(": {}×{}, {} spp\n", crop ? crop->width : scene.render.width,
-                        crop ? crop->height : scene.render.height, scene.render.spp);
+    text += fmt::format(": {}×{}, {}\n", crop ? crop->width : scene.render.width,
+                        crop ? crop->height : scene.render.height, samples_text(sample_counts(scene.render)));
     text += row("scene", needs.scene) + row("picture", needs.picture) + row("writing", needs.writing);
     return text + fmt::format("  {:<9}{} of {} that are left\n", "memory", bytes_text(needs.total()),
                               bytes_text(available_memory()));

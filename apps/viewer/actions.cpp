@@ -37,7 +37,9 @@ void compare(App& app) {
 
 /// `step` on in the list of AOVs, around its end.
 void show_next(App& app, int step) {
-    app.state.show = static_cast<Aov>((static_cast<int>(app.state.show) + step + aov_count) % aov_count);
+    const Integrator integrator = app.editor.description()->render.integrator;
+    do app.state.show = static_cast<Aov>((static_cast<int>(app.state.show) + step + aov_count) % aov_count);
+    while (!has_aov(integrator, app.state.show));
     app.messages.show(std::string("Showing: ") + aov_name(app.state.show));
 }
 

@@ -67,6 +67,8 @@ void Rows::row(const KeySpec& key) {
     if (const auto* whole = std::get_if<std::int64_t>(&value)) slider(key, text, static_cast<int>(*whole));
     if (const auto* real = std::get_if<double>(&value)) number(key, *real);
     if (const auto* real = std::get_if<std::optional<double>>(&value); real && *real) number(key, **real);
+    if (const auto* whole = std::get_if<std::optional<std::int64_t>>(&value))
+        slider(key, text, static_cast<int>(whole->value_or(static_cast<std::int64_t>(key.range.low))));
     if (const auto* chosen = std::get_if<Choice>(&value))
         choice(text, std::string(key.choices[chosen->index]), {key.choices.begin(), key.choices.end()});
     if (const auto* three = std::get_if<Vec3>(&value)) vector(key, text, *three);

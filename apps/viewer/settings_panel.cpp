@@ -13,12 +13,18 @@
 namespace glint::viewer {
 namespace {
 
-void quantity(Ui& ui, ViewState& state) {
+void quantity(Ui& ui, Integrator integrator, ViewState& state) {
+    std::vector<Aov> aovs;
     std::vector<std::string> words;
-    for (int i = 0; i < aov_count; ++i) words.emplace_back(aov_name(static_cast<Aov>(i)));
+    for (int i = 0; i < aov_count; ++i) {
+        const auto aov = static_cast<Aov>(i);
+        if (!has_aov(integrator, aov)) continue;
+        aovs.push_back(aov);
+        words.emplace_back(aov_name(aov));
+    }
     label_row(ui, "show", "the picture, one term of its light, or something else about each pixel (V)");
     const int chosen = choose(ui, "show", aov_name(state.show), words);
-    if (chosen >= 0) state.show = static_cast<Aov>(chosen);
+    if (chosen >= 0) state.show = aovs[static_cast<std::size_t>(chosen)];
     label_row(ui, "tone", "the sRGB curve, as in files, or plain numbers as the report's pictures");
     const int view = choose(ui, "view", state.view == View::raw ? "raw" : "sRGB", {"sRGB", "raw"});
     if (view >= 0) state.view = view == 1 ? View::raw : View::srgb;
@@ -121,10 +127,11 @@ void saving(Ui& ui, bool saved, std::vector<Action>& actions) {
 void settings_panel(Ui& ui, SceneEditor& editor, const std::string& why_cpu, ViewState& state,
                     std::vector<Edit>& edits, std::vector<Action>& actions) {
     const SceneDescription& scene = *editor.description();
-    quantity(ui, state);
+    quantity(ui, scene.render.integrator, state);
     backend(ui, why_cpu, state);
     heading(ui, "Light model");
     if (scene.render.integrator == Integrator::whitted) settings_rows(ui, "whitted", scene.whitted, edits);
+    if (traces_paths(scene.render.integrator)) settings_rows(ui, "path", scene.path, edits);
     if (scene.render.integrator == Integrator::ambient_occlusion)
         settings_rows(ui, "ambient_occlusion", scene.ambient_occlusion, edits);
     heading(ui, "Picture");

@@ -91,8 +91,8 @@ bool draw_status(Ui& ui, const Area& area, const SceneEditor& editor, Kernel ker
     const float hint_x = ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(hint).x;
     const float device_x = hint_x - gap - ImGui::CalcTextSize(device.c_str()).x;
     if (frame) {
-        const RenderSettings& render = editor.description()->render;
-        draw_picture_text(ui, *frame, std::max(render.spp, render.max_spp), padding, device_x - gap);
+        const SampleCounts samples = sample_counts(editor.description()->render);
+        draw_picture_text(ui, *frame, std::max(samples.all, samples.differing), padding, device_x - gap);
     }
     ImGui::SameLine(device_x);
     ImGui::SetCursorPosY(padding);

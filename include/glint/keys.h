@@ -24,24 +24,25 @@ enum class KeyType {
     boolean,
     whole_number,
     number,
-    number_or_auto, ///< a number, or the text "auto"
-    choice,         ///< one of KeySpec::choices
-    text,           ///< not empty
-    file,           ///< the name of a file
-    size,           ///< [width, height] in pixels
-    point,          ///< [x, y, z] within ±10^12
-    direction,      ///< [x, y, z], not zero; its length does not matter
-    rgb,            ///< [r, g, b] of plain numbers ≥ 0
-    color,          ///< rgb, "#rrggbb" or a name
-    lengths,        ///< [x, y, z], each above 0
-    scale,          ///< a number or [x, y, z], none of them 0
-    vertices,       ///< three points
-    matrix,         ///< 16 numbers by rows, affine and regular
-    transform,      ///< a list of tables, applied in order
-    key_path,       ///< as -D names one value of the scene
-    frame_range,    ///< [first, last], integers
-    frames,         ///< ascending numbers, at least one
-    values,         ///< a list of values of another key
+    number_or_auto,       ///< a number, or the text "auto"
+    whole_number_or_auto, ///< the same, of whole numbers
+    choice,               ///< one of KeySpec::choices
+    text,                 ///< not empty
+    file,                 ///< the name of a file
+    size,                 ///< [width, height] in pixels
+    point,                ///< [x, y, z] within ±10^12
+    direction,            ///< [x, y, z], not zero; its length does not matter
+    rgb,                  ///< [r, g, b] of plain numbers ≥ 0
+    color,                ///< rgb, "#rrggbb" or a name
+    lengths,              ///< [x, y, z], each above 0
+    scale,                ///< a number or [x, y, z], none of them 0
+    vertices,             ///< three points
+    matrix,               ///< 16 numbers by rows, affine and regular
+    transform,            ///< a list of tables, applied in order
+    key_path,             ///< as -D names one value of the scene
+    frame_range,          ///< [first, last], integers
+    frames,               ///< ascending numbers, at least one
+    values,               ///< a list of values of another key
 };
 
 /// The allowed numbers, both ends included unless open.
@@ -65,9 +66,9 @@ struct Choice {
 };
 
 /// The value of a key; std::uint64_t only beyond the other integers. Empty: the owner has no such member.
-using KeyValue =
-    std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::optional<double>, Choice,
-                 std::string, std::array<int, 2>, Vec3, std::array<Vec3, 3>, Mat4, std::vector<double>>;
+using KeyValue = std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double,
+                              std::optional<double>, std::optional<std::int64_t>, Choice, std::string,
+                              std::array<int, 2>, Vec3, std::array<Vec3, 3>, Mat4, std::vector<double>>;
 
 /// Refers to the struct whose members keys set: a Material, an Object, a Light, …
 class KeyOwner {
@@ -149,6 +150,7 @@ template <class Description, class Use>
 void for_settings(Description& description, const Use& use) {
     use("render", description.render);
     use("whitted", description.whitted);
+    use("path", description.path);
     use("ambient_occlusion", description.ambient_occlusion);
 }
 

@@ -36,21 +36,31 @@ struct Progress {
 /// light and its terms use one ray through each pixel's centre, whatever the number of samples.
 enum class Aov {
     final,   ///< the light: the sum of its terms
-    ambient, ///< the terms in order, see Term
+    ambient, ///< the terms of Whitted's model in order, see Term
     diffuse,
     highlight,
     clamp,
     reflection,
     transmission,
-    emission,
-    shadows, ///< number of lights not visible from the first hit; those behind glass count fractionally
-    normal,  ///< shading normal facing the viewer: x, y, z from −1 to 1; 0 if nothing is hit
-    depth,   ///< distance along the ray in scene units; infinite if nothing is hit
-    cost     ///< steps of scalar traversal to the first hit: nodes, shapes tested, 0
+    emission, ///< also of path tracing
+    shadows,  ///< number of lights not visible from the first hit; those behind glass count fractionally
+    normal,   ///< shading normal facing the viewer: x, y, z from −1 to 1; 0 if nothing is hit
+    depth,    ///< distance along the ray in scene units; infinite if nothing is hit
+    cost,     ///< steps of scalar traversal to the first hit: nodes, shapes tested, 0
+    direct_diffuse, ///< the terms of path tracing in order, see PathTerm
+    direct_specular,
+    direct_transmission,
+    indirect_diffuse,
+    indirect_specular,
+    indirect_transmission
 };
-inline constexpr int aov_count = 12;
+inline constexpr int aov_count = 18;
 /// "final", "ambient", …
 const char* aov_name(Aov aov);
+/// Whether pictures of the integrator have it: only terms depend on the integrator.
+bool has_aov(Integrator integrator, Aov aov);
+/// The names of an integrator's terms in order; none if it does not split light.
+std::vector<std::string> term_names(Integrator integrator);
 
 /// A picture for the eye of an aov's numbers, in linear light: the terms as they are, or what they took;
 /// shadows from white (all lights are seen) to black (none); normals with −1 … 1 as 0 … 1; depth from white
@@ -88,6 +98,8 @@ struct RenderStats {
     std::uint64_t refracted_rays = 0;
     std::uint64_t shadow_rays = 0;
     std::uint64_t left_out_rays = 0; ///< not traced: their weight was below WhittedSettings::min_weight
+    double light = 0;                ///< of all samples, if PathSettings::clamp_indirect is set
+    double clamped_light = 0;        ///< what that took of it
     int threads = 0;                 ///< threads that rendered at least one tile
 
     std::uint64_t rays() const { return primary_rays + reflected_rays + refracted_rays + shadow_rays; }
@@ -97,9 +109,12 @@ struct RenderStats {
 /// min_weight. The picture is darker by at most this share of the brightest light along any ray.
 double left_out_share(const RenderStats& stats, const Scene& scene);
 
+/// The share of the light that PathSettings::clamp_indirect took; 0 if it is not set.
+double clamped_share(const RenderStats& stats);
+
 struct Picture {
     Image image;
-    /// by Term; their sum in order equals `image` bit for bit; empty unless requested
+    /// by Term or PathTerm; their sum in order equals `image` bit for bit; empty unless requested
     std::array<Image, term_count> terms;
     std::vector<float>
         coverage; ///< width · height: fraction of samples that hit something, filtered; or empty

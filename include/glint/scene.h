@@ -54,21 +54,42 @@ struct CameraDescription {
     Location where;
 };
 
-enum class Integrator { whitted, ambient_occlusion };
+enum class Integrator { whitted, path, path_simple, direct, ambient_occlusion };
 template <>
-inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>{"whitted",
-                                                                                 "ambient-occlusion"};
+inline constexpr NamesUpTo<Integrator::ambient_occlusion> enum_names<Integrator>{
+    "whitted", "path", "path-simple", "direct", "ambient-occlusion"};
+
+/// Whether it estimates all light by paths, in the units of light that they share.
+constexpr bool traces_paths(Integrator integrator) {
+    return integrator == Integrator::path || integrator == Integrator::path_simple ||
+           integrator == Integrator::direct;
+}
 
 struct RenderSettings {
     int width = 640;
     int height = 480;
-    int spp = 4;     ///< samples per pixel; 1: through the pixel's centre
-    int max_spp = 0; ///< samples of each pixel that differs from a neighbour, if more than `spp`
+    std::optional<int> spp; ///< samples per pixel; 1: through its centre; none: see sample_counts()
+    int max_spp = 0;        ///< samples of each pixel that differs from a neighbour, if more than `spp`
     std::uint64_t seed = 0;
     Integrator integrator = Integrator::whitted;
     PixelFilter filter = PixelFilter::box;
     Vec3 background{0}; ///< linear RGB
 };
+
+/// Samples of the pixels of a picture.
+struct SampleCounts {
+    int all = 1;       ///< of each pixel
+    int differing = 0; ///< of those that differ from a neighbour, instead; 0: of none
+
+    bool adaptive() const { return differing > 0; }
+    /// About how many a pixel has: in ordinary pictures a fifth of the pixels differ.
+    double mean() const { return all + 0.2 * differing; }
+    friend bool operator==(const SampleCounts&, const SampleCounts&) = default;
+};
+
+/// What `spp` and `max_spp` say. Without `spp`, pixels have 1 sample, and 8 where they differ from a
+/// neighbour; where noise differs everywhere all have the same, 64 for paths, 4 for ambient occlusion.
+SampleCounts sample_counts(const RenderSettings& settings);
 
 enum class Shadows { transmissive, opaque };
 template <>
@@ -89,6 +110,28 @@ struct WhittedSettings {
     bool energy_chosen = false; ///< written down: materials that give more light than they get are meant
     HighlightModel highlight_model = HighlightModel::blinn;
     double index = 1.0; ///< index of refraction of the surroundings
+};
+
+enum class LightSampling { uniform, power, tree };
+template <>
+inline constexpr NamesUpTo<LightSampling::tree> enum_names<LightSampling>{"uniform", "power", "tree"};
+/// What shadow rays of paths pass, beside thin panes.
+enum class PathShadows {
+    exact,       ///< nothing: light through solid glass arrives by paths
+    transmissive ///< solid glass, unbent, as in Whitted's model
+};
+template <>
+inline constexpr NamesUpTo<PathShadows::transmissive> enum_names<PathShadows>{"exact", "transmissive"};
+
+/// Bounces are counted after the first hit. Those by mirrors and smooth glass are specular, all others
+/// diffuse; going straight through a thin pane is neither.
+struct PathSettings {
+    int max_depth = 32;
+    int max_diffuse_bounces = 1000; ///< beside max_depth
+    int roulette_depth = 4;         ///< the first bounce that may end a path for its small weight
+    LightSampling light_sampling = LightSampling::tree;
+    double clamp_indirect = 0; ///< largest radiance of a sample's indirect light; 0: as it is
+    PathShadows shadows = PathShadows::exact;
 };
 
 struct AmbientOcclusionSettings {
@@ -289,6 +332,7 @@ struct SceneDescription {
     Framing framing;
     RenderSettings render;
     WhittedSettings whitted;
+    PathSettings path;
     AmbientOcclusionSettings ambient_occlusion;
     std::vector<Material> materials;
     std::vector<Object> objects;

@@ -31,6 +31,8 @@ void DeviceExecutor::start(const rendering::FilmLayout& layout, TileDone tile_do
 /// after the other: each is a grid of its own.
 std::vector<std::uint32_t> DeviceExecutor::begin_pass(const rendering::Pass& pass) {
     pass_ = pass;
+    // The samples of adaptive passes are counted and summed anew.
+    if (pass.adaptive && pass.first == 0) samples_.assign(samples_.size(), 0);
     tiles_.clear();
     std::vector<rendering::Pixel> origins{{0, 0}};
     if (pass.refines) origins = {{pass.step, 0}, {0, pass.step}, {pass.step, pass.step}};

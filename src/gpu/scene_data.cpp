@@ -194,7 +194,7 @@ class Flattener {
         const RenderSettings& r = scene_.description.render;
         s.seed_low = static_cast<std::uint32_t>(r.seed);
         s.seed_high = static_cast<std::uint32_t>(r.seed >> 32);
-        s.samples = static_cast<std::uint32_t>(r.spp);
+        s.samples = static_cast<std::uint32_t>(sample_counts(r).all);
         s.pixel_step = 1;
     }
 

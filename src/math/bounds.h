@@ -3,6 +3,8 @@
 
 #include "math/vec.h"
 
+#include <glm/vector_relational.hpp>
+
 #include <limits>
 
 namespace glint {
@@ -40,6 +42,11 @@ struct Bounds {
 /// What two boxes have in common; empty if they do not touch.
 inline Bounds common_box(const Bounds& a, const Bounds& b) {
     return {glm::max(a.lo, b.lo), glm::min(a.hi, b.hi)};
+}
+
+/// Whether two boxes have a point in common.
+inline bool touch(const Bounds& a, const Bounds& b) {
+    return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
 }
 
 } // namespace glint

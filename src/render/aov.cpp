@@ -49,12 +49,13 @@ Image cost_in_colours(const Image& numbers) {
 
 } // namespace
 
-bool is_light(Aov aov) { return aov == Aov::final || term_of(aov); }
+bool is_light(Aov aov) { return aov < Aov::shadows || aov > Aov::cost; }
 
-std::optional<Term> term_of(Aov aov) {
-    const int number = static_cast<int>(aov) - static_cast<int>(Aov::ambient);
-    if (number < 0 || number >= term_count) return std::nullopt;
-    return static_cast<Term>(number);
+std::optional<int> term_of(Aov aov, Integrator integrator) {
+    const std::vector<std::string> names = term_names(integrator);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == aov_name(aov)) return static_cast<int>(i);
+    return std::nullopt;
 }
 
 } // namespace glint::rendering
@@ -62,10 +63,32 @@ std::optional<Term> term_of(Aov aov) {
 namespace glint {
 
 const char* aov_name(Aov aov) {
-    if (const auto term = rendering::term_of(aov)) return term_name(*term);
     static constexpr std::array first_hits{"shadows", "normal", "depth", "cost"};
+    const auto from = [aov](Aov first) {
+        return static_cast<std::size_t>(aov) - static_cast<std::size_t>(first);
+    };
     if (aov == Aov::final) return "final";
-    return first_hits[static_cast<std::size_t>(aov) - static_cast<std::size_t>(Aov::shadows)];
+    if (aov < Aov::shadows) return enum_names<Term>[from(Aov::ambient)].data();
+    if (aov <= Aov::cost) return first_hits[from(Aov::shadows)];
+    return enum_names<PathTerm>[from(Aov::direct_diffuse)].data();
+}
+
+bool has_aov(Integrator integrator, Aov aov) {
+    return aov == Aov::final || !rendering::is_light(aov) || rendering::term_of(aov, integrator);
+}
+
+std::vector<std::string> term_names(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::whitted:
+        return {enum_names<Term>.begin(), enum_names<Term>.end()};
+    case Integrator::path:
+    case Integrator::direct:
+        return {enum_names<PathTerm>.begin(), enum_names<PathTerm>.end()};
+    case Integrator::path_simple:
+    case Integrator::ambient_occlusion:
+        break;
+    }
+    return {};
 }
 
 bool is_visible(Aov aov) { return aov == Aov::final || (rendering::is_light(aov) && aov != Aov::clamp); }

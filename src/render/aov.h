@@ -10,7 +10,7 @@ namespace glint::rendering {
 /// True for the light and its terms, which have as many samples as the scene says; others have one ray a
 /// pixel.
 bool is_light(Aov aov);
-/// The term that an AOV shows; none if it shows all light or first hits.
-std::optional<Term> term_of(Aov aov);
+/// The number of the integrator's term that an AOV shows; none if it shows no term of its.
+std::optional<int> term_of(Aov aov, Integrator integrator);
 
 } // namespace glint::rendering

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace glint::rendering {
 
@@ -27,16 +28,21 @@ struct CameraSample {
     float weight = 1;        ///< of the pixel filter: +1 or −1
 };
 
-/// Radiance by term; the sum in the order of `Term` is the radiance.
+/// Radiance by the terms of an integrator, Term or PathTerm; the sum in their order is the radiance.
 struct Terms {
     std::array<vec3, term_count> value;
 
     vec3& operator[](Term term) { return value[static_cast<std::size_t>(term)]; }
     const vec3& operator[](Term term) const { return value[static_cast<std::size_t>(term)]; }
+    vec3& operator[](PathTerm term) { return value[static_cast<std::size_t>(term)]; }
     vec3 sum() const {
         vec3 total = value[0];
         for (std::size_t i = 1; i < value.size(); ++i) total = total + value[i];
         return total;
+    }
+    /// One of them if a number is given, else their sum.
+    vec3 sum(const std::optional<int>& term) const {
+        return term ? value[static_cast<std::size_t>(*term)] : sum();
     }
     friend Terms operator+(Terms a, const Terms& b) {
         for (std::size_t i = 0; i < a.value.size(); ++i) a.value[i] = a.value[i] + b.value[i];
@@ -59,18 +65,21 @@ struct Channels {
     bool covered = false; ///< the ray hit something
 };
 
-/// Rays traced, by kind, and rays that were not.
+/// Rays traced, by kind, and rays that were not; light that was limited.
 struct RayCounts {
     std::uint64_t primary = 0;
     std::uint64_t reflected = 0;
     std::uint64_t refracted = 0;
     std::uint64_t shadow = 0;
     std::uint64_t left_out = 0; ///< mirror and refracted rays below min_weight
+    double light = 0;           ///< of all samples, the sum of their channels; if clamp_indirect is set
+    double clamped = 0;         ///< what clamp_indirect took of it
 
     std::uint64_t total() const { return primary + reflected + refracted + shadow; }
     friend RayCounts operator+(const RayCounts& a, const RayCounts& b) {
         return {a.primary + b.primary, a.reflected + b.reflected, a.refracted + b.refracted,
-                a.shadow + b.shadow, a.left_out + b.left_out};
+                a.shadow + b.shadow,   a.left_out + b.left_out,   a.light + b.light,
+                a.clamped + b.clamped};
     }
 };
 

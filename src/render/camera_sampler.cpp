@@ -2,8 +2,6 @@
 
 #include "render/camera_sampler.h"
 
-#include "math/random.shared.h"
-
 namespace glint::rendering {
 
 PinholeCamera camera_of(const SceneDescription& scene) {
@@ -12,17 +10,16 @@ PinholeCamera camera_of(const SceneDescription& scene) {
                                    scene.render.height);
 }
 
-vec2 random_pair(const RenderSettings& settings, const Pixel& pixel, int index, SampleDimension dimension) {
-    const auto key = pixel_key(static_cast<uint>(settings.seed), static_cast<uint>(settings.seed >> 32),
-                               static_cast<uint>(pixel.x), static_cast<uint>(pixel.y));
-    return sample_pair(key, static_cast<uint>(index), static_cast<uint>(dimension));
-}
+SampleNumbers::SampleNumbers(const RenderSettings& settings, const Pixel& pixel, std::uint32_t index)
+    : key_(pixel_key(static_cast<uint>(settings.seed), static_cast<uint>(settings.seed >> 32),
+                     static_cast<uint>(pixel.x), static_cast<uint>(pixel.y))),
+      index_(index) {}
 
 CameraSampler::CameraSampler(const SceneDescription& scene)
     : settings_(scene.render), camera_(camera_of(scene)), filter_(settings_.filter) {}
 
 imaging::FilterSample CameraSampler::film_sample(const Pixel& pixel, int index) const {
-    const vec2 u = random_pair(settings_, pixel, index, SampleDimension::film);
+    const vec2 u = SampleNumbers(settings_, pixel, static_cast<std::uint32_t>(index)).film();
     return filter_.sample(u.x, u.y);
 }
 

@@ -4,6 +4,7 @@
 #include "glint/render.h"
 #include "imaging/camera.h"
 #include "imaging/filter.h"
+#include "math/sobol.h"
 #include "render/camera_sample.h"
 
 #include <cstdint>
@@ -16,11 +17,35 @@ inline constexpr int batch_samples = 256;
 /// The camera of a scene, whose description must have one.
 PinholeCamera camera_of(const SceneDescription& scene);
 
-/// What the pairs of random numbers of a sample are for.
-enum class SampleDimension : std::uint32_t { film, hemisphere };
+/// The random numbers of a sample: functions of the seed, the pixel, the sample and what they are for alone.
+/// Each vertex of a path has its own, so that nothing that happens at one moves those of another.
+class SampleNumbers {
+  public:
+    SampleNumbers() = default;
+    SampleNumbers(const RenderSettings& settings, const Pixel& pixel, std::uint32_t index);
 
-/// A pair of numbers in [0, 1): a function of the seed, the pixel, the sample and the dimension alone.
-vec2 random_pair(const RenderSettings& settings, const Pixel& pixel, int index, SampleDimension dimension);
+    /// Where on the film; of the direction in which a path leaves vertex 0 (the first hit), 1, …
+    vec2 film() const { return sample_pair(key_, index_, 0); }
+    vec2 direction(int vertex) const { return sample_pair(key_, index_, after(vertex)); }
+    /// Of the point on a light, joint with the numbers by which the path came to the vertex.
+    vec2 light(int vertex) const { return second_pair(key_, index_, after(vertex) - 1); }
+    float lobe(int vertex) const { return choice(vertex).x; }
+    float emitter(int vertex) const { return choice(vertex).y; }
+    float point_light(int vertex) const { return second_choice(vertex).x; }
+    float roulette(int vertex) const { return second_choice(vertex).y; }
+    /// Whether a path goes straight through the surface that it meets next.
+    float crossing(int crossed) const { return sample_pair(key_, index_, first_crossing + after(crossed)).x; }
+
+  private:
+    static constexpr std::uint32_t first_choice = 1U << 20U;
+    static constexpr std::uint32_t first_crossing = 1U << 21U;
+    vec2 choice(int vertex) const { return sample_pair(key_, index_, first_choice + after(vertex)); }
+    vec2 second_choice(int vertex) const { return second_pair(key_, index_, first_choice + after(vertex)); }
+    static std::uint32_t after(int vertex) { return static_cast<std::uint32_t>(vertex) + 1; }
+
+    std::uint32_t key_ = 0;
+    std::uint32_t index_ = 0;
+};
 
 /// Makes camera samples. They depend only on the scene, the pixel and the index of the sample.
 class CameraSampler {

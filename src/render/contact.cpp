@@ -3,6 +3,7 @@
 #include "render/contact.h"
 
 #include "geometry/coincidence.shared.h"
+#include "scene/box_tree.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,13 +14,22 @@ namespace glint::rendering {
 using scene::SceneData;
 using trace::Hit;
 
+bool may_coincide(const SceneData& scene, const Ray& ray, const Hit& hit) {
+    const Bounds& zone = scene.objects[hit.object].contact.box;
+    if (zone.empty()) return false;
+    const vec3 across = ray.direction * hit.t;
+    const vec3 p = ray.origin + across;
+    const vec3 error = 0x1p-20f * (glm::abs(ray.origin) + glm::abs(across));
+    const Bounds around{p - error, p + error};
+    return touch(zone, around) && (scene.contact_places == nullptr || scene.contact_places->touches(around));
+}
+
 void find_coincident(const SceneData& scene, const Ray& ray, const Hit& first, Coincidence& met) {
     met.hits.assign(1, first);
     met.margin = 0;
+    if (!may_coincide(scene, ray, first)) return;
     const scene::ContactZone& zone = scene.objects[first.object].contact;
-    if (zone.box.empty()) return;
     const SurfacePoint at = scene.world.surface(ray, first);
-    if (!zone.box.contains(at.p)) return;
     Ray rest = ray;
     rest.tmax = std::min(ray.tmax, last_coincident_t(at.n, ray.direction, first.t, zone.reach));
     met.margin = margin_past(at, at);

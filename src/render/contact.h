@@ -25,6 +25,9 @@ struct Coincidence {
     float margin = 0; ///< as in Contact
 };
 
+/// Whether a hit is near a place where objects touch; if not, nothing coincides with it.
+bool may_coincide(const scene::SceneData& scene, const Ray& ray, const trace::Hit& hit);
+
 /// Sets `met` to a hit of a ray and the hits right behind it that coincide with it.
 void find_coincident(const scene::SceneData& scene, const Ray& ray, const trace::Hit& first,
                      Coincidence& met);

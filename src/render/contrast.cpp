@@ -5,7 +5,7 @@
 namespace glint::rendering {
 namespace {
 
-constexpr float visible_step = 1.0f / 32;
+constexpr float visible_step = 1.0f / 24;
 
 /// √high − √low > step, without roots: high − low − step² > 2 step √low. Below 0 counts as 0.
 bool differ(float a, float b) {

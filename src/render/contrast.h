@@ -20,8 +20,8 @@ struct Neighbour {
 };
 inline constexpr std::array<Neighbour, 4> neighbours{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 
-/// True if two colours differ by more than 1/32 in a channel on a scale of square roots, which is about that
-/// of displays: 8 of 255.
+/// True if two colours differ by more than 1/24 in a channel on a scale of square roots, which is about that
+/// of displays: 11 of 255.
 bool differ(const vec3& a, const vec3& b);
 
 /// By pixel of the image: 1 if it lies in `among` and its colour or coverage (none: empty) differs from that

@@ -19,17 +19,18 @@ using rendering::Terms;
 
 struct Explainer::State {
     State(const Scene& whole, const CancelFlag* stop)
-        : scene(whole), settings(whole.render_settings()), sampler(whole.data().description),
-          parts(whole.data()), cancel(stop), estimator(whole.data(), whole.data().description.whitted, stop) {
+        : scene(whole), settings(whole.render_settings()), counts(sample_counts(settings)),
+          sampler(whole.data().description), parts(whole.data()), cancel(stop),
+          estimator(whole.data(), whole.data().description.whitted, stop) {
         if (settings.integrator != Integrator::whitted)
             throw Error(ErrorKind::usage, "only pictures of the integrator whitted can be explained");
     }
 
     /// The colour of a pixel before any is refined.
     vec3 unrefined(const rendering::Pixel& pixel) {
-        if (settings.spp == 1) return estimator.trace(sampler.centre(pixel), nullptr).terms.sum();
+        if (counts.all == 1) return estimator.trace(sampler.centre(pixel), nullptr).terms.sum();
         imaging::PixelSum<Terms> sum;
-        for (int i = 0; i < settings.spp; ++i) {
+        for (int i = 0; i < counts.all; ++i) {
             const rendering::CameraSample camera = sampler.sample(pixel, i);
             sum.add(estimator.trace(camera, nullptr).terms, camera.weight);
         }
@@ -67,6 +68,7 @@ struct Explainer::State {
 
     const Scene scene;
     const RenderSettings& settings;
+    const SampleCounts counts;
     const rendering::CameraSampler sampler;
     const rendering::ExplainedScene parts;
     const CancelFlag* cancel;
@@ -110,9 +112,9 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     out.height = r.height;
     out.filter = name_of(r.filter);
     out.origin = state_->scene.data().origin;
-    const bool adaptive = r.max_spp > r.spp;
-    const bool refined = adaptive && state_->differs_from_neighbour({x, y});
-    const int samples = refined ? r.max_spp : r.spp;
+    const SampleCounts& counts = state_->counts;
+    const bool refined = counts.adaptive() && state_->differs_from_neighbour({x, y});
+    const int samples = refined ? counts.differing : counts.all;
     imaging::PixelSum<Terms> sum;
     int negative = 0;
     for (int i = 0; i < samples; ++i) {
@@ -123,7 +125,7 @@ Explanation Explainer::pixel(int x, int y, const ExplainLimits& limits) {
     }
     for (ExplainedSample& sample : out.samples) sample.counts = sum.counts(sample.weight);
     out.rule = rule_of(sum, samples - negative, negative);
-    if (adaptive)
+    if (counts.adaptive())
         out.rule += refined ? ", as it differs from a neighbour" : ", as it differs from no neighbour";
     // One sample is its pixel as it is, like in the picture: no division touches it.
     const Terms terms = samples == 1 ? Terms{out.samples.front().terms} : sum.value();

@@ -82,6 +82,18 @@ void cut(std::vector<float>& values, const Layout& layout, const Rect& part) {
     values.resize(std::min(values.size(), row * static_cast<std::size_t>(part.height)));
 }
 
+void require_terms(Integrator integrator, const RenderOptions& options) {
+    const std::vector<std::string> names = term_names(integrator);
+    const std::string subject = "the integrator " + std::string(name_of(integrator));
+    if (names.empty() && (options.terms || options.show != Aov::final))
+        throw Error(ErrorKind::usage, subject + " does not split light into terms",
+                    "--integrator whitted does, and path");
+    if (has_aov(integrator, options.show)) return;
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    throw Error(ErrorKind::usage, subject + " has no term " + aov_name(options.show), "its terms: " + list);
+}
+
 } // namespace
 
 FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& options) {
@@ -90,18 +102,11 @@ FilmLayout film_layout(const RenderSettings& settings, const RenderOptions& opti
     layout.tile_size = std::clamp(options.tile_size, 1, picture_side_limit);
     layout.show = options.show;
     if (!is_light(options.show)) return layout;
-    layout.samples.all = settings.spp;
-    if (settings.max_spp > settings.spp) {
-        layout.samples.differing = settings.max_spp;
-        layout.area = with_neighbours(layout.kept, settings);
-    }
-    layout.term = term_of(options.show);
+    layout.samples = sample_counts(settings);
+    if (layout.samples.adaptive()) layout.area = with_neighbours(layout.kept, settings);
+    require_terms(settings.integrator, options);
+    layout.term = term_of(options.show, settings.integrator);
     layout.terms = options.terms;
-    if (settings.integrator != Integrator::whitted && (layout.term || layout.terms))
-        throw Error(ErrorKind::usage,
-                    "the integrator " + std::string(name_of(settings.integrator)) +
-                        " does not split light into terms",
-                    "--integrator whitted does");
     layout.coverage = options.coverage;
     return layout;
 }
@@ -314,7 +319,7 @@ void Film::write(const FilmTile& values, FilmImages& images) const {
 template <class T>
 void Film::show(const Pixel& pixel, const T& value, float coverage, FilmImages& images) const {
     if constexpr (std::is_same_v<T, Terms>) {
-        write_color(images.image.at(pixel.x, pixel.y), layout_.term ? value[*layout_.term] : value.sum());
+        write_color(images.image.at(pixel.x, pixel.y), value.sum(layout_.term));
         for (std::size_t t = 0; layout_.terms && t < images.terms.size(); ++t)
             write_color(images.terms[t].at(pixel.x, pixel.y), value.value[t]);
     } else {

@@ -18,14 +18,14 @@ namespace glint::rendering {
 
 /// What a film measures and stores.
 struct FilmLayout {
-    Rect area;                ///< pixels of the whole picture: those that are measured
-    Rect kept;                ///< those of them that the picture shows; the others are only compared
-    int tile_size = 16;       ///< pixels
-    SampleCounts samples;     ///< of a finished pixel
-    Aov show = Aov::final;    ///< what is measured
-    std::optional<Term> term; ///< shown by the image instead of the radiance
-    bool terms = false;       ///< keep an image of each term
-    bool coverage = false;    ///< keep the share of samples that hit something
+    Rect area;               ///< pixels of the whole picture: those that are measured
+    Rect kept;               ///< those of them that the picture shows; the others are only compared
+    int tile_size = 16;      ///< pixels
+    SampleCounts samples;    ///< of a finished pixel
+    Aov show = Aov::final;   ///< what is measured
+    std::optional<int> term; ///< shown by the image instead of the radiance
+    bool terms = false;      ///< keep an image of each term
+    bool coverage = false;   ///< keep the share of samples that hit something
 };
 
 /// The layout of a picture. AOVs of first hits have one sample, no terms and no coverage. Throws Error(usage)

@@ -75,7 +75,7 @@ FilmLayout layout_of(const Header& h) {
     layout.tile_size = h.tile_size;
     layout.samples = {h.samples, h.samples_of_differing};
     layout.show = static_cast<Aov>(h.show);
-    if (h.term >= 0) layout.term = static_cast<Term>(h.term);
+    if (h.term >= 0) layout.term = h.term;
     layout.terms = (h.keeps & 1U) != 0;
     layout.coverage = (h.keeps & 2U) != 0;
     return layout;
@@ -118,7 +118,7 @@ std::vector<std::byte> Film::save() const {
     header.samples = layout_.samples.all;
     header.samples_of_differing = layout_.samples.differing;
     header.refined = is_refined() ? 1 : 0;
-    header.term = layout_.term ? static_cast<std::int32_t>(*layout_.term) : -1;
+    header.term = layout_.term.value_or(-1);
     header.show = static_cast<std::uint32_t>(layout_.show);
     header.keeps = (layout_.terms ? 1U : 0U) | (layout_.coverage ? 2U : 0U);
     std::vector<std::byte> out;

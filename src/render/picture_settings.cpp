@@ -18,6 +18,11 @@ std::vector<std::pair<std::string, std::string>> picture_settings(const Scene& s
     case Integrator::whitted:
         add("whitted", KeyOwner(description.whitted));
         break;
+    case Integrator::path:
+    case Integrator::path_simple:
+    case Integrator::direct:
+        add("path", KeyOwner(description.path));
+        break;
     case Integrator::ambient_occlusion:
         add("ambient_occlusion", KeyOwner(description.ambient_occlusion));
     }

@@ -217,8 +217,8 @@ const T& CpuExecutor::measured(const Channels& channels) const {
     if constexpr (std::is_same_v<T, Terms>) {
         return channels.terms;
     } else {
-        const std::optional<Term>& term = film_.layout().term;
-        return term ? channels.terms[*term] : channels.radiance;
+        const std::optional<int>& term = film_.layout().term;
+        return term ? channels.terms.value[static_cast<std::size_t>(*term)] : channels.radiance;
     }
 }
 
@@ -236,7 +236,7 @@ template <class T>
 void CpuExecutor::put(const T& value, float coverage, std::size_t pixel, FilmTile& values) const {
     const FilmLayout& layout = film_.layout();
     if constexpr (std::is_same_v<T, Terms>) {
-        values.shown[pixel] = layout.term ? value[*layout.term] : value.sum();
+        values.shown[pixel] = value.sum(layout.term);
         if (layout.terms) values.terms[pixel] = value;
     } else {
         values.shown[pixel] = value;
@@ -261,6 +261,10 @@ double left_out_share(const RenderStats& stats, const Scene& scene) {
     if (stats.primary_rays == 0) return 0;
     return static_cast<double>(stats.left_out_rays) / static_cast<double>(stats.primary_rays) *
            scene.description().whitted.min_weight;
+}
+
+double clamped_share(const RenderStats& stats) {
+    return stats.light > 0 ? stats.clamped_light / stats.light : 0;
 }
 
 Picture render(const Scene& scene, const RenderOptions& options) {

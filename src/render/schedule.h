@@ -24,6 +24,8 @@ inline void add_rays(const RayCounts& rays, RenderStats& stats) {
     stats.refracted_rays += rays.refracted;
     stats.shadow_rays += rays.shadow;
     stats.left_out_rays += rays.left_out;
+    stats.light += rays.light;
+    stats.clamped_light += rays.clamped;
 }
 
 inline bool is_cancelled(const CancelFlag* cancel) {
@@ -64,15 +66,6 @@ class TileGrid {
     int tile_size_ = 1;
     int columns_ = 0;
     int rows_ = 0;
-};
-
-/// Samples of the pixels of a picture.
-struct SampleCounts {
-    int all = 1;       ///< of each pixel
-    int differing = 0; ///< of those that differ from a neighbour, instead; 0: of none
-
-    bool adaptive() const { return differing > 0; }
-    friend bool operator==(const SampleCounts&, const SampleCounts&) = default;
 };
 
 /// The passes of render(): all samples of a tile in one visit, then those of the pixels that differ from a

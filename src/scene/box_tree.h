@@ -1,10 +1,8 @@
 #pragma once
-// Pairs of objects whose boxes touch.
+// Which boxes touch.
 
 #include "bvh/traverse.h"
 #include "parallel/task_pool.h"
-
-#include <glm/vector_relational.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -12,10 +10,6 @@
 #include <vector>
 
 namespace glint::scene {
-
-inline bool touch(const Bounds& a, const Bounds& b) {
-    return glm::all(glm::lessThanEqual(a.lo, b.hi)) && glm::all(glm::lessThanEqual(b.lo, a.hi));
-}
 
 /// A tree over the finite boxes of objects.
 class BoxTree {
@@ -31,18 +25,27 @@ class BoxTree {
         tree_ = bvh::build_tree(boxes_, max_leaf, pool);
     }
 
+    /// Whether a box touches one of the tree.
+    bool touches(const Bounds& box) const {
+        bool found = false;
+        visit_touching(box, [&](std::uint32_t) { return found = true; });
+        return found;
+    }
+
     /// Calls visit(a, b) once for each pair, a before b in the order of the ids given.
     template <class Visit>
     void visit_pairs(Visit&& visit) const {
         for (std::uint32_t i = 0; i < boxes_.size(); ++i)
             visit_touching({boxes_[i].lo, boxes_[i].hi}, [&](std::uint32_t k) {
                 if (i < k) visit(ids_[i], ids_[k]);
+                return false;
             });
     }
 
   private:
     static constexpr std::uint32_t max_leaf = 4;
 
+    /// Calls visit(index of a box) until it returns true.
     template <class Visit>
     void visit_touching(const Bounds& box, Visit&& visit) const {
         const float limit = 0;
@@ -55,7 +58,7 @@ class BoxTree {
         bvh::traverse_below(tree_, tree_.root, limit, enter, [&](std::uint32_t first, std::uint32_t count) {
             for (std::uint32_t at = first; at < first + count; ++at) {
                 const bvh::BoxRef& other = boxes_[tree_.order[at]];
-                if (touch({other.lo, other.hi}, box)) visit(other.id);
+                if (touch({other.lo, other.hi}, box) && visit(other.id)) return true;
             }
             return false;
         });

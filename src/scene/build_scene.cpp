@@ -131,6 +131,12 @@ void build_values(SceneData& scene) {
     scene.index_outside = static_cast<float>(description.whitted.index);
 }
 
+void build_light_set(SceneData& scene) {
+    scene.light_set = nullptr;
+    if (traces_paths(scene.description.render.integrator))
+        scene.light_set = std::make_shared<const LightSet>(find_lights(scene));
+}
+
 void find_camera_interiors(SceneData& scene) {
     scene.camera_interiors.clear();
     if (!scene.any_transparent) return;
@@ -182,7 +188,7 @@ BuildQuality quality_for(const SceneDescription& description, const WorldInput& 
     for (const auto& mesh : input.meshes) triangles += static_cast<double>(mesh.triangles.size());
     for (const auto& mesh : input.shared_meshes) triangles += static_cast<double>(mesh.triangles->size());
     const RenderSettings& r = description.render;
-    const double samples = double(r.width) * double(r.height) * double(r.spp);
+    const double samples = double(r.width) * double(r.height) * sample_counts(r).mean();
     const double rays = samples * (1.0 + static_cast<double>(description.lights.size()));
     return rays < rays_a_triangle * triangles ? BuildQuality::fast : BuildQuality::high;
 }
@@ -241,6 +247,7 @@ std::shared_ptr<SceneData> make_scene_data(const SceneDescription& description,
     scene->world = World(std::move(baked.input), pool);
     report(options, "building the trees", 1);
     find_contacts(*scene, pool);
+    build_light_set(*scene);
     find_camera_interiors(*scene);
     return scene;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Steps of building a scene that need no trees. Private to this room.
+// Steps of building a scene beside its trees. Private to this room.
 
 #include "scene/scene_data.h"
 
@@ -14,6 +14,9 @@ void set_description(SceneData& scene, const SceneDescription& description);
 
 /// Sets materials, lights and everything else that does not depend on objects.
 void build_values(SceneData& scene);
+
+/// Finds what path tracers sample of the lights, once the world and all values are set.
+void build_light_set(SceneData& scene);
 
 /// Determines the transparent solids around the eye.
 void find_camera_interiors(SceneData& scene);

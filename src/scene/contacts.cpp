@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -59,6 +62,8 @@ class ContactFinder {
             for (const std::uint32_t id : bounded) compare_with_plane(id, planes[i], face);
             for (std::size_t k = 0; k < i; ++k) compare(planes[i], planes[k]);
         }
+        scene_.any_contact = !places_.empty();
+        build_places(pool);
     }
 
   private:
@@ -232,23 +237,33 @@ class ContactFinder {
         float size = 0;
         for (const std::uint32_t id : {a, b})
             if (!bounds(id).empty()) size = std::max(size, bounds(id).max_coordinate());
+        places_.push_back(grown(where.box, size * zone_margin));
         for (const std::uint32_t id : {a, b}) {
             ContactZone& contact = scene_.objects[id].contact;
-            contact.box.grow(grown(where.box, size * zone_margin));
+            contact.box.grow(places_.back());
             contact.reach = std::max(contact.reach, size * zone_margin);
             contact.apart = std::max(contact.apart, static_cast<float>(where.apart));
         }
-        scene_.any_contact = true;
+    }
+
+    void build_places(parallel::TaskPool& pool) {
+        const auto finite = [](const Bounds& box) { return std::isfinite(box.max_coordinate()); };
+        if (places_.empty() || !std::all_of(places_.begin(), places_.end(), finite)) return;
+        std::vector<std::uint32_t> ids(places_.size());
+        std::iota(ids.begin(), ids.end(), 0u);
+        scene_.contact_places = std::make_shared<const BoxTree>(
+            ids, [&](std::uint32_t i) { return places_[i]; }, pool);
     }
 
     SceneData& scene_;
     const WorldData& world_;
+    std::vector<Bounds> places_; ///< of pairs
 };
 
 } // namespace
 
 void find_contacts(SceneData& scene, parallel::TaskPool& pool) {
-    scene.any_contact = false;
+    scene.contact_places = nullptr;
     ContactFinder(scene).run(pool);
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/surface.shared.h"
 #include "glint/scene.h"
 #include "math/vec.h"
+#include "scene/light_set.h"
 #include "shading/records.shared.h"
 #include "trace/world/world.h"
 
@@ -14,6 +15,8 @@
 #include <vector>
 
 namespace glint::scene {
+
+class BoxTree;
 
 /// Vertex attributes of a mesh, shared by its instances.
 struct MeshAttributes {
@@ -69,13 +72,16 @@ struct SceneData {
     std::vector<MaterialRecord> materials;
     std::vector<ObjectData> objects;
     std::vector<MeshAttributes> attributes;
-    std::vector<dmat3> normal_matrices; ///< of instances, from the mesh's space to the world
-    std::vector<LightRecord> lights;    ///< lights except ambient ones, in file order
-    vec3 ambient{0.0f};                 ///< sum of the ambient lights
+    std::vector<dmat3> normal_matrices;        ///< of instances, from the mesh's space to the world
+    std::vector<LightRecord> lights;           ///< lights except ambient ones, in file order
+    std::shared_ptr<const LightSet> light_set; ///< what path tracers sample; null for other integrators
+    vec3 ambient{0.0f};                        ///< sum of the ambient lights
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
-    bool any_contact = false;  ///< some object has a contact zone
+    bool any_contact = false; ///< some object has a contact zone
+    /// Where pairs of objects touch; null where that is nowhere or, for planes, everywhere.
+    std::shared_ptr<const BoxTree> contact_places;
     bool solids_known = false; ///< ObjectData::solid is valid for meshes too
     std::vector<HalfSpace> half_spaces;
     std::vector<std::uint32_t> camera_interiors; ///< transparent solids around the eye, lowest rank first

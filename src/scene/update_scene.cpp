@@ -59,6 +59,7 @@ Scene update_scene(const Scene& scene, const SceneDescription& description,
         parallel::TaskPool pool(options.threads);
         scene::find_contacts(*scene_data, pool);
     }
+    scene::build_light_set(*scene_data);
     scene::find_camera_interiors(*scene_data);
     return Scene(std::move(scene_data));
 }

@@ -25,15 +25,18 @@ namespace {
 class WarningFinder {
   public:
     explicit WarningFinder(const scene::SceneData& scene)
-        : scene_(scene), description_(scene.description), numbers_(object_numbers(description_)) {}
+        : scene_(scene), description_(scene.description),
+          paths_(traces_paths(scene.description.render.integrator)), numbers_(object_numbers(description_)) {}
 
     std::vector<Diagnostic> run() {
-        if (description_.render.integrator == Integrator::whitted) check_lights();
+        const bool shows_light = paths_ || description_.render.integrator == Integrator::whitted;
+        if (shows_light) check_lights();
+        if (paths_) check_light_of_paths();
         check_camera();
         check_walls();
         check_precision();
         check_framing();
-        if (description_.render.integrator == Integrator::whitted) check_light_model();
+        if (shows_light) check_light_model();
         return std::move(found_);
     }
 
@@ -54,19 +57,36 @@ class WarningFinder {
         for (const Material& m : description_.materials) check_gain(m);
         check_open_glass();
         if (scene_.any_transparent) check_hidden();
-        check_branching();
+        if (!paths_) check_branching();
     }
 
     void check_lights() {
         if (description_.lights.empty()) {
             const bool glows = std::any_of(description_.materials.begin(), description_.materials.end(),
                                            [](const Material& m) { return m.emission != Vec3(0); });
-            if (!glows) warn({}, "the scene has no light: everything will be black", "add a [[light]]");
+            const bool sky = paths_ && description_.render.background != Vec3(0);
+            if (!glows && !sky)
+                warn({}, "the scene has no light: everything will be black", "add a [[light]]");
         }
         for (std::size_t i = 0; i < description_.lights.size(); ++i) {
             const Light& light = description_.lights[i];
             const KeySpec* position = find_key(description_table("light"), "position", name_of(light));
             if (position) check_inside(std::get<Vec3>(position->get(KeyOwner(light))), i);
+        }
+    }
+
+    // What paths read in another way than Whitted's model.
+    void check_light_of_paths() {
+        for (const Light& light : description_.lights)
+            if (std::holds_alternative<AmbientLight>(light.kind))
+                warn(light.where, "path tracing leaves ambient lights out: light from everywhere is indirect",
+                     "remove it, or brighten the background");
+        for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
+            const bool emits = scene_.materials[scene_.objects[id].material].emission != vec3(0.0f);
+            if (object(id).visible && emits && std::holds_alternative<PlaneShape>(object(id).shape))
+                warn(object(id).where,
+                     title(object(id)) + " emits light and is infinite: paths find its light by chance alone",
+                     "a rectangle or a disk is sampled as a light, with less noise");
         }
     }
 
@@ -92,7 +112,8 @@ class WarningFinder {
 
     // The light of a lamp in glass shines through it.
     void check_inside(const Vec3& position, std::size_t light) {
-        const bool shines_through = description_.whitted.shadows == Shadows::transmissive;
+        const bool shines_through = paths_ ? description_.path.shadows == PathShadows::transmissive
+                                           : description_.whitted.shadows == Shadows::transmissive;
         for (const std::uint32_t id : everything_around(position))
             if (!glass(id) || !shines_through)
                 warn(description_.lights[light].where,
@@ -256,6 +277,7 @@ class WarningFinder {
 
     const scene::SceneData& scene_;
     const SceneDescription& description_;
+    const bool paths_;                   ///< the picture is path traced
     std::vector<std::uint32_t> numbers_; ///< of the objects
     std::vector<Diagnostic> found_;
     const scene::NameIndex names_{description_};

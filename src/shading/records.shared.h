@@ -23,7 +23,8 @@ struct MaterialRecord {
     real transparency;   ///< τ
     real index;          ///< of refraction
     integer flags;       ///< bits: material_fresnel
-    integer reserved[3]; ///< 0; std430 rounds the size up to a multiple of 16 bytes
+    integer model;       ///< model_whitted, …; read by path tracers
+    integer reserved[2]; ///< 0; std430 rounds the size up to a multiple of 16 bytes
 };
 
 #ifndef GLINT_GLSL
@@ -56,6 +57,10 @@ struct SurfaceRecord {
 
 // MaterialRecord::flags
 const int material_fresnel = 1; ///< Fresnel's equations share the light between reflection and transmission
+
+// MaterialRecord::model
+const int model_whitted = 0;
+const int model_diffuse = 1;
 
 // LightRecord::kind
 const int light_point = 0;

@@ -19,6 +19,16 @@ GLINT_FN real cos_of_eighth(real x) {
     return 1.0f - y * (0.5f - y * (1.0f / 24.0f - y * (1.0f / 720.0f - y * (1.0f / 40320.0f))));
 }
 
+/// Cosine and sine of an angle in 0 … 2π, error below 2e-7.
+GLINT_FN vec2 cos_sin_of(real angle) {
+    real quarter = floor(angle * 0.636619772f + 0.5f);
+    real rest = angle - quarter * 1.57079633f;
+    vec2 at = vec2(cos_of_eighth(rest), sin_of_eighth(rest));
+    real odd = quarter - 2.0f * floor(quarter * 0.5f);
+    vec2 turned = odd == 1.0f ? vec2(-at.y, at.x) : at;
+    return quarter >= 2.0f && quarter < 4.0f ? -turned : turned;
+}
+
 /// A point of the unit disk, z = 0, uniform by area. Concentric squares become concentric circles. (P.
 /// Shirley and K. Chiu, "A Low Distortion Map Between Disk and Square", Journal of Graphics Tools 2 (3),
 /// 1997.)

@@ -100,7 +100,7 @@ TEST_F(Info, SpeaksJson) {
     EXPECT_EQ(info["camera"]["eye"].size(), 3u);
     EXPECT_FALSE(info["materials"].empty());
     EXPECT_EQ(info["settings"]["size"], (nlohmann::json{640, 480}));
-    EXPECT_EQ(info["settings"]["spp"], 4);
+    EXPECT_EQ(info["settings"]["spp"], "auto");
     EXPECT_EQ(info["settings"]["clamp"], false);
     EXPECT_EQ(info["settings"]["integrator"], "whitted");
 }

@@ -90,6 +90,10 @@ TEST_F(Render, TakesMoreSamplesWhereNeighboursDiffer) {
     EXPECT_EQ(hash_of(glint("good.toml --spp 16 -o c.pfm")),
               hash_of(glint("good.toml --spp 16..16 -o d.pfm")));
     EXPECT_EQ(content("b.pfm"), content("c.pfm")) << "a fixed number ends adaptive samples";
+    EXPECT_EQ(hash_of(glint("good.toml --spp 1..8 -o e.pfm")),
+              hash_of(glint("good.toml -D render.spp=auto -o e.pfm")));
+    EXPECT_EQ(hash_of(glint("good.toml -D render.spp=16 -o e.pfm")),
+              hash_of(glint("good.toml --spp 16 -o e.pfm")));
 }
 
 TEST_F(Render, ShowsMoreThanTheLight) {

@@ -73,6 +73,7 @@ class Drawer {
         case KeyType::boolean:
             return below(2) == 0 ? "true" : "false";
         case KeyType::whole_number:
+        case KeyType::whole_number_or_auto:
             return std::to_string(below(9));
         case KeyType::size:
             return "[" + std::to_string(1 + below(99)) + ", 7]";

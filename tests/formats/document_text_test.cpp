@@ -59,6 +59,7 @@ std::string other_value(const KeySpec& key) {
     case KeyType::boolean:
         return default_text(key) == "true" ? "false" : "true";
     case KeyType::whole_number:
+    case KeyType::whole_number_or_auto:
         return key.key == "version" ? "1" : "7";
     case KeyType::choice:
         for (const std::string& word : formats::choice_names(key))

@@ -144,6 +144,9 @@ class RandomValues {
             return number(key);
         case KeyType::number_or_auto:
             return below(2) == 0 ? std::optional<double>() : std::optional(number(key));
+        case KeyType::whole_number_or_auto:
+            return below(2) == 0 ? std::optional<std::int64_t>()
+                                 : std::optional(static_cast<std::int64_t>(number(key)));
         case KeyType::choice:
             return Choice{below(key.choices.size())};
         case KeyType::size:
@@ -219,6 +222,10 @@ struct WithNumber {
     KeyValue operator()(std::int64_t) const {
         constexpr double limit = std::numeric_limits<int>::max();
         return std::abs(x) < limit ? KeyValue(static_cast<std::int64_t>(x)) : KeyValue();
+    }
+    KeyValue operator()(const std::optional<std::int64_t>&) const {
+        const KeyValue whole = (*this)(std::int64_t{});
+        return whole == KeyValue() ? whole : KeyValue(std::optional(std::get<std::int64_t>(whole)));
     }
     KeyValue operator()(std::array<int, 2> pair) const {
         if (!(std::abs(x) < 1e9)) return {};

@@ -14,7 +14,7 @@ TEST(SceneKeys, AnEmptyFileIsAnEmptySceneWithDefaults) {
         EXPECT_TRUE(d.materials.empty() && d.objects.empty() && d.lights.empty());
         EXPECT_EQ(d.render.width, 640);
         EXPECT_EQ(d.render.height, 480);
-        EXPECT_EQ(d.render.spp, 4);
+        EXPECT_FALSE(d.render.spp);
         EXPECT_EQ(d.render.filter, PixelFilter::box);
         EXPECT_EQ(d.whitted.max_depth, 8);
         EXPECT_EQ(d.whitted.shadows, Shadows::transmissive);

@@ -37,13 +37,13 @@ SceneDescription fixed(SceneDescription scene, int spp) {
     return scene;
 }
 
-/// True if a channel of the pixel differs from a neighbour's by more than 1/32 on a scale of square roots.
+/// True if a channel of the pixel differs from a neighbour's by more than 1/24 on a scale of square roots.
 bool has_contrast(const Image& image, int x, int y) {
     for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         const int nx = x + dx, ny = y + dy;
         if (nx < 0 || ny < 0 || nx >= image.width || ny >= image.height) continue;
         for (int c = 0; c < 3; ++c)
-            if (std::abs(std::sqrt(image.at(x, y)[c]) - std::sqrt(image.at(nx, ny)[c])) > 1.0f / 32)
+            if (std::abs(std::sqrt(image.at(x, y)[c]) - std::sqrt(image.at(nx, ny)[c])) > 1.0f / 24)
                 return true;
     }
     return false;
@@ -171,9 +171,9 @@ TEST(Adaptive, APartOfAPictureCannotBeRefined) {
 TEST(Contrast, IsMeasuredOnAScaleOfSquareRoots) {
     const auto gray = [](double root) { return vec3(static_cast<float>(root * root)); };
     for (const double root : {0.0, 0.3, 1.0, 5.0}) {
-        EXPECT_TRUE(differ(gray(root), gray(root + 0.0315)));
-        EXPECT_TRUE(differ(gray(root + 0.0315), gray(root)));
-        EXPECT_FALSE(differ(gray(root), gray(root + 0.031)));
+        EXPECT_TRUE(differ(gray(root), gray(root + 0.0418)));
+        EXPECT_TRUE(differ(gray(root + 0.0418), gray(root)));
+        EXPECT_FALSE(differ(gray(root), gray(root + 0.0415)));
     }
     EXPECT_TRUE(differ(vec3(0, 0, 1), vec3(0, 0, 0.9)));
     EXPECT_FALSE(differ(vec3(-1), vec3(0)));

@@ -2,9 +2,13 @@
 
 #include "shading/sampling.shared.h"
 
+#include "math/sobol.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace glint {
 namespace {
@@ -18,6 +22,38 @@ TEST(Sampling, SineAndCosineOfUpToAnEighthTurn) {
         EXPECT_NEAR(sin_of_eighth(x), std::sin(static_cast<double>(x)), 1.2e-7 * std::abs(x));
         EXPECT_NEAR(cos_of_eighth(x), std::cos(static_cast<double>(x)), 1.2e-7);
     }
+}
+
+TEST(Sampling, SetsStratifyEachDimension) {
+    std::array<std::set<int>, 4> strata;
+    for (uint i = 0; i < 256; ++i) {
+        const vec2 first = sample_pair(99, i, 3), second = second_pair(99, i, 3);
+        const float at[] = {first.x, first.y, second.x, second.y};
+        for (std::size_t d = 0; d < 4; ++d) strata[d].insert(static_cast<int>(at[d] * 256));
+    }
+    for (const auto& found : strata) EXPECT_EQ(found.size(), 256u);
+}
+
+/// The mean square error of 16 x y z w, whose mean is 1, divided by that of as many random points.
+double error_of_product(uint points, bool joint) {
+    constexpr uint runs = 64;
+    double error = 0;
+    for (uint run = 0; run < runs; ++run) {
+        double sum = 0;
+        for (uint i = 0; i < points; ++i) {
+            const vec2 first = sample_pair(hash_mix(run), i, 5);
+            const vec2 second = joint ? second_pair(hash_mix(run), i, 5) : sample_pair(hash_mix(run), i, 6);
+            sum += static_cast<double>(16 * first.x * first.y * second.x * second.y);
+        }
+        error += std::pow(sum / points - 1, 2) / runs;
+    }
+    return error * points / (std::pow(4.0 / 3, 4) - 1);
+}
+
+TEST(Sampling, FourJointDimensionsConvergeFasterThanTwoPairs) {
+    EXPECT_LT(error_of_product(64, true), 0.1);
+    EXPECT_LT(error_of_product(1024, true), 0.005);
+    EXPECT_GT(error_of_product(1024, false), 0.1);
 }
 
 /// Uniform by area: every circle and every sector has its share of the points.

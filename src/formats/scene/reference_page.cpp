@@ -30,6 +30,7 @@ constexpr TypeText type_texts[] = {
     {KeyType::whole_number, "integer"},
     {KeyType::number, "number"},
     {KeyType::number_or_auto, "number or `\"auto\"`"},
+    {KeyType::whole_number_or_auto, "integer or `\"auto\"`"},
     {KeyType::text, "text"},
     {KeyType::file, "file name"},
     {KeyType::size, "`[width, height]`, integers"},

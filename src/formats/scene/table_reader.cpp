@@ -38,6 +38,8 @@ class ValueReader {
             return number(value);
         case KeyType::number_or_auto:
             return number_or_auto(value);
+        case KeyType::whole_number_or_auto:
+            return integer_or_auto(value);
         case KeyType::choice:
             return choice(value);
         case KeyType::text:
@@ -118,6 +120,12 @@ class ValueReader {
         if (value.kind == Kind::text && value.text == "auto") return std::optional<double>();
         if (!value.is_number()) return wrong_type(value, "a number or \"auto\"");
         return number(value) ? Read(std::optional(value.number)) : std::nullopt;
+    }
+
+    Read integer_or_auto(const TreeValue& value) {
+        if (value.kind == Kind::text && value.text == "auto") return std::optional<std::int64_t>();
+        if (value.kind != Kind::integer) return wrong_type(value, "an integer or \"auto\"");
+        return number(value) ? Read(std::optional(value.integer)) : std::nullopt;
     }
 
     Read choice(const TreeValue& value) {

@@ -21,8 +21,9 @@ struct Written {
     std::string operator()(std::int64_t value) const { return std::to_string(value); }
     std::string operator()(std::uint64_t value) const { return std::to_string(value); }
     std::string operator()(double value) const { return scene_value(value); }
-    std::string operator()(const std::optional<double>& value) const {
-        return value ? scene_value(*value) : "\"auto\"";
+    template <class Number>
+    std::string operator()(const std::optional<Number>& value) const {
+        return value ? (*this)(*value) : "\"auto\"";
     }
     std::string operator()(Choice value) const { return scene_value(key.choices[value.index]); }
     std::string operator()(const std::string& value) const { return scene_value(value); }

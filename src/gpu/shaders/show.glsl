@@ -52,6 +52,7 @@ void main() {
     }
     uint count = settings.known_samples;
     if (settings.show_mode == show_started) count += work[slot_field(slot, field_sample)];
+    if (imageLoad(known, ivec2(pixel)).a == 0.0f) count = 0u; // finished before the adaptive passes
     vec3 value = count == 0u ? spread(ivec2(pixel), int(settings.known_step)) : pixel_value(slot, count);
     imageStore(shown, ivec2(pixel), vec4(value, 1.0f));
 }

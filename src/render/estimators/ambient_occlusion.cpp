@@ -44,8 +44,7 @@ void AmbientOcclusion::start_ray(const CameraSample& sample, std::size_t i, Chan
     out.radiance = scene_.background;
     if (!out.covered) return;
     const SurfaceRecord s = surface_interaction(scene_, camera_rays_[i], hits_[i], contact).surface;
-    const vec2 u = random_pair(scene_.description.render, sample.pixel, static_cast<int>(sample.index),
-                               SampleDimension::hemisphere);
+    const vec2 u = SampleNumbers(scene_.description.render, sample.pixel, sample.index).direction(0);
     const SpawnedRay spawned = spawn_ray(s, turned_to(s.n, cosine_sample(u.x, u.y)));
     out.radiance = vec3(0.0f);
     // About a shading normal, directions may lie below the face, which blocks them itself.

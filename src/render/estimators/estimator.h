@@ -4,6 +4,8 @@
 #include "render/aov.h"
 #include "render/estimators/ambient_occlusion.h"
 #include "render/estimators/aov.h"
+#include "render/estimators/path.h"
+#include "render/estimators/path_simple.h"
 #include "render/estimators/whitted.h"
 #include "render/estimators/whitted_wavefront.h"
 #include "trace/simd/kernel_table.h"
@@ -14,7 +16,8 @@
 namespace glint::rendering {
 
 /// Measures camera samples. Holds scratch memory: one for each thread.
-using Estimator = std::variant<Whitted, WhittedWavefront, AmbientOcclusion, AovEstimator>;
+using Estimator =
+    std::variant<Whitted, WhittedWavefront, PathTracer, PathSimple, AmbientOcclusion, AovEstimator>;
 
 /// The estimator for what a picture shows: for light the scene's integrator, which traces one ray after
 /// another if the kernel is Kernel::scalar. It refers to the scene.
@@ -22,8 +25,10 @@ inline Estimator make_estimator(const scene::SceneData& scene, Aov show, const C
                                 const KernelChoice& kernel) {
     trace::row_of(kernel.target); // throws where the machine lacks it
     if (!is_light(show)) return AovEstimator(scene, show, cancel, kernel);
-    if (scene.description.render.integrator == Integrator::ambient_occlusion)
-        return AmbientOcclusion(scene, cancel, kernel);
+    const Integrator integrator = scene.description.render.integrator;
+    if (integrator == Integrator::path_simple) return PathSimple(scene, cancel, kernel);
+    if (traces_paths(integrator)) return PathTracer(scene, cancel, kernel);
+    if (integrator == Integrator::ambient_occlusion) return AmbientOcclusion(scene, cancel, kernel);
     const WhittedSettings& settings = scene.description.whitted;
     if (kernel.kernel == Kernel::scalar) return Whitted(scene, settings, cancel, kernel);
     return WhittedWavefront(scene, settings, cancel, kernel);

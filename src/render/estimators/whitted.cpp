@@ -18,14 +18,6 @@ using trace::Hit;
 using trace::PrimKind;
 namespace {
 
-Ray ray_of(const SpawnedRay& spawned) {
-    Ray ray;
-    ray.origin = spawned.origin;
-    ray.direction = spawned.direction;
-    ray.tmax = spawned.tmax;
-    return ray;
-}
-
 /// Throws before the recursion runs out of stack.
 void require_stack(int max_depth) {
     constexpr std::size_t one_level = std::size_t{64} << 10U; // more than a level and what it calls need
@@ -154,10 +146,7 @@ Channels Whitted::radiance(Path&& path) {
 }
 
 Contact Whitted::find_seen(const Ray& ray, Hit& hit, const InteriorList*& interior) {
-    const auto is_simple = [&] {
-        return interior == nullptr && scene_.objects[hit.object].contact.box.empty();
-    };
-    while (hit && !is_simple()) {
+    while (hit && (interior != nullptr || may_coincide(scene_, ray, hit))) {
         find_coincident(scene_, ray, hit, met_);
         const Hit* seen = seen_of(met_.hits, interior, scene_);
         if (recorder_ != nullptr)
@@ -188,14 +177,12 @@ Contact Whitted::contact_of_met(const Ray& ray, const Hit& seen, const InteriorL
     return contact;
 }
 
-/// The list behind a surface.
 const InteriorList* Whitted::beyond(const SurfaceInteraction& at, const InteriorList* interior) {
     if (at.contact.exists) return at.contact.beyond;
     if (!is_dielectric(at.object, scene_)) return interior;
     return crossed(interior, at.object, at.entering, scene_, arena_);
 }
 
-/// The list behind a surface that a ray goes through unbent.
 void Whitted::cross(const Ray& ray, const Hit& hit, const InteriorList*& interior) {
     if (!is_dielectric(hit.object, scene_)) return;
     const bool entering = enters(scene_.world.surface(ray, hit).n, ray.direction);
@@ -234,6 +221,11 @@ float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& 
     const InteriorArena::Scope lists(arena_);
     // Light on a back that is lit as stored arrives on the other side of the surface.
     if (at.surface.lit_side < 0.0f) interior = beyond(at, interior);
+    return light_past_blockers(shadow, interior);
+}
+
+float Whitted::light_past_blockers(const Ray& shadow, const InteriorList* interior) {
+    const InteriorArena::Scope lists(arena_);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
     // If no light can pass, only the recorder needs the blockers.
     if (!may_pass && recorder_ == nullptr) return 0.0f;

@@ -20,6 +20,14 @@ namespace glint::rendering {
 class RayRecorder;
 struct RayTree;
 
+inline Ray ray_of(const SpawnedRay& spawned) {
+    Ray ray;
+    ray.origin = spawned.origin;
+    ray.direction = spawned.direction;
+    ray.tmax = spawned.tmax;
+    return ray;
+}
+
 struct SurfaceInteraction {
     SurfaceRecord surface;
     const MaterialRecord* material = nullptr;
@@ -73,8 +81,14 @@ class Whitted {
     /// Replaces a hit by the next that is seen, if it lies inside a solid of higher rank or coincides with
     /// that; updates `interior`. Returns what is met there.
     Contact find_seen(const Ray& ray, trace::Hit& hit, const InteriorList*& interior);
+    /// The list behind a surface, from that before it.
+    const InteriorList* beyond(const SurfaceInteraction& at, const InteriorList* interior);
+    /// Sets the list to that behind a surface that the ray goes through unbent.
+    void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
     float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
+    /// The same by the list around the ray's origin.
+    float light_past_blockers(const Ray& shadow, const InteriorList* interior);
     /// Mirror and refracted ray of a surface: direction and weights.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
     /// Whether a branch is followed that brings this share of its light to the path. Counts those that are
@@ -95,12 +109,10 @@ class Whitted {
     float walk_shadow(const Ray& shadow, const InteriorList* interior);
     bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
-    void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     Contact contact_of_met(const Ray& ray, const trace::Hit& seen, const InteriorList* interior);
     float transparency(const trace::Hit& hit) const {
         return scene_.materials[scene_.objects[hit.object].material].transparency;
     }
-    const InteriorList* beyond(const SurfaceInteraction& at, const InteriorList* interior);
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
     const scene::SceneData& scene_;

@@ -15,6 +15,7 @@
 #include "glint/scene.h"
 
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace glint::scene::keys {
@@ -80,6 +81,8 @@ KeyValue key_value(const T& member) {
         return Choice{static_cast<std::size_t>(member)};
     else if constexpr (std::is_same_v<T, int>)
         return std::int64_t{member};
+    else if constexpr (std::is_same_v<T, std::optional<int>>)
+        return std::optional<std::int64_t>(member);
     else if constexpr (std::is_same_v<T, std::uint64_t>) {
         if (member > std::numeric_limits<std::int64_t>::max()) return member;
         return static_cast<std::int64_t>(member);
@@ -93,7 +96,10 @@ void assign(T& member, const KeyValue& value) {
         member = static_cast<T>(std::get<Choice>(value).index);
     else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
         member = static_cast<T>(std::get<std::int64_t>(value));
-    else
+    else if constexpr (std::is_same_v<T, std::optional<int>>) {
+        const auto& whole = std::get<std::optional<std::int64_t>>(value);
+        member = whole ? std::optional(static_cast<int>(*whole)) : std::nullopt;
+    } else
         member = std::get<T>(value);
 }
 
@@ -196,6 +202,10 @@ template <auto member>
 KeyRow integer(std::string_view key) {
     static_assert(std::is_integral_v<ValueOf<member>>);
     return bound<ValueOf<member>, member>(key, KeyType::whole_number);
+}
+template <auto member>
+KeyRow integer_or_auto(std::string_view key) {
+    return bound<std::optional<int>, member>(key, KeyType::whole_number_or_auto);
 }
 template <auto... members>
 KeyRow number(std::string_view key) {

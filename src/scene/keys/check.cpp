@@ -48,7 +48,8 @@ struct NumberCheck {
     std::optional<KeyFault> operator()(double x) const { return number_fault(key, x); }
     std::optional<KeyFault> operator()(std::int64_t x) const { return (*this)(static_cast<double>(x)); }
     std::optional<KeyFault> operator()(std::uint64_t x) const { return (*this)(static_cast<double>(x)); }
-    std::optional<KeyFault> operator()(const std::optional<double>& x) const {
+    template <class Number>
+    std::optional<KeyFault> operator()(const std::optional<Number>& x) const {
         return x ? (*this)(*x) : std::nullopt;
     }
     std::optional<KeyFault> operator()(const std::array<int, 2>& pair) const {

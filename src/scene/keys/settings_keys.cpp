@@ -60,10 +60,11 @@ TableSpec render_table() {
         .help = "The picture. Flags of the command line override these.",
         .keys = {
             picture_size().help("width and height; at most 2^30 pixels"),
-            integer<&R::spp>("spp")
+            integer_or_auto<&R::spp>("spp")
                 .range(between(1, sample_limit))
                 .typical(1, 64)
-                .help("samples per pixel; 1 is the pixel's centre"),
+                .help("samples per pixel; 1 is the pixel's centre; `\"auto\"`: 1, and 8 (or `max_spp`) where "
+                      "neighbours differ; 64 of paths, 4 of `ambient-occlusion`"),
             integer<&R::max_spp>("max_spp")
                 .range(between(0, sample_limit))
                 .typical(0, 64)
@@ -100,6 +101,39 @@ TableSpec whitted_table() {
                 .help("by the half-way vector, or by the mirror direction"),
             number<&W::index>("index").range(above_0).limits(divisor).typical(1, 2).not_in_metadata().help(
                 "of refraction, of what surrounds everything"),
+        }};
+}
+
+TableSpec path_table() {
+    using P = PathSettings;
+    return {
+        .name = "path",
+        .help = "All of light, by paths: integrators `\"path\"`, `\"path-simple\"` and `\"direct\"`.",
+        .keys = {
+            integer<&P::max_depth>("max_depth")
+                .range(between(0, 1000))
+                .typical(0, 64)
+                .help("bounces after the first hit"),
+            integer<&P::max_diffuse_bounces>("max_diffuse_bounces")
+                .range(between(0, 1000))
+                .typical(0, 16)
+                .help("of these, bounces that are not by mirrors or smooth glass; `\"direct\"` has none"),
+            integer<&P::roulette_depth>("roulette_depth")
+                .range(between(1, 1000))
+                .typical(1, 16)
+                .help("the first bounce that may end a path at random, the more likely the less light it "
+                      "carries; what goes on weighs more"),
+            choice<&P::light_sampling>("light_sampling")
+                .help("how lights are chosen: alike, by their power, or by what arrives from them"),
+            number<&P::clamp_indirect>("clamp_indirect")
+                .range(at_least_0)
+                .limits(single_precision)
+                .typical(0, 10)
+                .help("largest radiance of a sample's indirect light: less noise, and less light; 0: as it "
+                      "is"),
+            choice<&P::shadows>("shadows").help(
+                "`\"exact\"`: light through solid glass arrives by paths; `\"transmissive\"`: it shines "
+                "straight through, as in Whitted's model"),
         }};
 }
 

@@ -46,8 +46,12 @@ std::string TableSpec::header(std::string_view name_of_it) const {
 
 const std::vector<TableSpec>& description_tables() {
     static const std::vector<TableSpec> tables = [] {
-        std::vector<TableSpec> all{keys::camera_table(), keys::render_table(), keys::whitted_table(),
-                                   keys::ambient_occlusion_table(), keys::material_table()};
+        std::vector<TableSpec> all{keys::camera_table(),
+                                   keys::render_table(),
+                                   keys::whitted_table(),
+                                   keys::path_table(),
+                                   keys::ambient_occlusion_table(),
+                                   keys::material_table()};
         for (TableSpec& table : keys::object_tables()) all.push_back(std::move(table));
         all.push_back(keys::light_table());
         return all;
@@ -83,7 +87,10 @@ struct PlainText {
     std::string operator()(std::int64_t value) const { return std::to_string(value); }
     std::string operator()(std::uint64_t value) const { return std::to_string(value); }
     std::string operator()(double value) const { return show(value); }
-    std::string operator()(const std::optional<double>& value) const { return value ? show(*value) : "auto"; }
+    template <class Number>
+    std::string operator()(const std::optional<Number>& value) const {
+        return value ? (*this)(*value) : "auto";
+    }
     std::string operator()(Choice value) const { return std::string(key.choices[value.index]); }
     std::string operator()(const std::string& value) const { return value; }
     std::string operator()(const std::array<int, 2>& size) const {

@@ -8,6 +8,7 @@ namespace glint::scene::keys {
 TableSpec camera_table();
 TableSpec render_table();
 TableSpec whitted_table();
+TableSpec path_table();
 TableSpec ambient_occlusion_table();
 TableSpec material_table();
 TableSpec light_table();
