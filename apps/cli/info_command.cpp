@@ -68,9 +68,11 @@ std::string shown(const KeySpec& key, const KeyValue& value) {
 std::string properties(const Material& material) {
     std::string text;
     for (const KeySpec& key : description_table("material").keys) {
+        if (!key.belongs_to(name_of(material.model))) continue;
         const KeyValue value = key.get(KeyOwner(material));
-        const bool tells = key.key == "color" || (key.key == "index" && material.transparency > 0);
-        if (!tells && value == key.initial()) continue;
+        if (std::holds_alternative<std::monostate>(value)) continue;
+        const bool tells = key.key == "color" || (key.key == "index" && is_transparent(material));
+        if (!tells && key.initial && value == key.initial()) continue;
         text += (text.empty() ? "" : ", ") + std::string(key.key);
         if (key.type != KeyType::boolean) text += " " + shown(key, value);
     }

@@ -24,7 +24,7 @@ void material_rows(Ui& ui, const Material& m, const std::string& path, const Fil
     Rows rows(ui, edits, path, table, KeyOwner(m), share_step, file);
     for (const KeySpec& key : table.keys) {
         const bool of_glass = key.key == "index" || key.key == "absorption" || key.key == "fresnel";
-        if (of_glass && m.transparency == 0) continue;
+        if (of_glass && m.model == MaterialModel::whitted && m.transparency == 0) continue;
         if (key.key == "emission")
             rows.numbers(key);
         else

@@ -139,21 +139,57 @@ struct AmbientOcclusionSettings {
     bool colored = false;           ///< times the colour of the surface
 };
 
+/// What a material's numbers mean. Both light models read all of them: docs/light-model.md.
+enum class MaterialModel { whitted, diffuse, conductor, dielectric, plastic, principled };
+template <>
+inline constexpr NamesUpTo<MaterialModel::principled> enum_names<MaterialModel>{
+    "whitted", "diffuse", "conductor", "dielectric", "plastic", "principled"};
+
+/// Metals whose complex index of refraction is known.
+enum class Metal { aluminium, brass, chromium, cobalt, copper, gold, iron, nickel, silver, titanium };
+template <>
+inline constexpr NamesUpTo<Metal::titanium> enum_names<Metal>{
+    "aluminium", "brass", "chromium", "cobalt", "copper", "gold", "iron", "nickel", "silver", "titanium"};
+
+/// Sides of a surface: front is the one of its normal as the object has it.
+enum class EmissionSides { both, front };
+template <>
+inline constexpr NamesUpTo<EmissionSides::front> enum_names<EmissionSides>{"both", "front"};
+
+/// A model reads the members that scene files have for it. Those that all models have are `color`, `ambient`,
+/// `emission`, `emission_sides` and `opacity`.
 struct Material {
     std::string name;
-    Vec3 color{0.8};         ///< linear RGB
-    double ambient = 1;      ///< k_a
+    MaterialModel model = MaterialModel::whitted;
+    Vec3 color{0.8};         ///< linear RGB; scene files give dielectrics white
+    double ambient = 1;      ///< k_a, read by Whitted's light model alone
     double diffuse = 1;      ///< k_d
     double highlight = 0;    ///< k
     double shininess = 32;   ///< m, the report's n
     double reflectivity = 0; ///< ρ
     double transparency = 0; ///< τ, 0 … 1
-    double index = 1.5;      ///< η, used where transparency > 0
+    double index = 1.5;      ///< η, used by `whitted` where transparency > 0
     Vec3 absorption{0};      ///< σ, per scene unit, inside solids
     bool fresnel = false;
+    double roughness = 0;       ///< 0 … 1, α = roughness²; scene files give plastic 0.2, principled 0.5
+    std::optional<Metal> metal; ///< of a conductor, instead of `color`
+    double metallic = 0;
+    double transmission = 0;
+    double clearcoat = 0;
+    double clearcoat_roughness = 0;
+    double sheen = 0;
+    Vec3 sheen_color{1};
+    double sheen_roughness = 0.5;
+    double specular = 1;
+    Vec3 specular_color{1};
+    double opacity = 1;
     Vec3 emission{0};
+    EmissionSides emission_sides = EmissionSides::both;
     Location where;
 };
+
+/// Whether light goes through it: solids of it are filled with a medium.
+bool is_transparent(const Material& material);
 
 /// The points with normal · p = offset; the normal need not be normalized.
 struct PlaneShape {

@@ -208,8 +208,8 @@ static_assert(offsetof(NodeRecord, children) == 16 && offsetof(NodeRecord, sides
               sizeof(NodeRecord) == 96);
 static_assert(sizeof(PackedVector) == 24 && sizeof(PackedMatrix) == 72);
 static_assert(offsetof(ShapeRecord, base) == 16 && sizeof(ShapeRecord) == 80);
-static_assert(offsetof(ObjectRecord, rank) == 80 && offsetof(ObjectRecord, linear) == 144 &&
-              offsetof(ObjectRecord, normal_matrix) == 320 && sizeof(ObjectRecord) == 400);
+static_assert(offsetof(ObjectRecord, rank) == 176 && offsetof(ObjectRecord, linear) == 240 &&
+              offsetof(ObjectRecord, normal_matrix) == 416 && sizeof(ObjectRecord) == 496);
 static_assert(sizeof(FilterTable) % 16 == 0);
 #endif
 

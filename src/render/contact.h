@@ -17,6 +17,7 @@ struct Contact {
     float margin = 0;      ///< what start points are off the seen one to be before all or beyond all
     bool refracts = false; ///< one of them bounds a transparent solid
     float others = 1;      ///< the share of refracted light that the surfaces beside the seen one let through
+    vec3 tint{1.0f};       ///< and their tint
 };
 
 /// Hits of a ray in one place.

@@ -120,11 +120,24 @@ class BounceSteps {
             note = "fresnel = true: ρ + τ is shared by Fresnel's equations";
         }
         if (node_.reflected_weight > 0.0f)
-            step({"w_R", reflected, node_.reflected_weight, "reflection", "weight of the mirror ray", "2.3",
-                  note});
+            step(weighted({"w_R", reflected, node_.reflected_weight, "reflection", "weight of the mirror ray",
+                           "2.3", note},
+                          "t_R", node_.reflected_tint));
+        if (node_.refracted_weight > 0.0f && node_.refracted_tint != vec3(1.0f))
+            step({"t_T", "", node_.refracted_tint, "material", "tint of what is transmitted"});
         if (node_.refracted_weight > 0.0f)
-            step({"w_T", refracted, node_.refracted_weight, "transmission", "weight of the refracted ray",
-                  "2.4", note});
+            step(weighted({"w_T", refracted, node_.refracted_weight, "transmission",
+                           "weight of the refracted ray", "2.4", note},
+                          "t_T", node_.refracted_tint));
+    }
+
+    /// A weight by channel, where the material tints what it reflects or transmits.
+    static Step weighted(Step s, const std::string& tint_symbol, const vec3& tint) {
+        if (tint == vec3(1.0f)) return s;
+        s.result = tint * s.result.value.x;
+        const bool is_sum = s.formula.find(' ') != std::string::npos;
+        s.formula = tint_symbol + " · " + (is_sum ? "(" + s.formula + ")" : s.formula);
+        return s;
     }
 
     void mirror() {
@@ -140,6 +153,8 @@ class BounceSteps {
         const int index = mirror ? node_.reflected : node_.refracted;
         const float share = mirror ? node_.reflected_weight : node_.refracted_weight;
         if (!(share > 0.0f)) return;
+        const vec3& tint = mirror ? node_.reflected_tint : node_.refracted_tint;
+        const std::string times = tint == vec3(1.0f) ? " · " : " ⊙ ";
         const char* weight = mirror ? "w_R" : "w_T";
         const std::string absorbed = node_.transmittance != vec3(1.0f) ? " ⊙ β" : "";
         if (index >= 0) {
@@ -147,13 +162,15 @@ class BounceSteps {
             const char* light = mirror ? "L_R" : "L_T";
             step({light, "", child(index).radiance, topic,
                   mirror ? "what the mirror ray brings" : "what the refracted ray brings"});
-            step({topic, std::string(light) + " · " + weight + absorbed,
+            step({topic, light + times + weight + absorbed,
                   node_.terms[mirror ? Term::reflection : Term::transmission], topic,
                   mirror ? "light by way of the mirror ray" : "light by way of the refracted ray",
                   mirror ? "2.3" : "2.4"});
         }
-        step({mirror ? "W_R" : "W_T", "W" + absorbed + " · " + weight,
-              out_.weight * node_.transmittance * share, "weight",
+        step({mirror ? "W_R" : "W_T", "W" + absorbed + times + weight,
+              out_.weight * node_.transmittance *
+                  branch_weight(node_, mirror ? RayKind::reflected : RayKind::refracted),
+              "weight",
               mirror ? "the mirror ray's weight in the sample" : "the refracted ray's weight in the sample",
               "", index >= 0 ? "" : "below min_weight: this ray is left out"});
     }

@@ -123,6 +123,9 @@ class Shown {
   private:
     void step(Step s) { out_.steps.push_back(std::move(s)); }
     bool opaque() const { return scene_.modes.opaque_shadows != 0; }
+    /// Have the surfaces on the way a colour?
+    bool tinted() const { return record_.passing != vec3(record_.shadow); }
+    const char* times() const { return tinted() ? " ⊙ " : " · "; }
 
     void name_blockers() {
         const float length = sqrt(dot(record_.shadow_direction, record_.shadow_direction));
@@ -147,7 +150,8 @@ class Shown {
                               "caustics";
             if (out_.shadow == 0.0f && !opaque()) note = "something opaque stands between";
         }
-        step({"s", std::move(formula), record_.shadow, "shadow", "share that gets through", "2.1", note});
+        step({"s", std::move(formula), tinted() ? Quantity(record_.passing) : Quantity(record_.shadow),
+              "shadow", "share that gets through", "2.1", note});
     }
 
     /// Gives the blockers' shares as τ₁, τ₂ … and returns what multiplies them.
@@ -157,16 +161,18 @@ class Shown {
             const Blocker& b = out_.blockers[i];
             if (b.passed_over) continue;
             const std::string symbol = numbered("τ", i + 1);
-            step({symbol, "", b.share, "shadow", "what a surface on the way lets through"});
-            formula += (formula.empty() ? "" : " · ") + symbol;
+            const vec3& tint = scene_.material(b.object).transmitted_tint;
+            step({symbol, "", tint == vec3(1.0f) ? Quantity(b.share) : Quantity(tint * b.share), "shadow",
+                  "what a surface on the way lets through"});
+            formula += (formula.empty() ? "" : times()) + symbol;
         }
         return formula.empty() ? "1" : formula;
     }
 
     void show_diffuse() {
-        const vec3 whole = diffuse_term(record_.arriving, node_.color, material_.diffuse) * record_.shadow;
+        const vec3 whole = diffuse_term(record_.arriving, node_.color, material_.diffuse) * record_.passing;
         const bool clamp = scene_.settings.clamp;
-        step({clamp ? "D′" : "D", "E ⊙ c · k_d · s", whole, "diffuse",
+        step({clamp ? "D′" : "D", std::string("E ⊙ c · k_d") + times() + "s", whole, "diffuse",
               clamp ? "diffuse light before the clamp" : "diffuse light", "2.2",
               "the report prints sums of colours; its pictures show products"});
         if (clamp)
@@ -192,10 +198,12 @@ class Shown {
         const float lobe = lobe_of(cosine, material_.shininess);
         step(
             {"lobe", "min(1, max(0, cosδ))^m", lobe, "highlight", "how near to the mirror direction", "2.5"});
-        step(
-            {"H", "E · (k · lobe) · s", record_.highlight, "highlight", "highlight", "2.5",
-             "the report's formula has neither n·l nor 1/r², its pictures have both; the light's colour, not "
-             "the material's"});
+        const bool metal = material_.reflected_tint != vec3(1.0f);
+        step({"H", std::string(metal ? "E ⊙ t_R · (k · lobe)" : "E · (k · lobe)") + times() + "s",
+              record_.highlight, "highlight", "highlight", "2.5",
+              metal ? "metals tint it"
+                    : "the report's formula has neither n·l nor 1/r², its pictures have both; the light's "
+                      "colour, not the material's"});
     }
 
     const ExplainedScene& scene_;

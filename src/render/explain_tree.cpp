@@ -121,6 +121,8 @@ class RayWorking {
         }
         give({"ρ", "", m.reflectivity, "material", "reflectivity"});
         give({"τ", "", m.transparency, "material", "transparency"});
+        if (m.reflected_tint != vec3(1.0f))
+            give({"t_R", "", m.reflected_tint, "material", "tint of what is reflected"});
         give({"A", "", scene_.scene.ambient, "ambient", "sum of the ambient lights"});
     }
 
@@ -222,8 +224,9 @@ class RayWorking {
     void emit() {
         if (node_.reflected >= 0) join(sum_, "reflection");
         if (node_.refracted >= 0) join(sum_, "transmission");
-        if (material().emission == vec3(0.0f)) return;
-        give({"M", "", material().emission, "material", "emission"});
+        const vec3 emission = emitted(material(), node_.entering);
+        if (emission == vec3(0.0f)) return;
+        give({"M", "", emission, "material", "emission"});
         term("emission", "M", "the surface's own light", Term::emission, false);
     }
 
@@ -284,9 +287,7 @@ std::vector<ExplainedRay> explain_tree(const ExplainedScene& scene, const RayTre
         if (node.parent >= 0) {
             const auto parent = static_cast<std::size_t>(node.parent);
             const RayNode& from = tree.nodes[parent];
-            const bool mirror = node.kind == RayKind::reflected;
-            rays[i].weight = rays[parent].weight * from.transmittance *
-                             (mirror ? from.reflected_weight : from.refracted_weight);
+            rays[i].weight = rays[parent].weight * from.transmittance * branch_weight(from, node.kind);
         }
         RayWorking working(scene, tree, node, rays[i]);
         const vec3& w = rays[i].weight;

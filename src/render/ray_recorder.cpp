@@ -50,12 +50,14 @@ void RayRecorder::refract(const Refraction& refraction, float index_before, floa
     ray.index_after = index_after;
 }
 
-void RayRecorder::bounce(float local_weight, const Split& split) {
+void RayRecorder::bounce(float local_weight, const Bounce& bounce, const MaterialRecord& material) {
     RayNode& ray = node();
     ray.end = RayEnd::bounced;
     ray.local_weight = local_weight;
-    ray.reflected_weight = split.reflected;
-    ray.refracted_weight = split.refracted;
+    ray.reflected_weight = bounce.split.reflected;
+    ray.refracted_weight = bounce.split.refracted;
+    ray.reflected_tint = material.reflected_tint;
+    ray.refracted_tint = bounce.tint;
 }
 
 void RayRecorder::absorb(const vec3& transmittance) { node().transmittance = transmittance; }
@@ -93,9 +95,10 @@ void RayRecorder::blocker(const Hit& hit, float transparency, bool passed_over) 
     blocker.passed_over = passed_over;
 }
 
-void RayRecorder::end_light(float passing, const ShownLight& shown) {
+void RayRecorder::end_light(const vec3& passing, const ShownLight& shown) {
     LightNode& light = node().lights.back();
-    light.shadow = passing;
+    light.shadow = std::max({passing.x, passing.y, passing.z});
+    light.passing = passing;
     light.diffuse = shown.diffuse;
     light.highlight = shown.highlight;
 }

@@ -13,6 +13,7 @@ namespace glint::rendering {
 
 struct LightNode : TracedLight {
     vec3 shadow_direction{0.0f}; ///< up to the light if that has a position, else unit
+    vec3 passing{1.0f};          ///< the share that gets through, by channel
 };
 
 /// A ray, its hit, and what its explanation needs besides. The distances of blockers are in lengths of
@@ -27,11 +28,19 @@ struct RayNode : TracedRay {
     float local_weight = 1;               ///< of ambient, diffuse, highlight and clamp
     float reflected_weight = 0;           ///< above 0 without such a branch: it was left out
     float refracted_weight = 0;
+    vec3 reflected_tint{1.0f}; ///< of the branches
+    vec3 refracted_tint{1.0f};
     Terms terms{}; ///< weighted, absorption included
 
     /// Light goes on from here, along branches or along some that were left out.
     bool goes_on() const { return end == RayEnd::bounced || end == RayEnd::min_weight; }
 };
+
+/// The weight of a branch of the node, by channel.
+inline vec3 branch_weight(const RayNode& node, RayKind kind) {
+    return kind == RayKind::reflected ? node.reflected_tint * node.reflected_weight
+                                      : node.refracted_tint * node.refracted_weight;
+}
 
 struct RayTree {
     std::vector<RayNode> nodes; ///< the first is the primary ray; parents precede their children
@@ -50,7 +59,7 @@ class RayRecorder {
     void hit(const trace::Hit& hit, const SurfaceInteraction& at, std::vector<std::uint32_t> interiors);
     void end_at(RayEnd end);
     void refract(const Refraction& refraction, float index_before, float index_after);
-    void bounce(float local_weight, const Split& split);
+    void bounce(float local_weight, const Bounce& bounce, const MaterialRecord& material);
     void absorb(const vec3& transmittance);
     void end_ray(const Channels& channels);
 
@@ -58,7 +67,7 @@ class RayRecorder {
     void begin_light(const LightArrival& arrival);
     void shadow_ray(const Ray& ray);
     void blocker(const trace::Hit& hit, float transparency, bool passed_over);
-    void end_light(float passing, const ShownLight& shown);
+    void end_light(const vec3& passing, const ShownLight& shown);
 
   private:
     RayNode& node() { return tree_.nodes[open_.back()]; }

@@ -180,10 +180,10 @@ HWY_INLINE vec3 directions_of(const Ray* rays) {
 }
 
 /// The share of the light that passes what the shadow rays met.
-HWY_INLINE real passing_light(const PathStates& states, std::size_t i) {
+HWY_INLINE vec3 passing_light(const PathStates& states, std::size_t i) {
     const hn::Rebind<std::uint8_t, RealTag> bytes;
     const integer blocked = hn::PromoteTo(IntegerTag(), hn::LoadU(bytes, &states.blocked[i]));
-    return pick(real(blocked) == 0.0f, 1.0f, load(states.passing, i));
+    return pick(real(blocked) == 0.0f, vec3(1.0f), load(states.passing, i));
 }
 
 } // namespace
@@ -241,7 +241,7 @@ void add_light(const WhittedModes& modes, Wave wave, PathStates& states) {
         LightArrival arrival;
         arrival.direction = load(states.to_light, i);
         arrival.arriving = load(states.arriving, i);
-        const real passing = passing_light(states, i);
+        const vec3 passing = passing_light(states, i);
         if (!any_lane(is_lit(arrival, passing))) return;
         const MaterialRecord m = stored_materials(states, i);
         const ShownLight shown = shown_light(modes, surfaces_of(states, i), m, arrival, passing);
@@ -265,7 +265,7 @@ Branches spawn_reflected(const WhittedModes& modes, float min_weight, Wave wave,
         if (!any_lane(mirror)) return;
         store(weighted_terms(local_terms(states, i), pick(mirror, local_weight(modes, m), 1.0f)), states, i);
         const RayGroups rays(reflected_ray(surfaces_of(states, i)));
-        const vec3 weights = load(states.weights, i) * m.reflectivity;
+        const vec3 weights = load(states.weights, i) * (m.reflected_tint * m.reflectivity);
         // Each is written behind the last; what is not followed is written over.
         alignas(64) float followed[lane_count];
         lanes::store(pick(mirror && is_worth_following(weights, min_weight), 1.0f, 0.0f), followed);
@@ -275,9 +275,12 @@ Branches spawn_reflected(const WhittedModes& modes, float min_weight, Wave wave,
             states.interiors[next] = states.interiors[i + k];
             states.parents[next] = static_cast<std::uint32_t>(i + k);
             states.parent_terms[next] = Term::reflection;
-            states.parent_weights[next] = states.materials[i + k]->reflectivity;
-            for (PathStates::Numbers& row : states.weights)
-                row[next] = row[i + k] * states.parent_weights[next];
+            const glint::MaterialRecord& of = *states.materials[i + k];
+            const glm::vec3 share = of.reflected_tint * of.reflectivity;
+            for (int axis = 0; axis < 3; ++axis) {
+                states.parent_weights[axis][next] = share[axis];
+                states.weights[axis][next] = states.weights[axis][i + k] * share[axis];
+            }
             next += followed[k] != 0.0f ? 1 : 0;
         }
     });
@@ -296,7 +299,7 @@ void add_to_parents(Wave wave, PathStates& states) {
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis)
             row(states, states.parent_terms[i])[axis][states.parents[i]] =
-                states.sums[axis][i] * states.parent_weights[i];
+                states.sums[axis][i] * states.parent_weights[axis][i];
 }
 
 } // namespace HWY_NAMESPACE

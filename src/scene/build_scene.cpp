@@ -7,6 +7,7 @@
 #include "math/trig.h"
 #include "scene/bake.h"
 #include "scene/contacts.h"
+#include "scene/materials.h"
 #include "scene/names.h"
 #include "scene/validate.h"
 
@@ -25,22 +26,6 @@ using trace::WorldStats;
 namespace glint::scene {
 
 namespace {
-
-MaterialRecord material_record(const Material& m) {
-    MaterialRecord f{};
-    f.color = vec3(m.color);
-    f.emission = vec3(m.emission);
-    f.absorption = vec3(m.absorption);
-    f.ambient = static_cast<float>(m.ambient);
-    f.diffuse = static_cast<float>(m.diffuse);
-    f.highlight = static_cast<float>(m.highlight);
-    f.shininess = static_cast<float>(m.shininess);
-    f.reflectivity = static_cast<float>(m.reflectivity);
-    f.transparency = static_cast<float>(m.transparency);
-    f.index = static_cast<float>(m.index);
-    if (m.fresnel) f.flags |= material_fresnel;
-    return f;
-}
 
 /// Ambient lights have none: they add up to one number.
 LightRecord light_record(const AmbientLight&) { return {}; }
@@ -106,7 +91,7 @@ void move(SceneDescription& description, const dvec3& by) {
 bool shows_glass(const SceneDescription& description) {
     const NameIndex names(description);
     return std::any_of(description.objects.begin(), description.objects.end(), [&](const Object& object) {
-        return object.visible && names.material_of(object)->transparency > 0;
+        return object.visible && is_transparent(*names.material_of(object));
     });
 }
 
@@ -126,6 +111,8 @@ void build_values(SceneData& scene) {
     scene.any_transparent = shows_glass(description);
     scene.materials.clear();
     for (const Material& m : description.materials) scene.materials.push_back(material_record(m));
+    scene.any_front_emission = std::ranges::any_of(
+        description.materials, [](const Material& m) { return m.emission_sides == EmissionSides::front; });
     build_lights(scene);
     scene.background = vec3(description.render.background);
     scene.index_outside = static_cast<float>(description.whitted.index);

@@ -79,6 +79,7 @@ struct SceneData {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
+    bool any_front_emission = false; ///< some material emits from its front alone
     bool any_contact = false; ///< some object has a contact zone
     /// Where pairs of objects touch; null where that is nowhere or, for planes, everywhere.
     std::shared_ptr<const BoxTree> contact_places;

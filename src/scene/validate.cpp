@@ -43,13 +43,25 @@ class Checker {
         fail(where, std::move(fault.message), fault.hint.empty() ? "in " + table : std::move(fault.hint));
     }
 
+    /// The value of the table's selector; empty if it has none or a wrong one.
+    static std::string type_of(const TableSpec& table, const KeyOwner& owner) {
+        const KeySpec* selector = find_key(table, table.selector, {});
+        if (selector == nullptr) return {};
+        const KeyValue value = selector->get(owner);
+        return fault_of(*selector, value) ? "" : plain_text(*selector, value);
+    }
+
     /// Checks each value by its key. Names may be empty here, unlike in files.
     template <class T>
     void check_keys(std::string_view name, const T& owner, const Location& where,
                     std::string_view label = {}) {
         const TableSpec& table = description_table(name);
+        const std::string type = type_of(table, KeyOwner(owner));
         for (const KeySpec& key : table.keys) {
-            if (!key.get || key.type == KeyType::text || key.type == KeyType::file) continue;
+            // Of rows for one member that of the type.
+            const KeySpec* row = find_key(table, key.key, type);
+            if (row == nullptr) row = find_key(table, key.key, {});
+            if (!key.get || row != &key || key.type == KeyType::text || key.type == KeyType::file) continue;
             if (auto fault = fault_of(key, key.get(KeyOwner(owner))))
                 fail(where, *std::move(fault), table.header(label));
         }

@@ -54,7 +54,10 @@ class WarningFinder {
     }
 
     void check_light_model() {
-        for (const Material& m : description_.materials) check_gain(m);
+        for (const Material& m : description_.materials) {
+            check_gain(m);
+            check_opacity(m);
+        }
         check_open_glass();
         if (scene_.any_transparent) check_hidden();
         if (!paths_) check_branching();
@@ -194,6 +197,7 @@ class WarningFinder {
 
     // More light leaves than arrives.
     void check_gain(const Material& m) {
+        if (m.model != MaterialModel::whitted) return;
         const double brightest = std::max({m.color.x, m.color.y, m.color.z});
         const bool balanced = description_.whitted.energy == Energy::balanced;
         const double gain =
@@ -204,6 +208,12 @@ class WarningFinder {
         warn(m.where, "material \"" + m.name + "\" gives " + number + " times the light that it gets",
              "lower diffuse, reflectivity or transparency, or set energy = \"balanced\" in [whitted]; "
              "\"report\" there says that it is meant");
+    }
+
+    void check_opacity(const Material& m) {
+        if (m.opacity == 1) return;
+        warn(m.where, "material \"" + m.name + "\" is drawn opaque: Whitted's light model reads no opacity",
+             "use transparency instead, or another integrator");
     }
 
     void check_open_glass() {

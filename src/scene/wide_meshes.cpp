@@ -15,11 +15,13 @@ namespace {
 /// width above it: a thing that is not exceeded is 8192 times as large as that, a fraction of a pixel in its
 /// pictures.
 constexpr float wide_ratio = 128;
-/// Things as far from the origin of coordinates as this part of the triangles' width do not count: rounding
-/// their points to float has similar errors.
-constexpr float near_ratio = 16;
-/// Wide meshes are traced slowly.
+/// Points at coordinate c are rounded to float by up to 2^-24 c. Triangles that are not wider than this part
+/// of c are no worse.
+constexpr float rounding_ratio = 1.0f / 16;
+/// Wide meshes are traced slowly, so they may have few triangles that are not near the origin of coordinates,
+/// compared with their own size.
 constexpr std::size_t max_wide_triangles = 1024;
+constexpr float near_ratio = 16;
 
 float max_side(const Bounds& box) {
     const vec3 d = box.extent();
@@ -28,7 +30,7 @@ float max_side(const Bounds& box) {
 
 /// Triangles are wide if they exceed this.
 float allowed_beside(const Bounds& thing) {
-    return std::max(wide_ratio * max_side(thing), near_ratio * thing.max_coordinate());
+    return std::max(wide_ratio * max_side(thing), rounding_ratio * thing.max_coordinate());
 }
 
 /// How large triangles may be beside the other objects.

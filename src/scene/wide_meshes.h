@@ -6,7 +6,7 @@
 namespace glint::scene {
 
 /// Marks meshes as wide (WorldInput) whose triangles are so wide that their errors in float would show on
-/// something near the origin of coordinates. They may have at most 1024 triangles that are not near it.
+/// something in the scene. They may have at most 1024 triangles that are not near the origin of coordinates.
 void mark_wide_meshes(Baked& baked);
 
 } // namespace glint::scene

@@ -1,37 +1,38 @@
 #ifndef GLINT_SHADING_BSDF_SHARED_H
 #define GLINT_SHADING_BSDF_SHARED_H
 #include "math/shared.h"
+#include "shading/bsdf_lobes.shared.h"
+#include "shading/microfacet.shared.h"
 #include "shading/records.shared.h"
-#include "shading/sampling.shared.h"
 #include "shading/whitted.shared.h"
+#ifndef GLINT_GLSL
+#include "shading/microfacet_energy.h"
+#endif
 
 // What a path tracer asks of a material at one point of a surface, for single rays:
 //
 //     Bsdf b = bsdf_at(material, surface, sides, modes);  // once at each vertex
-//     bsdf_value(b, l), bsdf_pdf(b, l)                    // of a direction that a light was sampled in
+//     lobes_at(b, l)                                      // value and density of a light's direction
 //     bsdf_sample(b, u_lobe, u, v)                        // the next direction of the path
 //
-// A Bsdf is a sum of lobes. Deltas (mirrors, smooth refraction) are met by bsdf_sample() alone: the other two
-// functions speak of the rest. Densities are over solid angle, and those of bsdf_sample() include the choice
-// of the lobe, so that pdfs of both functions are the same function. Values hold |cos θ|. Directions are unit
-// vectors that point away from the surface: v to the viewer (SurfaceRecord::v, which holds for the whole
-// Bsdf), l to the light.
+// A Bsdf is a sum of lobes. Deltas (mirrors, smooth refraction) are met by bsdf_sample() alone: lobes_at(),
+// of which bsdf_value() and bsdf_pdf() give one half each, speaks of the rest. Densities are over solid
+// angle, and those of bsdf_sample() include the choice of the lobe, so that both functions give the same
+// density. Values hold |cos θ|. Directions are unit vectors that point away from the surface: v to the viewer
+// (SurfaceRecord::v, which holds for the whole Bsdf), l to the light.
 //
 // Light counts if it is on the same side of the geometric surface as of the shading normal's. A sampled
 // direction that is not has the value 0, and ends its path; its density stays.
+//
+// The formulas with their sources are in docs/light-model.md. microfacet_energy() is a table: in C++
+// shading/microfacet_energy.h, in a shader a buffer.
 
 GLINT_SHARED_BEGIN
 
-/// Values or weights of lobes, by the layer of a picture to which the first hit's belong.
-struct BsdfValue {
-    vec3 diffuse;
-    vec3 specular; ///< reflected, but not diffusely: highlights and mirrors
-    vec3 transmission;
-};
-
-GLINT_FN vec3 sum_of(GLINT_IN(BsdfValue) value) {
-    return (value.diffuse + value.specular) + value.transmission;
-}
+#ifndef GLINT_GLSL
+using shading::microfacet_energy;
+using shading::sheen_energy;
+#endif
 
 /// The media on both sides of a surface.
 struct BsdfSides {
@@ -40,104 +41,80 @@ struct BsdfSides {
     truth solid;       ///< it bounds a transparent solid and bends light; else it is a sheet, or opaque
 };
 
-// Bsdf::gloss
-const int gloss_none = 0;
-const int gloss_blinn = 1;
-const int gloss_phong = 2;
+/// Rougher surfaces are made of microfacets.
+const float min_roughness = 0.01f;
 
-/// A material at one point, seen from one direction.
-struct Bsdf {
-    vec3 v;
-    vec3 n_g; ///< both normals on the viewer's side
-    vec3 n;
+/// Nearer to 1, a ratio of indices bends light by less than single precision can tell.
+const float min_bending = 0.001f;
 
-    vec3 diffuse; ///< albedo of the Lambertian lobe
-
-    int gloss;           ///< the glossy lobe's kind
-    vec3 gloss_strength; ///< Blinn and Phong: k
-    real shininess;      ///< Blinn and Phong: m
-
-    vec3 mirror; ///< weight of the mirror direction's delta
-    vec3 mirror_direction;
-    vec3 refracted; ///< weight of the refracted direction's delta
-    vec3 refracted_direction;
-    real radiance_scale; ///< the factor of `refracted` that roulette must not see: (η₁/η₂)², or 1
-
-    // Probabilities of the lobes; their sum is 1, or 0 for a black surface.
-    real pick_diffuse;
-    real pick_gloss;
-    real pick_mirror;
-    real pick_refracted;
-};
-
-struct BsdfSample {
-    vec3 direction;
-    BsdfValue weight; ///< f |cos θ| / pdf; 0 ends the path
-    real pdf;         ///< bsdf_pdf() of the direction; 0 for a delta
-    truth delta;
-    truth transmits;     ///< the direction leaves on the other side
-    truth straight;      ///< it goes through a sheet unbent
-    real radiance_scale; ///< (n_before/n_after)² where the weight has this factor of refraction, else 1
-};
-
-GLINT_FN BsdfValue no_value() {
-    BsdfValue value;
-    value.diffuse = vec3(0.0f);
-    value.specular = vec3(0.0f);
-    value.transmission = vec3(0.0f);
-    return value;
+GLINT_FN FacetLobe no_facets() {
+    FacetLobe lobe;
+    lobe.alpha = 1.0f;
+    lobe.fresnel = fresnel_of_color;
+    lobe.f0 = vec3(0.0f);
+    lobe.f90 = vec3(0.0f);
+    lobe.kept_0 = 0.0f;
+    lobe.kept_90 = 0.0f;
+    lobe.eta = 1.0f;
+    lobe.thin = false;
+    lobe.reflected = vec3(0.0f);
+    lobe.transmitted = vec3(0.0f);
+    return lobe;
 }
 
-GLINT_FN real max_channel(vec3 color) { return max(color.x, max(color.y, color.z)); }
-
-/// Has it lobes that are not deltas? If not, sampling lights is of no use.
-GLINT_FN truth has_spread(GLINT_IN(Bsdf) b) { return b.pick_diffuse > 0.0f || b.pick_gloss > 0.0f; }
-
-// ── Making one
-
 /// Without lobes.
-GLINT_FN Bsdf black_bsdf(GLINT_IN(SurfaceRecord) s) {
+GLINT_FN Bsdf black_bsdf(GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides) {
     Bsdf b;
     b.v = s.v;
     b.n_g = s.n_g;
-    b.n = s.n;
+    b.basis = basis_about(s.n);
     b.diffuse = vec3(0.0f);
+    b.body = body_plain;
+    b.sheen = vec3(0.0f);
+    b.sheen_alpha = 1.0f;
     b.gloss = gloss_none;
     b.gloss_strength = vec3(0.0f);
     b.shininess = 0.0f;
+    b.facets = no_facets();
+    b.coat = no_facets();
     b.mirror = vec3(0.0f);
-    b.mirror_direction = s.n_g;
+    b.mirror_direction = mirror_ray_direction(s.v, s.n, s.n_g);
     b.refracted = vec3(0.0f);
     b.refracted_direction = -s.v;
+    b.straight = !sides.solid;
     b.radiance_scale = 1.0f;
     b.pick_diffuse = 0.0f;
     b.pick_gloss = 0.0f;
+    b.pick_coat = 0.0f;
     b.pick_mirror = 0.0f;
     b.pick_refracted = 0.0f;
     return b;
 }
 
-/// With probabilities in proportion to estimates of what the lobes reflect: of the glossy one `gloss_albedo`.
-GLINT_FN Bsdf with_choice(GLINT_IN(Bsdf) lobes, real gloss_albedo) {
+/// With probabilities in proportion to estimates of what the lobes reflect, which for deltas are their
+/// weights.
+GLINT_FN Bsdf with_choice(GLINT_IN(Bsdf) lobes, real diffuse, real gloss, real coat) {
     Bsdf b = lobes;
-    b.pick_diffuse = max_channel(b.diffuse);
-    b.pick_gloss = gloss_albedo;
+    b.pick_diffuse = diffuse;
+    b.pick_gloss = gloss;
+    b.pick_coat = coat;
     b.pick_mirror = max_channel(b.mirror);
-    b.pick_refracted = max_channel(b.refracted);
-    real sum = b.pick_diffuse + b.pick_gloss + b.pick_mirror + b.pick_refracted;
+    b.pick_refracted = max_channel(b.refracted) / b.radiance_scale;
+    real sum = b.pick_diffuse + b.pick_gloss + b.pick_coat + b.pick_mirror + b.pick_refracted;
     real scale = sum > 0.0f ? 1.0f / sum : 0.0f;
     b.pick_diffuse = b.pick_diffuse * scale;
     b.pick_gloss = b.pick_gloss * scale;
+    b.pick_coat = b.pick_coat * scale;
     b.pick_mirror = b.pick_mirror * scale;
     b.pick_refracted = b.pick_refracted * scale;
     return b;
 }
 
 /// Whitted's model as a BSDF: f = w (c k_d + k lobe^m)/π + ρ δ_mirror + τ δ_refracted, w and the shares of
-/// both deltas as for Whitted's rays. (docs/light-model.md.)
+/// both deltas as for Whitted's rays.
 GLINT_FN Bsdf whitted_bsdf(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides,
                            GLINT_IN(WhittedModes) modes) {
-    Bsdf b = black_bsdf(s);
+    Bsdf b = black_bsdf(s, sides);
     real weight = local_weight(modes, m);
     b.diffuse = s.color * (weight * m.diffuse);
     b.gloss = modes.highlight == highlight_phong ? gloss_phong : gloss_blinn;
@@ -149,148 +126,206 @@ GLINT_FN Bsdf whitted_bsdf(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s
         split = split_at_solid(m, refraction, sides.index_before, sides.index_after);
     }
     b.mirror = vec3(split.reflected);
-    b.mirror_direction = mirror_ray_direction(s.v, s.n, s.n_g);
     b.refracted = vec3(split.refracted);
     b.refracted_direction = split.direction;
-    return with_choice(b, b.gloss_strength.x * (8.0f / (m.shininess + 8.0f)));
+    return with_choice(b, max_channel(b.diffuse), b.gloss_strength.x * (8.0f / (m.shininess + 8.0f)), 0.0f);
 }
 
 /// Lambert's: f = c/π.
-GLINT_FN Bsdf diffuse_bsdf(GLINT_IN(SurfaceRecord) s) {
-    Bsdf b = black_bsdf(s);
+GLINT_FN Bsdf diffuse_bsdf(GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides) {
+    Bsdf b = black_bsdf(s, sides);
     b.diffuse = s.color;
-    return with_choice(b, 0.0f);
+    return with_choice(b, max_channel(b.diffuse), 0.0f, 0.0f);
 }
 
-/// `modes` are read for materials of the model `whitted`.
-GLINT_FN Bsdf bsdf_at(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides,
-                      GLINT_IN(WhittedModes) modes) {
-    if (m.model == model_diffuse) return diffuse_bsdf(s);
-    return whitted_bsdf(m, s, sides, modes);
+/// The factor for light that several facets reflect, of a metal with that reflectance at normal incidence.
+/// (E. Turquin, "Practical Multiple Scattering Compensation for Microfacet Models", 2019.)
+GLINT_FN vec3 compensated(vec3 reflectance, real energy) {
+    return vec3(1.0f) + reflectance * ((1.0f - energy) / energy);
 }
 
-// ── Glossy lobes of Blinn and Phong
-
-const float one_over_pi = 0.318309886f;
-
-/// The cosine whose power is the lobe.
-GLINT_FN real gloss_cosine(GLINT_IN(Bsdf) b, vec3 l) {
-    return b.gloss == gloss_phong ? phong_cosine(b.n, l, b.v) : blinn_cosine(b.n, l, b.v);
+GLINT_FN Bsdf conductor_bsdf(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s,
+                             GLINT_IN(BsdfSides) sides) {
+    Bsdf b = black_bsdf(s, sides);
+    b.facets.f0 = s.color;
+    b.facets.f90 = vec3(1.0f);
+    if ((m.flags & material_metal) != 0) {
+        b.facets.fresnel = fresnel_of_metal;
+        b.facets.f0 = m.metal_n / sides.index_before;
+        b.facets.f90 = m.metal_k / sides.index_before;
+    }
+    real cosine = dot(s.n, s.v);
+    if (m.roughness < min_roughness) {
+        b.mirror = facet_fresnel(b.facets, cosine);
+        return with_choice(b, 0.0f, 0.0f, 0.0f);
+    }
+    b.gloss = gloss_facets;
+    b.facets.alpha = m.roughness * m.roughness;
+    b.facets.reflected =
+        compensated(facet_fresnel(b.facets, 1.0f), microfacet_energy(cosine, b.facets.alpha, 0.0f));
+    return with_choice(b, 0.0f, 1.0f, 0.0f);
 }
 
-/// Density (m + 1)/(2π) cos^m of half vectors h about n, or of l about the mirror direction. That of l is a
-/// (4 |h·v|)th of h's. (M. Pharr, G. Humphreys, Physically Based Rendering, 1st edition, section 14.5.)
-GLINT_FN real gloss_pdf(GLINT_IN(Bsdf) b, vec3 l) {
-    real scale = (b.shininess + 1.0f) * (0.5f * one_over_pi);
-    if (b.gloss == gloss_phong) return scale * lobe_of(phong_cosine(b.n, l, b.v), b.shininess);
-    vec3 h = l + b.v;
-    real size = sqrt(dot(h, h));
-    real cosine = abs(dot(h, b.v));
-    if (!(cosine > 0.0f)) return 0.0f;
-    return scale * lobe_of(abs(dot(h, b.n)) / size, b.shininess) * size / (4.0f * cosine);
+/// Smooth glass: a solid's surface, or both faces of a sheet at once.
+GLINT_FN Bsdf smooth_dielectric(GLINT_IN(Bsdf) black, GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides,
+                                real eta) {
+    Bsdf b = black;
+    real share = fresnel_dielectric(min(1.0f, dot(s.n, s.v)), eta);
+    if (!sides.solid) share = pane_reflectance(share);
+    if (sides.solid) {
+        Refraction refraction = refraction_at(s, 1.0f / eta);
+        if (refraction.total) share = 1.0f;
+        b.refracted_direction = refraction.direction;
+    }
+    b.mirror = vec3(share);
+    b.refracted = s.color * ((1.0f - share) * b.radiance_scale);
+    return with_choice(b, 0.0f, 0.0f, 0.0f);
 }
 
-/// A unit vector about +z with density (m + 1)/(2π) cos^m θ.
-GLINT_FN vec3 power_cosine_sample(real m, real u, real v) {
-    vec3 around = disk_sample(u, v);
-    real squared = around.x * around.x + around.y * around.y; // uniform in 0 … 1
-    real cosine = pow_of(max(0.0f, 1.0f - squared), 1.0f / (m + 1.0f));
-    real scale = squared > 0.0f ? sqrt(max(0.0f, 1.0f - cosine * cosine) / squared) : 0.0f;
-    return vec3(around.x * scale, around.y * scale, cosine);
+GLINT_FN Bsdf dielectric_bsdf(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s,
+                              GLINT_IN(BsdfSides) sides) {
+    Bsdf b = black_bsdf(s, sides);
+    real eta = (sides.solid ? sides.index_after : m.index) / sides.index_before;
+    if (sides.solid) b.radiance_scale = 1.0f / (eta * eta);
+    if (m.roughness < min_roughness || abs(eta - 1.0f) < min_bending)
+        return smooth_dielectric(b, s, sides, eta);
+    b.gloss = gloss_facets;
+    b.facets.alpha = m.roughness * m.roughness;
+    b.facets.fresnel = sides.solid ? fresnel_of_index : fresnel_of_pane;
+    b.facets.eta = eta;
+    b.facets.thin = !sides.solid;
+    real energy = microfacet_energy(dot(s.n, s.v), b.facets.alpha, sides.solid ? eta : 0.0f);
+    b.facets.reflected = vec3(1.0f / energy);
+    b.facets.transmitted = s.color / energy;
+    return with_choice(b, 0.0f, 1.0f, 0.0f);
 }
 
-GLINT_FN vec3 gloss_direction(GLINT_IN(Bsdf) b, real u, real v) {
-    vec3 d = power_cosine_sample(b.shininess, u, v);
-    if (b.gloss == gloss_phong) return normalize(turned_to(normalize(mirror_direction(b.v, b.n)), d));
-    return normalize(mirror_direction(b.v, turned_to(b.n, d)));
+/// A diffuse body under a dielectric coat. What the body reflects passes the coat from inside, and what the
+/// coat reflects back is reflected again: 1/(1 − c F̄).
+GLINT_FN Bsdf plastic_bsdf(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides) {
+    Bsdf b = black_bsdf(s, sides);
+    real eta = m.index / sides.index_before;
+    real inside = mean_reflectance(1.0f / eta);
+    real share = fresnel_dielectric(min(1.0f, dot(s.n, s.v)), eta);
+    b.diffuse = s.color * ((1.0f - share) / (eta * eta)) / (vec3(1.0f) - s.color * inside);
+    b.body = body_coated;
+    b.facets.fresnel = fresnel_of_index;
+    b.facets.eta = eta;
+    b.facets.reflected = vec3(1.0f);
+    if (m.roughness < min_roughness) {
+        b.mirror = vec3(share);
+        return with_choice(b, max_channel(b.diffuse), 0.0f, 0.0f);
+    }
+    b.gloss = gloss_facets;
+    b.facets.alpha = m.roughness * m.roughness;
+    return with_choice(b, max_channel(b.diffuse), share, 0.0f);
 }
 
-// ── Asking it
-
-/// f |cos θ| for light from l, by layers; without the deltas.
-GLINT_FN BsdfValue bsdf_value(GLINT_IN(Bsdf) b, vec3 l) {
-    BsdfValue value = no_value();
-    real cosine = light_cosine(b.n, b.n_g, l);
-    if (!(cosine > 0.0f)) return value;
-    value.diffuse = b.diffuse * (cosine * one_over_pi);
-    if (b.gloss != gloss_none)
-        value.specular = b.gloss_strength * (lobe_of(gloss_cosine(b, l), b.shininess) * cosine * one_over_pi);
-    return value;
-}
-
-/// The density with which bsdf_sample() finds l by the lobes that are not deltas.
-GLINT_FN real bsdf_pdf(GLINT_IN(Bsdf) b, vec3 l) {
-    real pdf = b.pick_diffuse * (max(0.0f, dot(b.n, l)) * one_over_pi);
-    if (b.pick_gloss > 0.0f) pdf = pdf + b.pick_gloss * gloss_pdf(b, l);
-    return pdf;
-}
-
-GLINT_FN BsdfSample sample_along(vec3 direction) {
-    BsdfSample chosen;
-    chosen.direction = direction;
-    chosen.weight = no_value();
-    chosen.pdf = 0.0f;
-    chosen.delta = false;
-    chosen.transmits = false;
-    chosen.straight = false;
-    chosen.radiance_scale = 1.0f;
-    return chosen;
-}
-
-GLINT_FN BsdfSample mirror_sample(GLINT_IN(Bsdf) b) {
-    BsdfSample chosen = sample_along(b.mirror_direction);
-    chosen.weight.specular = b.mirror / b.pick_mirror;
-    chosen.delta = true;
-    return chosen;
-}
-
-GLINT_FN BsdfSample refracted_sample(GLINT_IN(Bsdf) b) {
-    BsdfSample chosen = sample_along(b.refracted_direction);
-    chosen.weight.transmission = b.refracted / b.pick_refracted;
-    chosen.delta = true;
-    chosen.transmits = true;
-    chosen.straight = b.refracted_direction == -b.v;
-    chosen.radiance_scale = b.radiance_scale;
-    return chosen;
-}
-
-/// A direction of a lobe that is not a delta, weighted by all of them.
-GLINT_FN BsdfSample spread_sample(GLINT_IN(Bsdf) b, vec3 direction) {
-    BsdfSample chosen = sample_along(direction);
-    chosen.pdf = bsdf_pdf(b, direction);
-    if (!(chosen.pdf > 0.0f)) return chosen;
-    BsdfValue value = bsdf_value(b, direction);
-    chosen.weight.diffuse = value.diffuse / chosen.pdf;
-    chosen.weight.specular = value.specular / chosen.pdf;
-    chosen.weight.transmission = value.transmission / chosen.pdf;
-    return chosen;
-}
-
-const int lobe_diffuse = 0;
-const int lobe_gloss = 1;
-const int lobe_mirror = 2;
-const int lobe_refracted = 3;
-
-/// The last lobe whose interval of probabilities begins at or below u, so that rounding of their sum is of no
-/// consequence.
-GLINT_FN int chosen_lobe(GLINT_IN(Bsdf) b, real u) {
-    int lobe = lobe_diffuse;
-    real begin = b.pick_diffuse;
-    if (b.pick_gloss > 0.0f && u >= begin) lobe = lobe_gloss;
-    begin = begin + b.pick_gloss;
-    if (b.pick_mirror > 0.0f && u >= begin) lobe = lobe_mirror;
-    begin = begin + b.pick_mirror;
-    if (b.pick_refracted > 0.0f && u >= begin) lobe = lobe_refracted;
+/// The reflection of metal and of what lies over the diffuse and the transmitting part, as one lobe.
+GLINT_FN FacetLobe principled_facets(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s,
+                                     GLINT_IN(BsdfSides) sides) {
+    FacetLobe lobe = no_facets();
+    real dielectric = 1.0f - m.metallic;
+    vec3 tinted = min(m.specular_color * normal_reflectance(m.index), vec3(1.0f)) * m.specular;
+    lobe.f0 = tinted * dielectric + s.color * m.metallic;
+    lobe.f90 = vec3(m.specular * dielectric + m.metallic);
+    lobe.kept_0 = max_channel(tinted);
+    lobe.kept_90 = m.specular;
+    lobe.thin = !sides.solid;
+    lobe.eta = sides.solid && m.transmission > 0.0f ? sides.index_after / sides.index_before : 1.0f;
+    lobe.reflected = vec3(1.0f);
+    lobe.transmitted = s.color * (dielectric * m.transmission);
     return lobe;
 }
 
-/// A direction, by three numbers in [0, 1).
-GLINT_FN BsdfSample bsdf_sample(GLINT_IN(Bsdf) b, real u_lobe, real u, real v) {
-    int lobe = chosen_lobe(b, u_lobe);
-    if (lobe == lobe_mirror) return mirror_sample(b);
-    if (lobe == lobe_refracted) return refracted_sample(b);
-    if (lobe == lobe_gloss) return spread_sample(b, gloss_direction(b, u, v));
-    return spread_sample(b, normalize(turned_to(b.n, cosine_sample(u, v))));
+/// The lobe as rough or as deltas.
+GLINT_FN Bsdf with_principled_facets(GLINT_IN(Bsdf) body, GLINT_IN(MaterialRecord) m,
+                                     GLINT_IN(SurfaceRecord) s) {
+    Bsdf b = body;
+    real cosine = min(1.0f, dot(s.n, s.v));
+    truth bends = !b.facets.thin && lets_through(b.facets);
+    if (bends) b.radiance_scale = 1.0f / (b.facets.eta * b.facets.eta);
+    if (m.roughness < min_roughness || (bends && abs(b.facets.eta - 1.0f) < min_bending)) {
+        b.mirror = facet_fresnel(b.facets, cosine);
+        b.refracted = b.facets.transmitted * ((1.0f - facet_kept(b.facets, cosine)) * b.radiance_scale);
+        if (bends) b.refracted_direction = refraction_at(s, 1.0f / b.facets.eta).direction;
+        return b;
+    }
+    b.gloss = gloss_facets;
+    b.facets.alpha = m.roughness * m.roughness;
+    real through = (1.0f - m.metallic) * m.transmission;
+    real energy = microfacet_energy(cosine, b.facets.alpha, 0.0f);
+    real of_glass = bends ? microfacet_energy(cosine, b.facets.alpha, b.facets.eta) : energy;
+    b.facets.reflected = compensated(b.facets.f0, energy) * (1.0f - through) + vec3(through / of_glass);
+    b.facets.transmitted = b.facets.transmitted / of_glass;
+    return b;
+}
+
+/// Under a layer that takes a share of the light.
+GLINT_FN Bsdf dimmed(GLINT_IN(Bsdf) lobes, real left) {
+    Bsdf b = lobes;
+    b.diffuse = b.diffuse * left;
+    b.sheen = b.sheen * left;
+    b.facets.reflected = b.facets.reflected * left;
+    b.facets.transmitted = b.facets.transmitted * left;
+    b.mirror = b.mirror * left;
+    b.refracted = b.refracted * left;
+    return b;
+}
+
+GLINT_FN Bsdf with_clearcoat(GLINT_IN(Bsdf) lobes, GLINT_IN(MaterialRecord) m, real cosine) {
+    real share = m.clearcoat * (0.04f + 0.96f * schlick_weight(cosine));
+    Bsdf b = dimmed(lobes, 1.0f - share);
+    if (m.clearcoat_roughness < min_roughness) {
+        b.mirror = b.mirror + vec3(share);
+        return b;
+    }
+    b.coat.alpha = m.clearcoat_roughness * m.clearcoat_roughness;
+    b.coat.f0 = vec3(1.0f);
+    b.coat.f90 = vec3(1.0f);
+    b.coat.reflected = vec3(share);
+    return b;
+}
+
+/// The metallic-roughness material of glTF 2.0, appendix B, with its extensions.
+GLINT_FN Bsdf principled_bsdf(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) s,
+                              GLINT_IN(BsdfSides) sides) {
+    Bsdf b = black_bsdf(s, sides);
+    real cosine = min(1.0f, dot(s.n, s.v));
+    b.facets = principled_facets(m, s, sides);
+    b.diffuse = s.color * ((1.0f - m.metallic) * (1.0f - m.transmission));
+    b.body = body_mixed;
+    b = with_principled_facets(b, m, s);
+    if (max_channel(m.sheen_color) > 0.0f) {
+        b.sheen_alpha = max(m.sheen_roughness * m.sheen_roughness, 0.0001f);
+        b = dimmed(b, 1.0f - max_channel(m.sheen_color) * min(1.0f, sheen_energy(cosine, b.sheen_alpha)));
+        b.sheen = m.sheen_color;
+    }
+    if (m.clearcoat > 0.0f) b = with_clearcoat(b, m, cosine);
+    real gloss = 0.0f;
+    if (b.gloss == gloss_facets)
+        gloss = max_channel(facet_fresnel(b.facets, cosine) * b.facets.reflected) +
+                max_channel(b.facets.transmitted) * (1.0f - facet_kept(b.facets, cosine));
+    return with_choice(b, max_channel(b.diffuse) + max_channel(b.sheen), gloss, b.coat.reflected.x);
+}
+
+/// The surface with a normal that the viewer sees.
+GLINT_FN SurfaceRecord seen_surface(GLINT_IN(SurfaceRecord) surface) {
+    SurfaceRecord s = surface;
+    s.n = dot(s.n, s.v) > 0.0f ? s.n : s.n_g;
+    return s;
+}
+
+/// `modes` are read for materials of the model `whitted`.
+GLINT_FN Bsdf bsdf_at(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) surface, GLINT_IN(BsdfSides) sides,
+                      GLINT_IN(WhittedModes) modes) {
+    if (m.model == model_whitted) return whitted_bsdf(m, surface, sides, modes);
+    if (m.model == model_diffuse) return diffuse_bsdf(surface, sides);
+    SurfaceRecord s = seen_surface(surface);
+    if (m.model == model_conductor) return conductor_bsdf(m, s, sides);
+    if (m.model == model_dielectric) return dielectric_bsdf(m, s, sides);
+    if (m.model == model_plastic) return plastic_bsdf(m, s, sides);
+    return principled_bsdf(m, s, sides);
 }
 
 GLINT_SHARED_END

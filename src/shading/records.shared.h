@@ -15,16 +15,31 @@ struct MaterialRecord {
     vec3 color;   ///< c
     real ambient; ///< k_a
     vec3 emission;
-    real diffuse;        ///< k_d
-    vec3 absorption;     ///< σ, per unit of length
-    real highlight;      ///< k
-    real shininess;      ///< m
-    real reflectivity;   ///< ρ
-    real transparency;   ///< τ
-    real index;          ///< of refraction
-    integer flags;       ///< bits: material_fresnel
-    integer model;       ///< model_whitted, …; read by path tracers
-    integer reserved[2]; ///< 0; std430 rounds the size up to a multiple of 16 bytes
+    real diffuse;      ///< k_d
+    vec3 absorption;   ///< σ, per unit of length
+    real highlight;    ///< k
+    real shininess;    ///< m
+    real reflectivity; ///< ρ
+    real transparency; ///< τ
+    real index;        ///< of refraction
+    integer flags;     ///< bits: material_fresnel, …
+    // What follows is read as light paths need it (shading/bsdf.shared.h). What precedes is the reading by
+    // Whitted's model of all models of materials.
+    integer model; ///< model_whitted, …
+    real roughness;
+    real opacity;
+    vec3 metal_n; ///< the index of refraction of a metal, n + k i
+    real metallic;
+    vec3 metal_k;
+    real transmission;
+    vec3 specular_color;
+    real specular;
+    vec3 sheen_color; ///< times its strength
+    real sheen_roughness;
+    vec3 reflected_tint; ///< of the highlight and the mirror ray, by Whitted's model
+    real clearcoat;
+    vec3 transmitted_tint; ///< of the refracted ray, by Whitted's model
+    real clearcoat_roughness;
 };
 
 #ifndef GLINT_GLSL
@@ -37,6 +52,9 @@ constexpr GLINT_FN void for_shading_numbers(Material& m, const Use& use) {
     use(m.shininess);
     use(m.reflectivity);
     use(m.transparency);
+    use(m.reflected_tint.x);
+    use(m.reflected_tint.y);
+    use(m.reflected_tint.z);
 }
 #endif
 
@@ -57,10 +75,16 @@ struct SurfaceRecord {
 
 // MaterialRecord::flags
 const int material_fresnel = 1; ///< Fresnel's equations share the light between reflection and transmission
+const int material_front = 2;   ///< emits from its front alone
+const int material_metal = 4;   ///< a conductor with metal_n and metal_k; else one with a colour
 
 // MaterialRecord::model
 const int model_whitted = 0;
 const int model_diffuse = 1;
+const int model_conductor = 2;
+const int model_dielectric = 3;
+const int model_plastic = 4;
+const int model_principled = 5;
 
 // LightRecord::kind
 const int light_point = 0;
@@ -91,7 +115,7 @@ struct WhittedModes {
 #ifndef GLINT_GLSL
 static_assert(offsetof(MaterialRecord, emission) == 16 && offsetof(MaterialRecord, absorption) == 32 &&
               offsetof(MaterialRecord, shininess) == 48 && offsetof(MaterialRecord, flags) == 64 &&
-              sizeof(MaterialRecord) == 80);
+              offsetof(MaterialRecord, metal_n) == 80 && sizeof(MaterialRecord) == 176);
 static_assert(offsetof(LightRecord, direction) == 16 && offsetof(LightRecord, strength) == 32 &&
               sizeof(LightRecord) == 48);
 static_assert(sizeof(WhittedModes) == 16);

@@ -50,16 +50,35 @@ GLINT_FN vec3 cosine_sample(real u, real v) {
     return vec3(p.x, p.y, sqrt(max(0.0f, 1.0f - p.x * p.x - p.y * p.y)));
 }
 
-/// A direction given about +z, turned to be about the unit vector n. (T. Duff et al., "Building an
-/// Orthonormal Basis, Revisited", JCGT 6 (1), 2017.)
-GLINT_FN vec3 turned_to(vec3 n, vec3 d) {
+/// An orthonormal basis.
+struct Basis {
+    vec3 s;
+    vec3 t;
+    vec3 n;
+};
+
+/// About the unit vector n. (T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6 (1), 2017.)
+GLINT_FN Basis basis_about(vec3 n) {
     real sign = pick(n.z < 0.0f, -1.0f, 1.0f);
     real a = -1.0f / (sign + n.z);
     real b = n.x * n.y * a;
-    vec3 s = vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x);
-    vec3 t = vec3(b, sign + n.y * n.y * a, -n.y);
-    return s * d.x + t * d.y + n * d.z;
+    Basis basis;
+    basis.s = vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    basis.t = vec3(b, sign + n.y * n.y * a, -n.y);
+    basis.n = n;
+    return basis;
 }
+
+GLINT_FN vec3 from_basis(GLINT_IN(Basis) basis, vec3 d) {
+    return basis.s * d.x + basis.t * d.y + basis.n * d.z;
+}
+
+GLINT_FN vec3 to_basis(GLINT_IN(Basis) basis, vec3 d) {
+    return vec3(dot(basis.s, d), dot(basis.t, d), dot(basis.n, d));
+}
+
+/// A direction given about +z, turned to be about the unit vector n.
+GLINT_FN vec3 turned_to(vec3 n, vec3 d) { return from_basis(basis_about(n), d); }
 
 GLINT_SHARED_END
 #endif

@@ -129,6 +129,11 @@ GLINT_FN real shadow_transmittance(GLINT_IN(WhittedModes) modes, real transparen
     return pick(transparency > 0.0f, modes.opaque_shadows != 0 ? 0.0f : transparency, 0.0f);
 }
 
+/// The same by channel: tinted.
+GLINT_FN vec3 shadow_transmittance(GLINT_IN(WhittedModes) modes, GLINT_IN(MaterialRecord) m) {
+    return m.transmitted_tint * shadow_transmittance(modes, m.transparency);
+}
+
 // ── Light that the surface reflects
 
 /// Diffuse reflection: E ⊙ c · k_d. (Report 2.2.)
@@ -157,15 +162,18 @@ GLINT_FN real highlight_cosine(GLINT_IN(WhittedModes) modes, vec3 n, vec3 l, vec
     return phong_cosine(n, l, v);
 }
 
-/// Highlight: E · k · lobe. It has the light's colour, not the material's, and carries n·l and 1/r² as the
-/// report's figures do, though neither its formula nor textbook Blinn-Phong has them. (Report 2.5.)
-GLINT_FN vec3 highlight_term(vec3 arriving, real k, real lobe) { return arriving * (k * lobe); }
+/// Highlight: E ⊙ t · k · lobe. It has the light's colour, not the material's (t = 1), except on metals, and
+/// carries n·l and 1/r² as the report's figures do, though neither its formula nor textbook Blinn-Phong has
+/// them. (Report 2.5.)
+GLINT_FN vec3 highlight_term(vec3 arriving, vec3 tint, real k, real lobe) {
+    return arriving * tint * (k * lobe);
+}
 
 /// The highlight of one light, without shadows.
 GLINT_FN vec3 highlight_of(GLINT_IN(WhittedModes) modes, GLINT_IN(SurfaceRecord) s,
                            GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival) {
     real lobe = lobe_of(highlight_cosine(modes, s.n * s.lit_side, arrival.direction, s.v), m.shininess);
-    return highlight_term(arrival.arriving, m.highlight, lobe);
+    return highlight_term(arrival.arriving, m.reflected_tint, m.highlight, lobe);
 }
 
 /// True if the surface reflects light to the viewer: only then is a shadow ray traced. What is not diffuse
@@ -191,13 +199,13 @@ struct ShownLight {
     vec3 highlight;
 };
 
-/// `passing` is the share of the light that passes the blockers of the shadow ray.
-GLINT_FN truth is_lit(GLINT_IN(LightArrival) arrival, real passing) {
-    return passing > 0.0f && !is_dark(arrival.arriving);
+/// `passing` is the share of the light that passes the blockers of the shadow ray, by channel.
+GLINT_FN truth is_lit(GLINT_IN(LightArrival) arrival, vec3 passing) {
+    return !is_dark(passing) && !is_dark(arrival.arriving);
 }
 
 GLINT_FN ShownLight shown_light(GLINT_IN(WhittedModes) modes, GLINT_IN(SurfaceRecord) s,
-                                GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival, real passing) {
+                                GLINT_IN(MaterialRecord) m, GLINT_IN(LightArrival) arrival, vec3 passing) {
     ShownLight shown;
     shown.diffuse = vec3(0.0f);
     shown.highlight = vec3(0.0f);
@@ -340,6 +348,11 @@ GLINT_FN vec3 transmittance(vec3 sigma, real d) {
 }
 
 #ifndef GLINT_LANES
+/// The light of its own that the surface sends to the viewer, who is in front of it or behind.
+GLINT_FN vec3 emitted(GLINT_IN(MaterialRecord) m, bool in_front) {
+    return (m.flags & material_front) != 0 && !in_front ? vec3(0.0f) : m.emission;
+}
+
 // ── Refraction, for single rays only
 
 /// A ray through the surface of a solid by Snell's law.

@@ -114,6 +114,12 @@ const Malformed malformed[] = {
      "key \"blend\" does not belong to [[light]] with type = \"point\"", "intensity"},
     {"intensity of ambient light", "[[light]]\ntype = \"ambient\"\nintensity = 1\n", 3, 1,
      "key \"intensity\" does not belong", "color"},
+    {"roughness of a material without a model", "[material.m]\nroughness = 0.5\n", 2, 1,
+     "key \"roughness\" does not belong to [material.m] with model = \"whitted\"", "reflectivity"},
+    {"reflectivity of a conductor", "[material.m]\nmodel = \"conductor\"\nreflectivity = 1\n", 3, 1,
+     "key \"reflectivity\" does not belong to [material.m] with model = \"conductor\"", "metal"},
+    {"index of a diffuse material", "[material.m]\nindex = 1.5\nmodel = \"diffuse\"\n", 2, 1,
+     "key \"index\" does not belong", "color"},
 
     // Keys that exclude each other
     {"look_at and direction", "[camera]\neye = [0,0,0]\nlook_at = [0,1,0]\ndirection = [0,1,0]\n", 4, 13,
@@ -121,6 +127,17 @@ const Malformed malformed[] = {
     {"intensity twice",
      "[[light]]\ntype = \"point\"\nposition = [0,0,0]\nradiant_intensity = 1\nintensity = 1\n", 5, 13,
      "\"intensity\" cannot go together with \"radiant_intensity\"", "keep one"},
+    {"metal with a color", "[material.m]\nmodel = \"conductor\"\nmetal = \"gold\"\ncolor = \"red\"\n", 4, 9,
+     "\"color\" cannot go together with \"metal\"", "keep one"},
+
+    // Materials
+    {"unknown model", "[material.m]\nmodel = \"plastik\"\n", 2, 9, "unknown model \"plastik\"",
+     "did you mean \"plastic\"?"},
+    {"unknown metal", "[material.m]\nmodel = \"conductor\"\nmetal = \"glod\"\n", 3, 9,
+     "unknown metal \"glod\"", "did you mean \"gold\"?"},
+    {"roughness above 1", "[material.m]\nmodel = \"plastic\"\nroughness = 2\n", 3, 13,
+     "\"roughness\" must be between 0 and 1", ""},
+    {"opacity below 0", "[material.m]\nopacity = -1\n", 2, 11, "\"opacity\" must be between 0 and 1", ""},
 
     // Types
     {"text for a number", "[whitted]\nindex = \"1.3\"\n", 2, 9,

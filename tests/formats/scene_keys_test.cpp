@@ -2,6 +2,8 @@
 
 #include "scene_support.h"
 
+#include "glint/document.h"
+
 #include <numbers>
 
 namespace glint::test {
@@ -140,6 +142,87 @@ emission = [9, 8, 7]
     EXPECT_EQ(d.materials[1].ambient, 1);
     EXPECT_EQ(d.materials[1].shininess, 32);
     EXPECT_EQ(d.materials[1].index, 1.5);
+}
+
+TEST(SceneKeys, ModelsOfMaterialsHaveTheirKeysAndDefaults) {
+    const std::vector<Material> all = parse(R"([material.a]
+[material.b]
+model = "diffuse"
+opacity = 0.5
+emission_sides = "front"
+[material.c]
+model = "conductor"
+metal = "gold"
+roughness = 0.3
+[material.d]
+model = "dielectric"
+absorption = [1, 2, 3]
+[material.e]
+model = "plastic"
+[material.f]
+roughness = 1
+metallic = 0.25
+transmission = 0.5
+clearcoat = 0.75
+clearcoat_roughness = 0.125
+sheen = 0.5
+sheen_color = [1, 0, 0]
+specular = 0.5
+specular_color = [0, 1, 0]
+model = "principled"
+[material.g]
+model = "principled")")
+                                          .description.materials;
+    ASSERT_EQ(all.size(), 7u);
+    EXPECT_EQ(all[0].model, MaterialModel::whitted);
+    EXPECT_EQ(all[1].model, MaterialModel::diffuse);
+    EXPECT_EQ(all[1].opacity, 0.5);
+    EXPECT_EQ(all[1].emission_sides, EmissionSides::front);
+    EXPECT_EQ(all[2].metal, Metal::gold);
+    EXPECT_EQ(all[2].roughness, 0.3);
+    EXPECT_EQ(all[3].color, Vec3(1));
+    EXPECT_EQ(all[3].roughness, 0);
+    EXPECT_EQ(all[3].absorption, Vec3(1, 2, 3));
+    EXPECT_EQ(all[4].color, Vec3(0.8));
+    EXPECT_EQ(all[4].roughness, 0.2);
+    EXPECT_EQ(all[5].roughness, 1);
+    EXPECT_EQ(all[5].metallic, 0.25);
+    EXPECT_EQ(all[5].transmission, 0.5);
+    EXPECT_EQ(all[5].clearcoat, 0.75);
+    EXPECT_EQ(all[5].clearcoat_roughness, 0.125);
+    EXPECT_EQ(all[5].sheen, 0.5);
+    EXPECT_EQ(all[5].sheen_color, Vec3(1, 0, 0));
+    EXPECT_EQ(all[5].specular, 0.5);
+    EXPECT_EQ(all[5].specular_color, Vec3(0, 1, 0));
+    EXPECT_EQ(all[6].roughness, 0.5);
+}
+
+TEST(SceneKeys, MaterialsOfEveryModelSurviveWriting) {
+    SceneDescription scene;
+    for (const MaterialModel model :
+         {MaterialModel::whitted, MaterialModel::diffuse, MaterialModel::conductor, MaterialModel::dielectric,
+          MaterialModel::plastic, MaterialModel::principled}) {
+        Material m;
+        m.name = name_of(model);
+        m.model = model;
+        m.color = Vec3(0.25, 0.5, 0.75);
+        m.roughness = 0.2;
+        scene.materials.push_back(m);
+        m.name += " 2";
+        m.color = Vec3(1);
+        if (model == MaterialModel::conductor) m.metal = Metal::silver;
+        m.roughness = 0;
+        scene.materials.push_back(m);
+    }
+    const std::vector<Material> read = parse(scene_text(scene)).description.materials;
+    ASSERT_EQ(read.size(), scene.materials.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        const Material& m = scene.materials[i];
+        EXPECT_EQ(read[i].model, m.model);
+        EXPECT_EQ(read[i].metal, m.metal);
+        EXPECT_TRUE(m.metal || read[i].color == m.color) << m.name;
+        EXPECT_TRUE(m.model <= MaterialModel::diffuse || read[i].roughness == m.roughness) << m.name;
+    }
 }
 
 TEST(SceneKeys, ShapesAreRead) {

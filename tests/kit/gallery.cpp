@@ -262,6 +262,41 @@ SceneDescription points() {
     return scene;
 }
 
+Material modelled(MaterialModel model, const Vec3& color, double roughness) {
+    Material m = paint(color);
+    m.model = model;
+    m.roughness = roughness;
+    return m;
+}
+
+/// Materials that Whitted's model reads in its own way, with what it tints: mirrors, highlights, refracted
+/// rays and the shadows of glass.
+SceneDescription models() {
+    SceneDescription scene = studio();
+    scene.render.background = Vec3(0.3, 0.4, 0.5);
+    add_floor(scene, modelled(MaterialModel::diffuse, Vec3(0.7, 0.8, 0.6), 0));
+    add_solids(scene, modelled(MaterialModel::dielectric, Vec3(0.9, 0.6, 0.3), 0));
+    Material gold = modelled(MaterialModel::conductor, Vec3(1), 0);
+    gold.metal = Metal::gold;
+    add(scene, SphereShape{Vec3(1.9, 2.2, 0.3), 0.9}, gold);
+    gold.roughness = 0.3;
+    add(scene, SphereShape{Vec3(-2.6, -0.9, -0.4), 0.6}, gold);
+    add(scene, SphereShape{Vec3(0.4, 1.9, 0.2), 0.5},
+        modelled(MaterialModel::plastic, Vec3(0.2, 0.3, 0.8), 0.2));
+    Material part = modelled(MaterialModel::principled, Vec3(0.8, 0.3, 0.2), 0.4);
+    part.metallic = 0.3;
+    part.transmission = 0.5;
+    add(scene, SphereShape{Vec3(-1.1, -1.9, -0.5), 0.5}, part);
+    add(scene, RectangleShape{Vec3(1.2, -2.4, -0.9), Vec3(0.9, 0.3, 0), Vec3(0, 0.1, 1.3)},
+        modelled(MaterialModel::dielectric, Vec3(0.3, 0.9, 0.4), 0));
+    Material lit = paint(Vec3(0.2));
+    lit.emission = Vec3(0.5, 0.4, 0.3);
+    lit.emission_sides = EmissionSides::front;
+    add(scene, RectangleShape{Vec3(-3, 1, 0.5), Vec3(0.7, 0.2, 0), Vec3(0, 0.2, 0.8)}, lit);
+    add(scene, RectangleShape{Vec3(-3, 1, 1.6), Vec3(0, 0.2, 0.8), Vec3(0.7, 0.2, 0)}, lit);
+    return scene;
+}
+
 } // namespace
 
 std::vector<Exhibit> gallery() {
@@ -280,6 +315,7 @@ std::vector<Exhibit> gallery() {
             {"nested", nested()},
             {"inside_glass", inside_glass()},
             {"balanced", balanced()},
+            {"models", models()},
             {"wide_ground", wide_ground()},
             {"points", points()}};
 }

@@ -14,24 +14,26 @@ using kit::add;
 using kit::mesh_of;
 namespace {
 
-/// Balls on a ground at z = 0, seen from above, with shadows and reflections.
-SceneDescription balls_on(const Shape& ground) {
-    SceneDescription scene = kit::empty_scene(Vec3(0, -3, 2.5), Vec3(0, 3, -2.4), 1, 20);
+/// Balls on a ground at z = 0, seen from above, with shadows and reflections. A large ball far away keeps the
+/// scene where it is.
+SceneDescription balls_on(const Shape& ground, const Vec3& at) {
+    SceneDescription scene = kit::empty_scene(at + Vec3(0, -3, 2.5), Vec3(0, 3, -2.4), 1, 20);
     scene.render.width = 160;
     scene.render.height = 120;
     Material shiny = kit::matte(0.8);
     shiny.reflectivity = 0.3;
     add(scene, ground, shiny);
     for (int x = -1; x <= 1; ++x)
-        for (int y = -1; y <= 1; ++y) add(scene, SphereShape{Vec3(0.3 * x, 0.3 * y, 0.1), 0.1}, shiny);
-    kit::add_light(scene, Vec3(2, -3, 4), 25);
+        for (int y = -1; y <= 1; ++y) add(scene, SphereShape{at + Vec3(0.3 * x, 0.3 * y, 0.1), 0.1}, shiny);
+    if (at != Vec3(0)) add(scene, SphereShape{-at, 0.2 * at.x}, shiny);
+    kit::add_light(scene, at + Vec3(2, -3, 4), 25);
     return scene;
 }
 
 /// The share of pixels that are more than 1/255 off the picture of the plane.
-double share_off(const Shape& ground) {
-    const Picture plane = kit::rendered(balls_on(PlaneShape{Vec3(0, 0, 1), 0}));
-    const Picture picture = kit::rendered(balls_on(ground));
+double share_off(const Shape& ground, const Vec3& at = Vec3(0)) {
+    const Picture plane = kit::rendered(balls_on(PlaneShape{Vec3(0, 0, 1), 0}, at));
+    const Picture picture = kit::rendered(balls_on(ground, at));
     std::size_t off = 0;
     for (std::size_t i = 0; i < plane.image.pixels.size(); i += 3) {
         const auto code = [i](const Picture& p) {
@@ -75,6 +77,15 @@ TEST_P(Ground, OfAMeshIsThePlane) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Ground, testing::Values(12, 30, 100, 300, 1e4, 1e6));
+
+TEST(Ground, IsThePlaneFarFromTheOriginOfCoordinates) {
+    for (const double far : {50.0, 500.0, 5000.0, 50000.0})
+        for (const double size : {2 * far, 4 * far, 100 * far})
+            EXPECT_LE(share_off(PolyhedronShape{PolyhedronKind::box, Vec3(0, 0, -size), Vec3(2 * size)},
+                                Vec3(far, 0.6 * far, 0)),
+                      allowed)
+                << far << ", " << size;
+}
 
 TEST(Ground, OfTrianglesOfAllSizesIsThePlane) {
     // Squares in squares, ten times as large each.

@@ -73,12 +73,13 @@ Terms recombined(const RayTree& tree, const RayNode& node, const WhittedSettings
     if (!settings.clamp) {
         EXPECT_EQ(node.terms[Term::clamp], vec3(0.0f));
     }
-    const auto branch = [&](int child, float weight) {
+    const auto branch = [&](int child, RayKind kind) {
         if (child < 0) return vec3(0.0f);
-        return tree.nodes.at(static_cast<std::size_t>(child)).radiance * weight * node.transmittance;
+        return tree.nodes.at(static_cast<std::size_t>(child)).radiance * branch_weight(node, kind) *
+               node.transmittance;
     };
-    terms[Term::reflection] = branch(node.reflected, node.reflected_weight);
-    terms[Term::transmission] = branch(node.refracted, node.refracted_weight);
+    terms[Term::reflection] = branch(node.reflected, RayKind::reflected);
+    terms[Term::transmission] = branch(node.refracted, RayKind::refracted);
     return terms;
 }
 

@@ -35,6 +35,15 @@ using Messages = std::vector<std::string>;
 
 TEST(Warnings, AreNoneForAPlainScene) { EXPECT_EQ(warned(plain()), Messages{}); }
 
+TEST(Warnings, TellOfOpacityThatIsNotRead) {
+    SceneDescription scene = plain();
+    scene.materials[0].opacity = 0.5;
+    EXPECT_EQ(warned(scene).size(), 1u);
+    EXPECT_NE(warned(scene).at(0).find("reads no opacity"), std::string::npos);
+    scene.render.integrator = Integrator::ambient_occlusion;
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
 TEST(Warnings, TellOfMissingLight) {
     SceneDescription scene = plain();
     scene.lights.clear();
@@ -43,6 +52,24 @@ TEST(Warnings, TellOfMissingLight) {
     EXPECT_EQ(warned(scene), Messages{});
     scene.materials[0].emission = Vec3(0);
     add_ambient(scene, Vec3(0.1));
+    EXPECT_EQ(warned(scene), Messages{});
+}
+
+TEST(Warnings, OfPathTracingTellWhatItLeavesOutAndWhatItFindsByChance) {
+    SceneDescription scene = plain();
+    scene.render.integrator = Integrator::path;
+    EXPECT_EQ(warned(scene), Messages{});
+    add_ambient(scene, Vec3(0.1));
+    EXPECT_EQ(warned(scene),
+              Messages{"path tracing leaves ambient lights out: light from everywhere is indirect"});
+    scene.lights.clear();
+    EXPECT_EQ(warned(scene), Messages{"the scene has no light: everything will be black"});
+    scene.render.background = Vec3(0.5);
+    EXPECT_EQ(warned(scene), Messages{});
+    add(scene, PlaneShape{Vec3(0, 0, 1), -5}, lamp(Vec3(1)));
+    EXPECT_EQ(warned(scene),
+              Messages{"plane.0 emits light and is infinite: paths find its light by chance alone"});
+    scene.render.integrator = Integrator::whitted;
     EXPECT_EQ(warned(scene), Messages{});
 }
 

@@ -74,12 +74,13 @@ constexpr std::size_t width = 16; ///< rays at a time: as many as the widest vec
     m.shininess = in[3];                                                                                     \
     m.reflectivity = in[4];                                                                                  \
     m.transparency = in[5];                                                                                  \
+    m.reflected_tint = vec3(in[5], in[7], in[9]);                                                            \
     const LightRecord light{{1, 2, 3}, kind_, {0.6f, 0, -0.8f}, 0.5f, {1.5f, 1, 0.5f}, 0.9f};                \
     const WhittedModes modes{kind_ == light_spot, kind_ != light_spot, kind_ == light_directional,           \
                              kind_ == light_point ? highlight_phong : highlight_blinn};                      \
     const LightArrival arrival = light_arrival(light, s);                                                    \
     const SpawnedRay to_light = shadow_ray(light, s, arrival);                                               \
-    const ShownLight shown = shown_light(modes, s, m, arrival, shadow_transmittance(modes, in[8]));          \
+    const ShownLight shown = shown_light(modes, s, m, arrival, vec3(shadow_transmittance(modes, in[8])));    \
     LocalTerms local = ambient_terms(vec3(0.5f), s, m);                                                      \
     local.diffuse = local.diffuse + shown.diffuse;                                                           \
     local.highlight = local.highlight + shown.highlight;                                                     \

@@ -25,6 +25,7 @@ SurfaceRecord ground() {
 MaterialRecord matte() {
     MaterialRecord m{};
     m.diffuse = 1;
+    m.reflected_tint = m.transmitted_tint = vec3(1);
     m.index = 1.5f;
     return m;
 }
@@ -100,15 +101,15 @@ TEST(ShownLightStep, TakesTheShadowThenTheClamp) {
     MaterialRecord m = matte();
     WhittedModes modes = report;
     const LightArrival arrival = light_arrival(lamp(light_directional), s);
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 1).diffuse, vec3(4));
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 0.125f).diffuse, vec3(0.5f));
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 0).diffuse, vec3(0));
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 1).highlight, vec3(0));
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(1)).diffuse, vec3(4));
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(0.125f)).diffuse, vec3(0.5f));
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(0)).diffuse, vec3(0));
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(1)).highlight, vec3(0));
     m.highlight = 0.5f;
     modes.clamp = 1;
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 1).diffuse, vec3(1));
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 0.125f).diffuse, vec3(0.5f));
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 1).highlight, vec3(4)) << "limited with the sum alone";
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(1)).diffuse, vec3(1));
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(0.125f)).diffuse, vec3(0.5f));
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(1)).highlight, vec3(4)) << "limited with the sum alone";
 }
 
 TEST(ShownLightStep, ChoosesTheLobe) {
@@ -119,12 +120,16 @@ TEST(ShownLightStep, ChoosesTheLobe) {
     m.shininess = 20;
     WhittedModes modes = report;
     const LightArrival arrival = light_arrival(lamp(light_directional), s);
-    const float blinn = shown_light(modes, s, m, arrival, 1).highlight.x;
+    const float blinn = shown_light(modes, s, m, arrival, vec3(1)).highlight.x;
     EXPECT_EQ(blinn, 8 * lobe_of(blinn_cosine(s.n, arrival.direction, s.v), 20));
     modes.highlight = highlight_phong;
-    EXPECT_EQ(shown_light(modes, s, m, arrival, 1).highlight.x,
+    EXPECT_EQ(shown_light(modes, s, m, arrival, vec3(1)).highlight.x,
               8 * lobe_of(phong_cosine(s.n, arrival.direction, s.v), 20));
-    EXPECT_NE(shown_light(modes, s, m, arrival, 1).highlight.x, blinn);
+    EXPECT_NE(shown_light(modes, s, m, arrival, vec3(1)).highlight.x, blinn);
+    m.reflected_tint = vec3(1, 0.5f, 0.25f);
+    const vec3 tinted = shown_light(modes, s, m, arrival, vec3(1)).highlight;
+    EXPECT_EQ(tinted.y, 0.5f * tinted.x);
+    EXPECT_EQ(tinted.z, 0.25f * tinted.x);
 }
 
 TEST(LimitedTerms, SumToOneWhereTheModelClamps) {

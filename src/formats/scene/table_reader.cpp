@@ -326,10 +326,14 @@ const TreeValue* TableReader::list(std::string_view key) {
 }
 
 std::string selected_type(const TreeValue& table, const TableSpec& spec) {
-    const TreeEntry* entry = spec.selector.empty() ? nullptr : table.find(spec.selector);
-    if (!entry || entry->value.kind != Kind::text) return {};
-    const auto& types = find_key(spec, spec.selector, {})->choices;
-    return std::find(types.begin(), types.end(), entry->value.text) != types.end() ? entry->value.text : "";
+    if (spec.selector.empty()) return {};
+    const KeySpec& selector = *find_key(spec, spec.selector, {});
+    const TreeEntry* entry = table.find(spec.selector);
+    if (!entry) return selector.initial ? plain_text(selector, selector.initial()) : "";
+    const auto& types = selector.choices;
+    const bool good =
+        entry->value.kind == Kind::text && std::ranges::find(types, entry->value.text) != types.end();
+    return good ? entry->value.text : "";
 }
 
 } // namespace glint::formats

@@ -12,8 +12,10 @@ struct Contact {
     uvec4 beyond;       // the solids around the ray behind all
     bool refracts;      // one of them bounds a transparent solid
     float panes;        // the product of their τ
+    vec3 panes_tint;    // and of their tints
     float solid;        // τ of the solid's surface of the highest rank, and its object
     uint solid_object;
+    vec3 solid_tint;
     Hit seen;           // kind_none: all are hidden
     SurfacePoint point; // of the seen one
     Hit last;
@@ -34,12 +36,15 @@ bool covers(Hit a, Hit b) {
 
 void collect_transparency(uint object) {
     float transparency = objects[object].material.transparency;
+    vec3 tint = objects[object].material.transmitted_tint;
     if (objects[object].interior == 0u) {
         contact.panes *= transparency;
+        contact.panes_tint *= tint;
     } else if (contact.solid_object == invalid_index ||
                objects[object].rank > objects[contact.solid_object].rank) {
         contact.solid = transparency;
         contact.solid_object = object;
+        contact.solid_tint = tint;
     }
 }
 
@@ -68,6 +73,8 @@ void begin_contact(Hit hit, SurfacePoint point, uvec4 interiors) {
     contact.panes = 1.0f;
     contact.solid = 1.0f;
     contact.solid_object = invalid_index;
+    contact.panes_tint = vec3(1.0f);
+    contact.solid_tint = vec3(1.0f);
     contact.seen = no_hit(0.0f);
     ray.tmax = min(ray.tmax, last_coincident_t(point.n, ray.direction, hit.t, objects[hit.object].contact_reach));
     collect(hit, point, interiors);
@@ -111,6 +118,14 @@ float transparency_at(Hit hit) {
     if (contact.exists) return contact.panes * contact.solid;
 #endif
     return objects[hit.object].material.transparency;
+}
+
+/// Its tint.
+vec3 tint_at(Hit hit) {
+#if GLINT_CONTACTS
+    if (contact.exists) return contact.panes_tint * contact.solid_tint;
+#endif
+    return objects[hit.object].material.transmitted_tint;
 }
 
 /// The last of the hits in one place.

@@ -15,7 +15,7 @@ void at_surface(Hit hit, SurfacePoint point) {
 
 bool needs_shadow_ray() { return reflects_light(material, arrival); }
 
-void add_light() { hidden = hidden_with(hidden, passing); }
+void add_light() { hidden = hidden_with(hidden, max(passing.x, max(passing.y, passing.z))); }
 
 void finish() {
     add_to_pixel(0u, settings.aov == shown_cost

@@ -4,13 +4,14 @@
 SurfaceRecord surface;
 MaterialRecord material;
 uvec4 beyond;  // the solids around a ray behind it
+vec3 tint;     // of light that goes through it and what coincides with it
 bool refracts; // it bounds a transparent solid
 float others;  // the share of refracted light that what coincides with it lets through
 
 // The light whose share is measured.
 uint light;
 LightArrival arrival;
-float passing; // the share of the light that passes what the shadow ray has met so far
+vec3 passing;  // the share of the light that passes what the shadow ray has met so far
 uvec4 shadow_interiors;
 
 /// Lets the ray go on behind a hit and what coincides with it.
@@ -31,13 +32,15 @@ void meet_surface(Hit hit, SurfacePoint point) {
     phase = phase_lights;
     light = 0u;
     material = objects[hit.object].material;
+    material.emission = emitted(material, enters(point.n, ray.direction));
     beyond = interiors_behind(path.interiors, hit, point);
     refracts = objects[hit.object].interior != 0u;
     others = 1.0f;
+    tint = tint_at(hit);
 #if GLINT_CONTACTS
     if (contact.exists) {
         refracts = contact.refracts;
-        if (material.transparency > 0.0f) others = transparency_at(hit) / material.transparency;
+        others = transparency_at(hit) / material.transparency;
         point.p_error += vec3(contact.margin);
     }
 #endif
@@ -54,7 +57,7 @@ void next_light() {
         arrival = light_arrival(lights[light], surface);
         if (!needs_shadow_ray()) continue;
         phase = phase_shadow;
-        passing = 1.0f;
+        passing = vec3(1.0f);
         // Light on a back that is lit as stored arrives on the other side of the surface.
         shadow_interiors = surface.lit_side < 0.0f ? beyond : path.interiors;
         bool may_pass = GLINT_GLASS != 0 && (settings.modes.opaque_shadows == 0 || shadow_interiors.x != 0u);
@@ -68,8 +71,8 @@ void next_light() {
 bool ends_shadow_ray(Hit hit, SurfacePoint point) {
     if (hit.kind != kind_none) {
         if (!interiors_hide(shadow_interiors, hit.object))
-            passing *= shadow_transmittance(settings.modes, transparency_at(hit));
-        if (passing > 0.0f) {
+            passing *= tint_at(hit) * shadow_transmittance(settings.modes, transparency_at(hit));
+        if (!is_dark(passing)) {
             pass_through(hit, point, shadow_interiors);
             return false;
         }

@@ -36,8 +36,8 @@ void add_local(LocalTerms shown) {
     }
 }
 
-void branch(Path from, SpawnedRay next_ray, float share, uint term, uvec4 interiors) {
-    if (share == 0.0f) return;
+void branch(Path from, SpawnedRay next_ray, vec3 share, uint term, uvec4 interiors) {
+    if (is_dark(share)) return;
     vec3 weight = from.weight * share;
     if (!is_worth_following(weight, settings.min_weight)) {
         ++left_out;
@@ -57,8 +57,9 @@ void bounce() {
         float index_2 = objects[interiors_owner(beyond)].material.index;
         split = split_at_solid(material, refraction_at(surface, index_1 / index_2), index_1, index_2);
     }
-    branch(from, spawn_ray(surface, split.direction), split.refracted * others, term_transmission, beyond);
-    branch(from, reflected_ray(surface), split.reflected, term_reflection, from.interiors);
+    vec3 refracted = tint * (split.refracted * others);
+    branch(from, spawn_ray(surface, split.direction), refracted, term_transmission, beyond);
+    branch(from, reflected_ray(surface), material.reflected_tint * split.reflected, term_reflection, from.interiors);
 }
 
 /// All lights are known: the local terms, and the branches.

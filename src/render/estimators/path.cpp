@@ -174,17 +174,19 @@ void PathTracer::sample_emitter(std::size_t number, const PathVertex& vertex) {
     const EmitterSample sample = glint::sample_emitter(emitter, s.p, u.x, u.y);
     if (!(sample.pdf > 0.0f)) return;
     const float pdf = chosen.probability * sample.pdf;
-    const float weight = mis_weight(pdf, bsdf_pdf(vertex.bsdf, sample.direction)) / pdf;
-    const vec3& emission = scene_.materials[scene_.objects[emitter.object].material].emission;
+    const float weight = mis_weight(pdf, bsdf_pdf(vertex.bsdf, sample.direction));
+    const vec3 emission = emitted(scene_.materials[scene_.objects[emitter.object].material],
+                                  dot(sample.n, sample.direction) < 0.0f);
     Ray ray = ray_of(spawn_ray(s, sample.direction));
     ray.direction = end_before(emitter, sample) - ray.origin;
     ray.tmax = 1.0f;
-    add_shadow(number, vertex, bsdf_value(vertex.bsdf, sample.direction), emission * weight, ray);
+    add_shadow(number, vertex, bsdf_value(vertex.bsdf, sample.direction), emission * (weight / pdf), ray,
+               weight);
 }
 
 /// Adds light from the direction of a ray to the path, if nothing is on its way.
 void PathTracer::add_shadow(std::size_t number, const PathVertex& vertex, const BsdfValue& value,
-                            const vec3& light, const Ray& ray) {
+                            const vec3& light, const Ray& ray, float mis_weight) {
     const Path& path = paths_[number];
     const vec3 sum = sum_of(value);
     if (is_dark(sum) || is_dark(light)) return;
@@ -192,7 +194,7 @@ void PathTracer::add_shadow(std::size_t number, const PathVertex& vertex, const 
     const vec3 weight = path.throughput * light;
     shadows_.push_back({number, vertex.around(ray.direction),
                         direct ? scaled(value, weight) : scaled(path.shares, weight * sum),
-                        direct ? PathTerm::direct_diffuse : PathTerm::indirect_diffuse});
+                        direct ? PathTerm::direct_diffuse : PathTerm::indirect_diffuse, mis_weight});
     shadow_rays_.push_back(ray);
 }
 
@@ -202,8 +204,10 @@ void PathTracer::trace_shadows() {
     counts_.shadow += shadow_rays_.size();
     for (std::size_t k = 0; k < shadows_.size(); ++k) {
         const Shadow& shadow = shadows_[k];
-        const vec3 passing = walk_.passing(shadow_rays_[k], blocked_[k] != 0, shadow.interior);
-        add(paths_[shadow.path].terms, shadow.term, scaled(shadow.light, passing));
+        const PassedLight passed = walk_.passing(shadow_rays_[k], blocked_[k] != 0, shadow.interior);
+        // What shines through solids unbent is not counted where paths find it.
+        const vec3 share = passed.through_solids ? passed.share / shadow.mis_weight : passed.share;
+        add(paths_[shadow.path].terms, shadow.term, scaled(shadow.light, share));
     }
     shadows_.clear();
     shadow_rays_.clear();

@@ -43,6 +43,7 @@ class PathTracer {
         const InteriorList* interior = nullptr;
         BsdfValue light{};
         PathTerm term = PathTerm::direct_diffuse; ///< of its diffuse part
+        float mis_weight = 1;                     ///< in the light: 1 if no path will find it
     };
 
     void trace(std::span<const CameraSample> samples, std::span<Channels> out);
@@ -56,7 +57,7 @@ class PathTracer {
                       float probability);
     void sample_emitter(std::size_t path, const PathVertex& vertex);
     void add_shadow(std::size_t path, const PathVertex& vertex, const BsdfValue& value, const vec3& light,
-                    const Ray& ray);
+                    const Ray& ray, float mis_weight = 1);
     void trace_shadows();
     bool go_on(Path& path, const PathVertex& vertex, Ray& next);
     bool survives(Path& path, int vertex) const;

@@ -59,9 +59,9 @@ vec3 PathSimple::light_of_points(const PathVertex& vertex) {
         if (is_dark(value)) continue;
         const Ray shadow = ray_of(shadow_ray(source, vertex.at.surface, arrival));
         ++counts_.shadow;
-        const vec3 passing =
+        const PassedLight passed =
             walk_.passing(shadow, scene_.world.occluded(shadow, kernel_), vertex.around(arrival.direction));
-        light = light + value * facing_irradiance(source, arrival) * passing;
+        light = light + value * facing_irradiance(source, arrival) * passed.share;
     }
     return light;
 }

@@ -45,7 +45,7 @@ struct PathStates {
     Row<const MaterialRecord*> materials; ///< never null
     Row<std::uint32_t> parents;           ///< the path that this is a branch of
     Row<Term> parent_terms;               ///< the term of the parent that it adds to
-    Numbers parent_weights;               ///< its share there
+    Vectors parent_weights;               ///< its share there
     Vectors weights;                      ///< the share of the path's light that reaches its sample
     Vectors left_over; ///< of light behind the medium; for paths in solids that hit something
     std::array<Vectors, term_count> terms;
@@ -63,7 +63,7 @@ struct PathStates {
     Vectors to_light, arriving;
     Row<Ray> shadow_rays;
     Row<std::uint8_t> blocked;
-    Numbers passing;
+    Vectors passing;
 };
 
 /// Paths first … first + count − 1: those of one depth.

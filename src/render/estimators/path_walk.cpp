@@ -52,7 +52,7 @@ bool PathWalk::find_vertex(const Ray& ray, Hit& hit, const InteriorList*& interi
     vertex.before = interior;
     vertex.beyond = solids_.beyond(vertex.at, interior);
     vertex.refracts = contact.refracts || is_dielectric(hit.object, scene_);
-    vertex.emission = vertex.at.material->emission;
+    vertex.emission = emitted(*vertex.at.material, vertex.at.entering);
     const float index_after = refractive_index(vertex.beyond, scene_);
     vertex.bsdf = bsdf_of(vertex.at, {refractive_index(interior, scene_), index_after, vertex.refracts});
     return true;
@@ -85,11 +85,20 @@ Ray PathWalk::next_ray(const PathVertex& from, const BsdfSample& sample,
     return ray_of(spawn_ray(from.at.surface, sample.direction));
 }
 
-vec3 PathWalk::passing(const Ray& shadow, bool occluded, const InteriorList* interior) {
-    if (!exact_shadows_) return vec3(occluded ? solids_.light_past_blockers(shadow, interior) : 1.0f);
+PassedLight PathWalk::passing(const Ray& shadow, bool occluded, const InteriorList* interior) {
+    if (!exact_shadows_) return occluded ? passing_all(shadow, interior) : PassedLight{vec3(1.0f)};
     const vec3 left_over = left_by_medium(interior, length(shadow.direction) * shadow.tmax);
-    if (!occluded) return left_over;
-    return scene_.any_transparent ? left_over * passing_panes(shadow, interior) : vec3(0.0f);
+    if (!occluded) return {left_over};
+    return {scene_.any_transparent ? left_over * passing_panes(shadow, interior) : vec3(0.0f)};
+}
+
+/// As by Whitted's model.
+PassedLight PathWalk::passing_all(const Ray& shadow, const InteriorList* interior) {
+    const PassedLight passed{solids_.light_past_blockers(shadow, interior)};
+    if (is_dark(passed.share)) return passed;
+    scene_.world.all_hits(shadow, blockers_);
+    const auto is_solid = [&](const Hit& hit) { return is_dielectric(hit.object, scene_); };
+    return {passed.share, std::any_of(blockers_.begin(), blockers_.end(), is_solid)};
 }
 
 /// The product of the shares that thin panes let through; 0 where anything else is in between.

@@ -46,6 +46,12 @@ struct PathLength {
     bool grow(const PathStep& step, const PathSettings& settings);
 };
 
+/// What arrives along a shadow ray.
+struct PassedLight {
+    vec3 share{0.0f};
+    bool through_solids = false; ///< of glass, unbent (PathShadows::transmissive)
+};
+
 /// Holds scratch memory: one for each thread. The scene must outlive it.
 class PathWalk {
   public:
@@ -67,13 +73,14 @@ class PathWalk {
     /// The ray that leaves the vertex so. Sets `interior` to the solids around it.
     Ray next_ray(const PathVertex& from, const BsdfSample& sample, const InteriorList*& interior) const;
 
-    /// The share of light that passes along a shadow ray; `occluded`: it hits something.
-    vec3 passing(const Ray& shadow, bool occluded, const InteriorList* interior);
+    /// The light that passes along a shadow ray; `occluded`: it hits something.
+    PassedLight passing(const Ray& shadow, bool occluded, const InteriorList* interior);
 
   private:
     Bsdf bsdf_of(const SurfaceInteraction& at, const BsdfSides& sides) const {
         return bsdf_at(*at.material, at.surface, sides, modes_);
     }
+    PassedLight passing_all(const Ray& shadow, const InteriorList* interior);
     vec3 passing_panes(const Ray& shadow, const InteriorList* interior);
     vec3 straight_share(const Ray& ray, const trace::Hit& hit, const InteriorList* interior) const;
 

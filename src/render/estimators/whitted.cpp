@@ -124,7 +124,7 @@ Channels Whitted::radiance(Path&& path) {
 
         // Add up the light that arrives from the lights.
         LocalTerms local = local_light(path, at);
-        out.terms[Term::emission] = at.material->emission;
+        out.terms[Term::emission] = emitted(*at.material, at.entering);
 
         // Follow the mirror and the refracted ray.
         if (bounces(path, at)) {
@@ -171,8 +171,9 @@ Contact Whitted::contact_of_met(const Ray& ray, const Hit& seen, const InteriorL
     for (const Hit& met : met_.hits) {
         cross(ray, met, contact.beyond);
         contact.refracts = contact.refracts || is_dielectric(met.object, scene_);
-        if (&met != &seen && dims_light(met, met_.hits, interior, scene_))
-            contact.others = contact.others * transparency(met);
+        if (&met == &seen || !dims_light(met, met_.hits, interior, scene_)) continue;
+        contact.others = contact.others * material_of(met).transparency;
+        contact.tint = contact.tint * material_of(met).transmitted_tint;
     }
     return contact;
 }
@@ -198,7 +199,7 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
         if (recorder_ != nullptr ? !reflects_light(*at.material, arrival)
                                  : !is_worth_shadow_ray(modes_, at.surface, *at.material, arrival))
             continue;
-        const float passing = light_passing(light, arrival, path, at);
+        const vec3 passing = light_passing(light, arrival, path, at);
         const ShownLight shown = shown_light(modes_, at.surface, *at.material, arrival, passing);
         local = with_light(local, shown);
         if (recorder_ != nullptr) recorder_->end_light(passing, shown);
@@ -207,46 +208,47 @@ LocalTerms Whitted::local_light(const Path& path, const SurfaceInteraction& at) 
 }
 
 /// The share of a light that reaches a surface.
-float Whitted::light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
-                             const SurfaceInteraction& at) {
+vec3 Whitted::light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
+                            const SurfaceInteraction& at) {
     const Ray shadow = ray_of(shadow_ray(light, at.surface, arrival));
     ++counts_.shadow;
     if (recorder_ != nullptr) recorder_->shadow_ray(shadow);
-    if (!scene_.world.occluded(shadow, kernel_)) return 1.0f;
+    if (!scene_.world.occluded(shadow, kernel_)) return vec3(1.0f);
     return light_past_blockers(shadow, at, path.interior);
 }
 
-float Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& at,
-                                   const InteriorList* interior) {
+vec3 Whitted::light_past_blockers(const Ray& shadow, const SurfaceInteraction& at,
+                                  const InteriorList* interior) {
     const InteriorArena::Scope lists(arena_);
     // Light on a back that is lit as stored arrives on the other side of the surface.
     if (at.surface.lit_side < 0.0f) interior = beyond(at, interior);
     return light_past_blockers(shadow, interior);
 }
 
-float Whitted::light_past_blockers(const Ray& shadow, const InteriorList* interior) {
+vec3 Whitted::light_past_blockers(const Ray& shadow, const InteriorList* interior) {
     const InteriorArena::Scope lists(arena_);
     const bool may_pass = scene_.any_transparent && (modes_.opaque_shadows == 0 || interior != nullptr);
     // If no light can pass, only the recorder needs the blockers.
-    if (!may_pass && recorder_ == nullptr) return 0.0f;
-    const float passing = walk_shadow(shadow, interior);
-    return may_pass ? passing : 0.0f;
+    if (!may_pass && recorder_ == nullptr) return vec3(0.0f);
+    const vec3 passing = walk_shadow(shadow, interior);
+    return may_pass ? passing : vec3(0.0f);
 }
 
 /// The product of the surfaces' shares. A recorder gets those behind the first opaque one too.
-float Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
+vec3 Whitted::walk_shadow(const Ray& shadow, const InteriorList* interior) {
     static const trace::EndsSearch never;
-    if (!scene_.world.all_hits(shadow, blockers_, recorder_ == nullptr ? ends_shadow_ : never)) return 0.0f;
+    if (!scene_.world.all_hits(shadow, blockers_, recorder_ == nullptr ? ends_shadow_ : never))
+        return vec3(0.0f);
     const bool hides = any_may_be_hidden(blockers_, interior);
-    float passing = 1.0f;
+    vec3 passing(1.0f);
     for (std::size_t i = 0; i < blockers_.size(); i += met_.hits.size()) {
         find_coincident(scene_, shadow, blockers_[i], met_);
         for (const Hit& met : met_.hits) {
             const bool dims = dims_light(met, met_.hits, interior, scene_);
-            if (recorder_ != nullptr) recorder_->blocker(met, transparency(met), !dims);
-            if (dims) passing = passing * shadow_transmittance(modes_, transparency(met));
+            if (recorder_ != nullptr) recorder_->blocker(met, material_of(met).transparency, !dims);
+            if (dims) passing = passing * shadow_transmittance(modes_, material_of(met));
         }
-        if (!(passing > 0.0f) && recorder_ == nullptr) return 0.0f;
+        if (is_dark(passing) && recorder_ == nullptr) return vec3(0.0f);
         if (!hides) continue;
         for (const Hit& met : met_.hits) cross(shadow, met, interior);
     }
@@ -275,16 +277,19 @@ bool Whitted::bounces(const Path& path, const SurfaceInteraction& at) {
 void Whitted::follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms) {
     const Bounce bounce = bounce_at(path, at);
     const Split& split = bounce.split;
-    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), split);
-    if (follows(path, split.reflected))
-        terms[Term::reflection] = radiance(reflected_path(path, at, bounce)).radiance * split.reflected;
-    if (follows(path, split.refracted))
-        terms[Term::transmission] = radiance(refracted_path(path, at, bounce)).radiance * split.refracted;
+    if (recorder_ != nullptr) recorder_->bounce(local_weight(modes_, *at.material), bounce, *at.material);
+    const vec3 reflected = at.material->reflected_tint * split.reflected;
+    const vec3 refracted = bounce.tint * split.refracted;
+    if (follows(path, reflected))
+        terms[Term::reflection] = radiance(reflected_path(path, at, reflected)).radiance * reflected;
+    if (follows(path, refracted))
+        terms[Term::transmission] = radiance(refracted_path(path, at, bounce)).radiance * refracted;
 }
 
 Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     Bounce bounce;
     bounce.interior = beyond(at, path.interior);
+    bounce.tint = at.material->transmitted_tint * at.contact.tint;
     if (!is_dielectric(at.object, scene_) && !at.contact.refracts) {
         bounce.split = split_at_sheet(at.surface, *at.material);
         bounce.split.refracted *= at.contact.others;
@@ -299,23 +304,23 @@ Bounce Whitted::bounce_at(const Path& path, const SurfaceInteraction& at) {
     return bounce;
 }
 
-bool Whitted::follows(const Path& path, float share) {
-    if (!(share > 0.0f)) return false;
+bool Whitted::follows(const Path& path, const vec3& share) {
+    if (is_dark(share)) return false;
     if (is_worth_following(path.weight * share, min_weight_)) return true;
     ++counts_.left_out;
     return false;
 }
 
-Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
+Whitted::Path Whitted::reflected_path(const Path& path, const SurfaceInteraction& at, const vec3& share) {
     ++counts_.reflected;
-    return {reflected_ray(at.surface), path.interior, path.weight * bounce.split.reflected, path.depth + 1,
+    return {reflected_ray(at.surface), path.interior, path.weight * share, path.depth + 1,
             RayKind::reflected};
 }
 
 Whitted::Path Whitted::refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce) {
     ++counts_.refracted;
     return {spawn_ray(at.surface, bounce.split.direction), bounce.interior,
-            path.weight * bounce.split.refracted, path.depth + 1, RayKind::refracted};
+            path.weight * (bounce.tint * bounce.split.refracted), path.depth + 1, RayKind::refracted};
 }
 
 vec3 Whitted::left_by_medium(const InteriorList* interior, float distance) const {

@@ -45,6 +45,7 @@ SurfaceInteraction surface_interaction(const scene::SceneData& scene, const Ray&
 struct Bounce {
     Split split;
     const InteriorList* interior = nullptr; ///< behind the surface
+    vec3 tint{1.0f};                        ///< of the refracted ray
 };
 
 /// Holds scratch memory: one for each thread. The scene must outlive it.
@@ -86,15 +87,15 @@ class Whitted {
     /// Sets the list to that behind a surface that the ray goes through unbent.
     void cross(const Ray& ray, const trace::Hit& hit, const InteriorList*& interior);
     /// The share of a light that passes the blockers of its shadow ray, which is known to be occluded.
-    float light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
+    vec3 light_past_blockers(const Ray& shadow, const SurfaceInteraction& at, const InteriorList* interior);
     /// The same by the list around the ray's origin.
-    float light_past_blockers(const Ray& shadow, const InteriorList* interior);
+    vec3 light_past_blockers(const Ray& shadow, const InteriorList* interior);
     /// Mirror and refracted ray of a surface: direction and weights.
     Bounce bounce_at(const Path& path, const SurfaceInteraction& at);
     /// Whether a branch is followed that brings this share of its light to the path. Counts those that are
     /// not for their weight.
-    bool follows(const Path& path, float share);
-    Path reflected_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
+    bool follows(const Path& path, const vec3& share);
+    Path reflected_path(const Path& path, const SurfaceInteraction& at, const vec3& share);
     Path refracted_path(const Path& path, const SurfaceInteraction& at, const Bounce& bounce);
     /// Follows the branches of a bounce to their ends and sets their terms.
     void follow_bounce(const Path& path, const SurfaceInteraction& at, Terms& terms);
@@ -104,14 +105,14 @@ class Whitted {
   private:
     Channels radiance(Path&& path);
     LocalTerms local_light(const Path& path, const SurfaceInteraction& at);
-    float light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
-                        const SurfaceInteraction& at);
-    float walk_shadow(const Ray& shadow, const InteriorList* interior);
+    vec3 light_passing(const LightRecord& light, const LightArrival& arrival, const Path& path,
+                       const SurfaceInteraction& at);
+    vec3 walk_shadow(const Ray& shadow, const InteriorList* interior);
     bool any_may_be_hidden(std::span<const trace::Hit> hits, const InteriorList* interior) const;
     bool bounces(const Path& path, const SurfaceInteraction& at);
     Contact contact_of_met(const Ray& ray, const trace::Hit& seen, const InteriorList* interior);
-    float transparency(const trace::Hit& hit) const {
-        return scene_.materials[scene_.objects[hit.object].material].transparency;
+    const MaterialRecord& material_of(const trace::Hit& hit) const {
+        return scene_.materials[scene_.objects[hit.object].material];
     }
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 

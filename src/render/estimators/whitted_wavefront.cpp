@@ -165,6 +165,11 @@ void WhittedWavefront::locate_surfaces(Wave wave) {
                           (scene_.any_contact && s.contacts[i].exists)))
             put_surface(i);
     shade_.start_terms(scene_.ambient, wave, s);
+    if (!scene_.any_front_emission) return;
+    for (std::size_t i = wave.first; i < wave.first + wave.count; ++i)
+        if (s.hits[i])
+            put(emitted(*s.materials[i], s.entering[i] != 0.0f),
+                s.terms[static_cast<std::size_t>(Term::emission)], i);
 }
 
 /// True for objects whose surfaces have more than shape and material: vertex attributes, lit as stored.
@@ -201,9 +206,10 @@ void WhittedWavefront::pass_blockers(Wave wave) {
     PathStates& s = *states_;
     for (std::size_t i = wave.first; i < wave.first + wave.count; ++i) {
         const bool may_pass = modes_.opaque_shadows == 0 || s.interiors[i] != nullptr || s.lit_side[i] < 0.0f;
-        s.passing[i] = s.blocked[i] != 0 && may_pass
-                           ? single_.light_past_blockers(s.shadow_rays[i], surface_at(i), s.interiors[i])
-                           : 0.0f;
+        const bool passes = s.blocked[i] != 0 && may_pass;
+        put(passes ? single_.light_past_blockers(s.shadow_rays[i], surface_at(i), s.interiors[i])
+                   : vec3(0.0f),
+            s.passing, i);
     }
 }
 
@@ -225,13 +231,15 @@ void WhittedWavefront::spawn_at_glass(std::size_t i, int depth, Wave& next) {
     weigh_local_terms(i);
     const Bounce bounce = single_.bounce_at(path, at);
     const Split& split = bounce.split;
-    if (single_.follows(path, split.reflected))
-        spawn(single_.reflected_path(path, at, bounce), i, Term::reflection, split.reflected, next);
-    if (single_.follows(path, split.refracted))
-        spawn(single_.refracted_path(path, at, bounce), i, Term::transmission, split.refracted, next);
+    const vec3 reflected = at.material->reflected_tint * split.reflected;
+    const vec3 refracted = bounce.tint * split.refracted;
+    if (single_.follows(path, reflected))
+        spawn(single_.reflected_path(path, at, reflected), i, Term::reflection, reflected, next);
+    if (single_.follows(path, refracted))
+        spawn(single_.refracted_path(path, at, bounce), i, Term::transmission, refracted, next);
 }
 
-void WhittedWavefront::spawn(const Whitted::Path& path, std::size_t parent, Term term, float weight,
+void WhittedWavefront::spawn(const Whitted::Path& path, std::size_t parent, Term term, const vec3& weight,
                              Wave& next) {
     PathStates& s = *states_;
     const std::size_t i = next.first + next.count++;
@@ -242,7 +250,7 @@ void WhittedWavefront::spawn(const Whitted::Path& path, std::size_t parent, Term
     put(path.weight, s.weights, i);
     s.parents[i] = static_cast<std::uint32_t>(parent);
     s.parent_terms[i] = term;
-    s.parent_weights[i] = weight;
+    put(weight, s.parent_weights, i);
 }
 
 void WhittedWavefront::branch_by_recursion(std::size_t i, int depth) {

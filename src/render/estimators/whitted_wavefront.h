@@ -43,7 +43,7 @@ class WhittedWavefront {
     void pass_blockers(Wave wave);
     Wave spawn(Wave parents, std::size_t first, int depth);
     void spawn_at_glass(std::size_t i, int depth, Wave& next);
-    void spawn(const Whitted::Path& path, std::size_t parent, Term term, float weight, Wave& next);
+    void spawn(const Whitted::Path& path, std::size_t parent, Term term, const vec3& weight, Wave& next);
     void branch_by_recursion(std::size_t i, int depth);
     void weigh_local_terms(std::size_t i);
     void meet_media(Wave wave);

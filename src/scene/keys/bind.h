@@ -157,6 +157,8 @@ class KeyRow {
     KeyRow&& logarithmic() && { return with(spec_.logarithmic, true); }
     KeyRow&& not_in_metadata() && { return with(spec_.in_metadata, false); }
     KeyRow&& no_default() && { return with(spec_.initial, nullptr); }
+    /// Another default than the member's initializer.
+    KeyRow&& initially(KeyValue (*value)()) && { return with(spec_.initial, value); }
     KeyRow&& required() && {
         spec_.required = true;
         return std::move(*this).no_default();

@@ -1,0 +1,486 @@
+// Path tracing against closed forms, the simplest path tracer, and Whitted's model.
+
+#include "gallery.h"
+#include "scene_kit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace glint::rendering {
+namespace {
+
+using namespace kit;
+
+/// Radiance of one camera ray, by many samples; the mean over the channels.
+double radiance(const SceneDescription& scene, int count, const vec3& origin, const vec3& direction) {
+    const Scene built = build_scene(scene);
+    Estimator estimator = make_estimator(built.data(), Aov::final, nullptr, {});
+    std::vector<CameraSample> batch;
+    for (int i = 0; i < count; ++i) {
+        batch.push_back(camera_ray(origin, direction));
+        batch.back().index = static_cast<std::uint32_t>(i);
+    }
+    std::vector<Channels> out(batch.size());
+    estimate(estimator, batch, out, false);
+    double sum = 0;
+    for (const Channels& channels : out) sum += dot(channels.radiance, vec3(1.0f / 3));
+    return sum / count;
+}
+
+/// As seen by the scene's camera.
+double radiance(const SceneDescription& scene, int count) {
+    return radiance(scene, count, vec3(scene.camera->eye), normalize(vec3(scene.camera->direction)));
+}
+
+struct Mean {
+    double value = 0;
+    double error = 0; ///< standard error
+};
+
+/// The mean over the picture, and its error by the scatter between seeds.
+Mean picture_mean(SceneDescription scene, Integrator integrator, int seeds) {
+    scene.render.integrator = integrator;
+    std::vector<double> means;
+    for (int seed = 0; seed < seeds; ++seed) {
+        scene.render.seed = static_cast<std::uint64_t>(seed + 1);
+        const Image image = rendered(scene).image;
+        double sum = 0;
+        for (const float v : image.pixels) sum += v;
+        means.push_back(sum / static_cast<double>(image.pixels.size()));
+    }
+    Mean mean;
+    for (const double m : means) mean.value += m / seeds;
+    for (const double m : means) mean.error += (m - mean.value) * (m - mean.value);
+    mean.error = std::sqrt(mean.error / (seeds * (seeds - 1.0)));
+    return mean;
+}
+
+void expect_same(const Mean& a, const Mean& b, const std::string& what) {
+    const double error = std::sqrt(a.error * a.error + b.error * b.error);
+    EXPECT_NEAR(a.value, b.value, 4 * error + 1e-6) << what;
+    EXPECT_LT(error, 0.03 * std::abs(b.value) + 1e-6) << what << ": too noisy to tell";
+}
+
+SceneDescription path_scene(const Vec3& eye = Vec3(0), const Vec3& direction = Vec3(0, 1, 0)) {
+    SceneDescription scene = empty_scene(eye, direction);
+    scene.render.integrator = Integrator::path;
+    return scene;
+}
+
+constexpr Integrator all_integrators[] = {Integrator::path, Integrator::path_simple};
+
+// ── Skies and cavities ──
+
+TEST(G7, AConvexDiffuseObjectUnderAUniformSkyShowsItsAlbedo) {
+    for (const Integrator integrator : all_integrators)
+        for (const double albedo : {0.25, 1.0}) {
+            SceneDescription scene = in_sky();
+            scene.render.integrator = integrator;
+            add(scene, SphereShape{Vec3(0, 5, 0), 1.5}, matte(albedo));
+            EXPECT_NEAR(radiance(scene, 256), albedo, 1e-4 * albedo);
+        }
+}
+
+/// Emission 1 and ρ = 1/2: 1, 3/2, 7/4 … after 0, 1, 2 … bounces, of which the last is one more than
+/// max_depth.
+TEST(G7b, AnEmittingCavityAddsOneTermForEachBounce) {
+    for (const Integrator integrator : all_integrators)
+        for (const auto& [depth, expected] :
+             {std::pair{0, 1.5}, std::pair{1, 1.75}, std::pair{2, 1.875}, std::pair{40, 2.0}}) {
+            SceneDescription scene = path_scene();
+            scene.render.integrator = integrator;
+            scene.path.max_depth = depth;
+            Material wall = matte(0.5);
+            wall.emission = Vec3(1);
+            add(scene, SphereShape{}, wall);
+            EXPECT_NEAR(radiance(scene, 4096), expected, 4e-3) << depth;
+        }
+}
+
+TEST(G7b, ALightInTheMiddleOfACavityIsReflectedOnceForEachBounce) {
+    for (const Integrator integrator : all_integrators)
+        for (const auto& [depth, expected] : {std::pair{0, 0.5}, std::pair{1, 0.75}, std::pair{2, 0.875}}) {
+            SceneDescription scene = path_scene(Vec3(0, 0.5, 0));
+            scene.render.integrator = integrator;
+            scene.path.max_depth = depth;
+            add(scene, SphereShape{}, matte(0.5));
+            add_light(scene, Vec3(0), 1);
+            EXPECT_NEAR(radiance(scene, 256), expected, 1e-4) << depth;
+        }
+}
+
+TEST(Path, AMirrorAtDepthZeroShowsWhatEmitsAndTheBackground) {
+    SceneDescription scene = path_scene();
+    scene.render.background = Vec3(0.25);
+    scene.path.max_depth = 0;
+    add(scene, PlaneShape{Vec3(0, 1, 0), 2}, mirror(0.5));
+    EXPECT_NEAR(radiance(scene, 16), 0.125, 1e-6);
+    add(scene, PlaneShape{Vec3(0, 1, 0), -2}, lamp(Vec3(3)));
+    EXPECT_NEAR(radiance(scene, 16), 1.5, 1e-6);
+    add(scene, PlaneShape{Vec3(0, 1, 0), -1}, mirror(1));
+    EXPECT_EQ(radiance(scene, 16), 0);
+}
+
+TEST(Path, DiffuseBouncesAreLimitedAlone) {
+    // A mirror shows a wall that is lit by a lamp, and by light from a second wall.
+    SceneDescription scene = path_scene(Vec3(0), Vec3(1, 0, 0));
+    add(scene, PlaneShape{Vec3(1, 0, 0), 1}, mirror(1));
+    add(scene, PlaneShape{Vec3(1, 0, 0), -1}, matte(0.5));
+    add_light(scene, Vec3(0, 0.5, 0), 1);
+    const double whole = radiance(scene, 4096);
+    scene.render.integrator = Integrator::direct;
+    const double direct = radiance(scene, 4096);
+    scene.render.integrator = Integrator::path;
+    scene.path.max_diffuse_bounces = 0;
+    EXPECT_EQ(radiance(scene, 4096), direct);
+    EXPECT_LT(direct, 0.97 * whole);
+    EXPECT_NEAR(direct, 0.5 / std::pow(1.25, 1.5), 1e-3); // cos θ / r²
+}
+
+// ── Lamps of some size ──
+
+/// Radiance · 1 of the square of G8 above a white receiver, which shows E / π.
+SceneDescription under_square(const Vec3& point, const Vec3& normal) {
+    const Vec3 n = glm::normalize(normal);
+    SceneDescription scene = path_scene(point + n * 0.01, -n);
+    add(scene, PlaneShape{n, glm::dot(n, point)}, matte(1));
+    add(scene, RectangleShape{Vec3(-0.5, -0.5, 1), Vec3(1, 0, 0), Vec3(0, 1, 0)}, lamp(Vec3(1)));
+    return scene;
+}
+
+struct Receiver {
+    Vec3 point;
+    Vec3 normal;
+    double irradiance;
+};
+
+TEST(G8, ASquareLampGivesItsIrradiance) {
+    const Receiver receivers[] = {
+        {Vec3(0), Vec3(0, 0, 1), 0.7522747},        {Vec3(0.5, 0.5, 0), Vec3(0, 0, 1), 0.4352099},
+        {Vec3(2, 0, 0), Vec3(0, 0, 1), 0.0437426},  {Vec3(2, 0, 0), Vec3(-1, 0, 1), 0.0888323},
+        {Vec3(1, 0, 0), Vec3(-1, 0, 0), 0.2260633}, {Vec3(0), Vec3(1, 0, 0), 0.0875103}};
+    for (const Receiver& r : receivers) {
+        SceneDescription scene = under_square(r.point, r.normal);
+        scene.path.max_depth = 0;
+        EXPECT_NEAR(pi * radiance(scene, 16384), r.irradiance, 1e-3 * r.irradiance);
+        scene.render.integrator = Integrator::path_simple;
+        EXPECT_NEAR(pi * radiance(scene, 16384), r.irradiance, 0.04 * r.irradiance);
+    }
+}
+
+TEST(G8c, ADiskAndASphereGiveTheirIrradiance) {
+    SceneDescription disk = path_scene(Vec3(0, 0, 0.01), Vec3(0, 0, -1));
+    add(disk, PlaneShape{}, matte(1));
+    SceneDescription sphere = disk;
+    add(disk, DiskShape{Vec3(0, 0, 2), Vec3(0, 0, 1), 1}, lamp(Vec3(1)));
+    add(sphere, SphereShape{Vec3(0, 0, 4), 1}, lamp(Vec3(1)));
+    for (SceneDescription* scene : {&disk, &sphere}) {
+        const double expected = scene == &disk ? 0.2 : 0.0625;
+        scene->path.max_depth = 0;
+        EXPECT_NEAR(radiance(*scene, 16384), expected, 1e-3 * expected);
+        scene->render.integrator = Integrator::path_simple;
+        EXPECT_NEAR(radiance(*scene, 16384), expected, 0.04 * expected);
+    }
+}
+
+/// Mean over a unit square of E / (π L) from another.
+double mean_between_squares(const RectangleShape& receiver, const RectangleShape& lamp_shape) {
+    SceneDescription scene = path_scene();
+    scene.path.max_depth = 0;
+    add(scene, receiver, matte(1));
+    add(scene, lamp_shape, lamp(Vec3(1)));
+    const Scene built = build_scene(scene);
+    Estimator estimator = make_estimator(built.data(), Aov::final, nullptr, {});
+    const Vec3 n = glm::cross(receiver.u, receiver.v);
+    constexpr int side = 64, drawn = 16;
+    double sum = 0;
+    std::vector<CameraSample> batch(drawn);
+    std::vector<Channels> out(drawn);
+    for (int i = 0; i < side * side; ++i) {
+        const Vec3 p =
+            receiver.corner + receiver.u * ((i % side + 0.5) / side) + receiver.v * ((i / side + 0.5) / side);
+        for (int k = 0; k < drawn; ++k) {
+            CameraSample& sample = batch[static_cast<std::size_t>(k)];
+            sample = camera_ray(vec3(p + n * 1e-3), vec3(-n));
+            sample.pixel = {i % side, i / side};
+            sample.index = static_cast<std::uint32_t>(k);
+        }
+        estimate(estimator, batch, out, false);
+        for (const Channels& channels : out) sum += static_cast<double>(channels.radiance.x);
+    }
+    return sum / (side * side * drawn);
+}
+
+TEST(G9, SquaresExchangeLightByTheirFormFactors) {
+    const RectangleShape floor{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    EXPECT_NEAR(mean_between_squares(floor, {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 1, 0)}), 0.1998249, 2e-4);
+    EXPECT_NEAR(mean_between_squares(floor, {Vec3(0), Vec3(0, 1, 0), Vec3(0, 0, 1)}), 0.2000438, 2e-4);
+}
+
+// ── The same light in several ways ──
+
+/// A room with a lamp, a mirror, a pane, a glass ball and a glossy one.
+SceneDescription room() {
+    SceneDescription scene = empty_scene(Vec3(0, -3.5, 1), Vec3(0, 1, 0), 24, 40);
+    scene.render.spp = 16;
+    scene.path.max_depth = 8;
+    add(scene, PlaneShape{Vec3(0, 0, 1), 0}, matte(0.7));
+    add(scene, PlaneShape{Vec3(0, 0, -1), -2}, matte(0.7));
+    add(scene, PlaneShape{Vec3(0, -1, 0), -1}, matte(0.7));
+    add(scene, PlaneShape{Vec3(1, 0, 0), -1}, matte(0.4));
+    add(scene, PlaneShape{Vec3(-1, 0, 0), -1}, mirror(0.6));
+    add(scene, RectangleShape{Vec3(-0.4, -0.4, 1.99), Vec3(0.8, 0, 0), Vec3(0, 0.8, 0)}, lamp(Vec3(4)));
+    Material glossy = matte(0.3);
+    glossy.highlight = 0.5;
+    glossy.shininess = 20;
+    add(scene, SphereShape{Vec3(0.4, 0.3, 0.4), 0.4}, glossy);
+    Material ball = glass(1.5);
+    ball.fresnel = true;
+    add(scene, SphereShape{Vec3(-0.4, -0.2, 0.4), 0.3}, ball);
+    Material pane = glass(1.5, 0.5);
+    pane.reflectivity = 0.25;
+    add(scene, RectangleShape{Vec3(-0.8, -0.6, 1.2), Vec3(0.9, 0, 0), Vec3(0, 0.9, 0)}, pane);
+    return scene;
+}
+
+TEST(Path, TheSimplestPathTracerFindsTheSameLight) {
+    expect_same(picture_mean(room(), Integrator::path, 12), picture_mean(room(), Integrator::path_simple, 24),
+                "room");
+    SceneDescription bulbs = room();
+    bulbs.objects[5].visible = false;
+    for (int i = 0; i < 12; ++i)
+        add(bulbs, SphereShape{Vec3(0.3 * (i % 4) - 0.5, 0.3 * (i / 4) - 0.5, 1.7), 0.1},
+            lamp(Vec3(2, 1 + i, 3)));
+    expect_same(picture_mean(bulbs, Integrator::path, 12), picture_mean(bulbs, Integrator::path_simple, 24),
+                "bulbs");
+}
+
+TEST(Path, RouletteAndChoicesOfLightsChangeNoMean) {
+    SceneDescription scene = room();
+    add_light(scene, Vec3(0.3, -0.5, 1.5), 0.2);
+    const Mean usual = picture_mean(scene, Integrator::path, 12);
+    scene.path.roulette_depth = 1;
+    expect_same(picture_mean(scene, Integrator::path, 12), usual, "roulette at once");
+    for (const LightSampling sampling : {LightSampling::uniform, LightSampling::power}) {
+        scene.path.light_sampling = sampling;
+        expect_same(picture_mean(scene, Integrator::path, 12), usual, std::string(name_of(sampling)));
+    }
+}
+
+TEST(Path, WhittedAndDirectLightAgreeOnMatteSurfacesMirrorsAndGlass) {
+    SceneDescription scene = room();
+    scene.objects[5].visible = false;
+    add_light(scene, Vec3(0.3, -0.5, 1.5), 1);
+    add_light(scene, Vec3(-0.6, 0.5, 0.3), 0.5);
+    scene.whitted.shadows = Shadows::opaque;
+    scene.whitted.energy = Energy::balanced;
+    scene.whitted.max_depth = 16;
+    scene.whitted.min_weight = 0;
+    scene.path.max_depth = 16;
+    scene.objects.back().visible = false; // a pane: Whitted's opaque shadows are not exact there
+    expect_same(picture_mean(scene, Integrator::direct, 12), picture_mean(scene, Integrator::whitted, 12),
+                "direct");
+}
+
+TEST(Path, CoefficientsOfTheReportShowWhatWhittedShows) {
+    SceneDescription scene = empty_scene(Vec3(0, -3, 1), Vec3(0, 1, -0.3), 24, 50);
+    Material paint = matte(0.6);
+    paint.color = Vec3(0.9, 0.5, 0.2);
+    paint.highlight = 0.4;
+    paint.shininess = 30;
+    add(scene, SphereShape{Vec3(0, 0, 0), 1}, paint);
+    add(scene, PlaneShape{Vec3(0, 0, 1), -1}, paint);
+    add_light(scene, Vec3(2, -2, 3), 4);
+    scene.lights.push_back({DirectionalLight{Vec3(1, 2, -3), Vec3(0.5, 1, 0.5), 0.7}, {}});
+    scene.lights.push_back({SpotLight{.position = Vec3(-2, -2, 2), .direction = Vec3(2, 2, -2)}, {}});
+    for (const HighlightModel model : {HighlightModel::blinn, HighlightModel::phong}) {
+        scene.whitted.highlight_model = model;
+        scene.render.integrator = Integrator::whitted;
+        const Image expected = rendered(scene).image;
+        scene.render.integrator = Integrator::direct;
+        const Image image = rendered(scene).image;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            EXPECT_NEAR(image.pixels[i], expected.pixels[i], 1e-5 * expected.pixels[i] + 1e-7);
+    }
+}
+
+// ── Shadows ──
+
+TEST(Path, ThinPanesLetTheirShareThroughAndSolidGlassBlocks) {
+    SceneDescription scene = path_scene(Vec3(0, 0, 0.5), Vec3(0, 0, -1));
+    add(scene, PlaneShape{}, matte(1));
+    add_light(scene, Vec3(0, 0, 2), 4);
+    scene.path.max_depth = 0;
+    const double lit = radiance(scene, 1);
+    EXPECT_NEAR(lit, 1, 1e-6);
+    SceneDescription pane = scene;
+    add(pane, DiskShape{Vec3(0, 0, 1), Vec3(0, 0, 1), 1}, glass(1.5, 0.25));
+    EXPECT_NEAR(radiance(pane, 1), 0.25, 1e-6);
+    SceneDescription ball = scene;
+    add(ball, SphereShape{Vec3(0, 0, 1.2), 0.3}, glass(1.5, 0.5));
+    EXPECT_EQ(radiance(ball, 1), 0);
+    ball.path.shadows = PathShadows::transmissive;
+    EXPECT_NEAR(radiance(ball, 1), 0.25, 1e-6);
+}
+
+TEST(Path, TransmissiveShadowsCountNoLightTwice) {
+    // Glass of index 1 bends nothing: lamps shine through it alike by shadow rays and by paths.
+    SceneDescription scene = path_scene(Vec3(0, 0, 0.2), Vec3(0, 0, -1));
+    add(scene, PlaneShape{}, matte(1));
+    add(scene, DiskShape{Vec3(0, 0, 2), Vec3(0, 0, 1), 1}, lamp(Vec3(1)));
+    add(scene, SphereShape{Vec3(0, 0, 1.2), 0.6}, glass(1, 1));
+    for (const PathShadows shadows : {PathShadows::exact, PathShadows::transmissive}) {
+        scene.path.shadows = shadows;
+        EXPECT_NEAR(radiance(scene, 16384), 0.2, 2e-3);
+    }
+}
+
+TEST(Path, MediaAbsorbOnTheWayToLights) {
+    SceneDescription scene = path_scene(Vec3(0, 0, 1), Vec3(0, 0, -1));
+    Material water = glass(1, 1);
+    water.absorption = Vec3(0.5);
+    add(scene, SphereShape{Vec3(0), 10}, water);
+    add(scene, PlaneShape{}, matte(1));
+    add_light(scene, Vec3(0, 0, 2), 4);
+    EXPECT_NEAR(radiance(scene, 1), std::exp(-0.5 * 3), 1e-5);
+}
+
+TEST(Path, IndirectLightIsClampedAndItsLossIsTold) {
+    SceneDescription scene = room();
+    scene.render.integrator = Integrator::path;
+    RenderOptions options;
+    options.terms = true;
+    const Picture whole = rendered(scene, options);
+    EXPECT_EQ(clamped_share(whole.stats), 0);
+    scene.path.clamp_indirect = 0.25;
+    scene.render.spp = 1;
+    const Picture one = rendered(scene, options);
+    for (std::size_t i = 0; i < one.image.pixels.size(); ++i)
+        EXPECT_LE(one.terms[3].pixels[i] + one.terms[4].pixels[i] + one.terms[5].pixels[i], 0.25001f);
+    scene.render.spp = 16;
+    const Picture clamped = rendered(scene, options);
+    const auto sum = [](const Image& image) {
+        double all = 0;
+        for (const float v : image.pixels) all += static_cast<double>(v);
+        return all;
+    };
+    EXPECT_EQ(picture_hash(clamped.terms[0]), picture_hash(whole.terms[0]));
+    const double share = 1 - sum(clamped.image) / sum(whole.image);
+    EXPECT_GT(share, 0.01);
+    EXPECT_NEAR(clamped_share(clamped.stats), share, 1e-4);
+}
+
+// ── Terms ──
+
+vec3 pixel_of(const Image& image, std::size_t i) {
+    return {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]};
+}
+
+TEST(Path, TermsAddUpToThePictureToTheBit) {
+    for (const Integrator integrator : {Integrator::path, Integrator::direct})
+        for (const int spp : {1, 5}) {
+            SceneDescription scene = room();
+            scene.render.integrator = integrator;
+            scene.render.spp = spp;
+            RenderOptions options;
+            options.terms = true;
+            const Picture picture = rendered(scene, options);
+            const Image alone = rendered(scene).image;
+            double indirect = 0;
+            for (std::size_t i = 0; i < picture.image.pixels.size(); i += 3) {
+                vec3 sum = pixel_of(picture.terms[0], i);
+                for (std::size_t t = 1; t < picture.terms.size(); ++t)
+                    sum = sum + pixel_of(picture.terms[t], i);
+                EXPECT_EQ(sum, pixel_of(picture.image, i));
+                EXPECT_EQ(sum, pixel_of(alone, i));
+                indirect += dot(pixel_of(picture.terms[3], i), vec3(1));
+            }
+            EXPECT_EQ(indirect > 0, integrator == Integrator::path);
+        }
+}
+
+TEST(Path, TermsTellHowLightComesToTheFirstHit) {
+    // Seen straight from above: a floor, lit by a lamp, and by a mirror beside it that shows the floor.
+    SceneDescription scene = path_scene(Vec3(0, 0, 1), Vec3(0, 0, -1));
+    scene.render.width = scene.render.height = 1;
+    scene.camera->fov = 1e-3;
+    scene.render.spp = 4096;
+    add(scene, PlaneShape{}, matte(0.5));
+    add(scene, DiskShape{Vec3(0, 0, 2), Vec3(0, 0, 1), 1}, lamp(Vec3(1)));
+    RenderOptions options;
+    options.terms = true;
+    const auto term = [&](PathTerm which) {
+        return rendered(scene, options).terms[static_cast<std::size_t>(which)].at(0, 0)[0];
+    };
+    EXPECT_NEAR(term(PathTerm::direct_diffuse), 0.1, 2e-4);
+    EXPECT_EQ(term(PathTerm::direct_specular), 0);
+    EXPECT_EQ(term(PathTerm::emission), 0);
+    Material& ground = material_of_object(scene, 0);
+    ground.diffuse = 0;
+    ground.reflectivity = 0.5;
+    EXPECT_EQ(term(PathTerm::direct_specular), 0.5f);
+    EXPECT_EQ(term(PathTerm::direct_diffuse), 0);
+    ground.reflectivity = 0;
+    ground.emission = Vec3(2);
+    EXPECT_EQ(term(PathTerm::emission), 2);
+}
+
+TEST(Path, TermsOfOtherIntegratorsAreRefused) {
+    SceneDescription scene = room();
+    RenderOptions options;
+    const auto message = [&](Integrator integrator, Aov show) {
+        scene.render.integrator = integrator;
+        options.show = show;
+        try {
+            rendered(scene, options);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::usage);
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(message(Integrator::path, Aov::direct_diffuse), "none");
+    EXPECT_EQ(message(Integrator::path, Aov::depth), "none");
+    EXPECT_NE(message(Integrator::path, Aov::ambient).find("path has no term ambient"), std::string::npos);
+    EXPECT_NE(message(Integrator::whitted, Aov::direct_diffuse).find("no term"), std::string::npos);
+    EXPECT_NE(message(Integrator::path_simple, Aov::emission).find("path-simple"), std::string::npos);
+}
+
+// ── One picture ──
+
+TEST(Path, ThreadsKernelsTilesAndCropsChangeNoBit) {
+    for (const Integrator integrator : {Integrator::path, Integrator::path_simple, Integrator::direct}) {
+        SceneDescription scene = room();
+        scene.render.integrator = integrator;
+        scene.render.spp = 2;
+        const Image expected = rendered(scene).image;
+        RenderOptions options;
+        options.kernel.kernel = Kernel::scalar;
+        EXPECT_EQ(picture_hash(rendered(scene, options).image), picture_hash(expected));
+        options = {};
+        options.threads = 3;
+        options.tile_size = 7;
+        EXPECT_EQ(picture_hash(render(build_scene(scene), options).image), picture_hash(expected));
+        options.crop = Rect{3, 5, 7, 9};
+        const Image part = rendered(scene, options).image;
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 7; ++x) EXPECT_EQ(part.at(x, y)[1], expected.at(x + 3, y + 5)[1]);
+    }
+}
+
+TEST(Path, AllScenesOfTheGalleryAreTracedAlikeByAllKernels) {
+    for (const Exhibit& exhibit : gallery()) {
+        SceneDescription scene = exhibit.scene;
+        scene.render.integrator = Integrator::path;
+        RenderOptions scalar;
+        scalar.kernel.kernel = Kernel::scalar;
+        EXPECT_EQ(picture_hash(rendered(scene).image), picture_hash(rendered(scene, scalar).image))
+            << exhibit.name;
+    }
+}
+
+} // namespace
+} // namespace glint::rendering
