@@ -81,9 +81,8 @@ std::string closing_line(const RenderRecord& record, const Scene& scene, const P
             ? fmt::format("{:.2g} % of the light clamped, ", 100 * clamped_share(picture.stats))
             : "";
     return fmt::format("{}: {}{}×{}, {}, {}, {}{}{}, {}, hash {}", shown_name(record.output), partial,
-                       picture.image.width, picture.image.height,
-                       samples_text(scene, picture), size, clamped, device,
-                       duration(picture.stats.wall_seconds),
+                       picture.image.width, picture.image.height, samples_text(scene, picture), size, clamped,
+                       device, duration(picture.stats.wall_seconds),
                        ray_rate(picture.stats.rays(), picture.stats.wall_seconds), record.hash);
 }
 

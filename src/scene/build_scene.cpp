@@ -111,6 +111,9 @@ void build_values(SceneData& scene) {
     scene.any_transparent = shows_glass(description);
     scene.materials.clear();
     for (const Material& m : description.materials) scene.materials.push_back(material_record(m));
+    scene.any_see_through =
+        scene.any_transparent ||
+        std::ranges::any_of(description.materials, [](const Material& m) { return m.opacity < 1; });
     scene.any_front_emission = std::ranges::any_of(
         description.materials, [](const Material& m) { return m.emission_sides == EmissionSides::front; });
     build_lights(scene);

@@ -150,9 +150,12 @@ class LightFinder {
 
     void grow_tree() {
         std::vector<LightBounds> bounds;
-        for (const EmitterRecord& e : set_.emitters)
-            bounds.push_back({box_of(e), e.n, e.kind == emitter_sphere ? -1.0f : 1.0f, true,
+        for (const EmitterRecord& e : set_.emitters) {
+            const bool both_sides =
+                e.kind == emitter_none || (material(e.object).flags & material_front) == 0;
+            bounds.push_back({box_of(e), e.n, e.kind == emitter_sphere ? -1.0f : 1.0f, both_sides,
                               static_cast<float>(power_of(e))});
+        }
         set_.tree = LightTree(bounds);
     }
 

@@ -79,8 +79,9 @@ struct SceneData {
     vec3 background{0.0f};
     float index_outside = 1;
     bool any_transparent = false;
+    bool any_see_through = false;    ///< some material is transparent, or of an opacity below 1
     bool any_front_emission = false; ///< some material emits from its front alone
-    bool any_contact = false; ///< some object has a contact zone
+    bool any_contact = false;        ///< some object has a contact zone
     /// Where pairs of objects touch; null where that is nowhere or, for planes, everywhere.
     std::shared_ptr<const BoxTree> contact_places;
     bool solids_known = false; ///< ObjectData::solid is valid for meshes too

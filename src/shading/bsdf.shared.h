@@ -82,12 +82,14 @@ GLINT_FN Bsdf black_bsdf(GLINT_IN(SurfaceRecord) s, GLINT_IN(BsdfSides) sides) {
     b.refracted = vec3(0.0f);
     b.refracted_direction = -s.v;
     b.straight = !sides.solid;
+    b.through = 0.0f;
     b.radiance_scale = 1.0f;
     b.pick_diffuse = 0.0f;
     b.pick_gloss = 0.0f;
     b.pick_coat = 0.0f;
     b.pick_mirror = 0.0f;
     b.pick_refracted = 0.0f;
+    b.pick_through = 0.0f;
     return b;
 }
 
@@ -107,6 +109,33 @@ GLINT_FN Bsdf with_choice(GLINT_IN(Bsdf) lobes, real diffuse, real gloss, real c
     b.pick_coat = b.pick_coat * scale;
     b.pick_mirror = b.pick_mirror * scale;
     b.pick_refracted = b.pick_refracted * scale;
+    return b;
+}
+
+/// All lobes weaker: those of a layer under another, or of a surface that is not there everywhere.
+GLINT_FN Bsdf dimmed(GLINT_IN(Bsdf) lobes, real left) {
+    Bsdf b = lobes;
+    b.diffuse = b.diffuse * left;
+    b.sheen = b.sheen * left;
+    b.gloss_strength = b.gloss_strength * left;
+    b.facets.reflected = b.facets.reflected * left;
+    b.facets.transmitted = b.facets.transmitted * left;
+    b.coat.reflected = b.coat.reflected * left;
+    b.mirror = b.mirror * left;
+    b.refracted = b.refracted * left;
+    return b;
+}
+
+/// A share `opacity` of the surface is there; the rest lets light through.
+GLINT_FN Bsdf perforated(GLINT_IN(Bsdf) lobes, real opacity) {
+    Bsdf b = dimmed(lobes, opacity);
+    b.through = 1.0f - opacity;
+    b.pick_diffuse = b.pick_diffuse * opacity;
+    b.pick_gloss = b.pick_gloss * opacity;
+    b.pick_coat = b.pick_coat * opacity;
+    b.pick_mirror = b.pick_mirror * opacity;
+    b.pick_refracted = b.pick_refracted * opacity;
+    b.pick_through = b.through;
     return b;
 }
 
@@ -261,18 +290,6 @@ GLINT_FN Bsdf with_principled_facets(GLINT_IN(Bsdf) body, GLINT_IN(MaterialRecor
     return b;
 }
 
-/// Under a layer that takes a share of the light.
-GLINT_FN Bsdf dimmed(GLINT_IN(Bsdf) lobes, real left) {
-    Bsdf b = lobes;
-    b.diffuse = b.diffuse * left;
-    b.sheen = b.sheen * left;
-    b.facets.reflected = b.facets.reflected * left;
-    b.facets.transmitted = b.facets.transmitted * left;
-    b.mirror = b.mirror * left;
-    b.refracted = b.refracted * left;
-    return b;
-}
-
 GLINT_FN Bsdf with_clearcoat(GLINT_IN(Bsdf) lobes, GLINT_IN(MaterialRecord) m, real cosine) {
     real share = m.clearcoat * (0.04f + 0.96f * schlick_weight(cosine));
     Bsdf b = dimmed(lobes, 1.0f - share);
@@ -316,9 +333,8 @@ GLINT_FN SurfaceRecord seen_surface(GLINT_IN(SurfaceRecord) surface) {
     return s;
 }
 
-/// `modes` are read for materials of the model `whitted`.
-GLINT_FN Bsdf bsdf_at(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) surface, GLINT_IN(BsdfSides) sides,
-                      GLINT_IN(WhittedModes) modes) {
+GLINT_FN Bsdf whole_bsdf_at(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) surface,
+                            GLINT_IN(BsdfSides) sides, GLINT_IN(WhittedModes) modes) {
     if (m.model == model_whitted) return whitted_bsdf(m, surface, sides, modes);
     if (m.model == model_diffuse) return diffuse_bsdf(surface, sides);
     SurfaceRecord s = seen_surface(surface);
@@ -326,6 +342,14 @@ GLINT_FN Bsdf bsdf_at(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) surfac
     if (m.model == model_dielectric) return dielectric_bsdf(m, s, sides);
     if (m.model == model_plastic) return plastic_bsdf(m, s, sides);
     return principled_bsdf(m, s, sides);
+}
+
+/// `modes` are read for materials of the model `whitted`.
+GLINT_FN Bsdf bsdf_at(GLINT_IN(MaterialRecord) m, GLINT_IN(SurfaceRecord) surface, GLINT_IN(BsdfSides) sides,
+                      GLINT_IN(WhittedModes) modes) {
+    Bsdf b = whole_bsdf_at(m, surface, sides, modes);
+    if (m.opacity < 1.0f) b = perforated(b, m.opacity);
+    return b;
 }
 
 GLINT_SHARED_END

@@ -74,6 +74,7 @@ struct Bsdf {
     vec3 refracted; ///< weight of the refracted direction's delta
     vec3 refracted_direction;
     truth straight;      ///< that is straight on through a sheet
+    real through;        ///< weight of a delta straight on, where the surface is not there
     real radiance_scale; ///< the factor of what is transmitted that roulette must not see: (η₁/η₂)², or 1
 
     // Probabilities of the lobes; their sum is 1, or 0 for a black surface.
@@ -82,6 +83,7 @@ struct Bsdf {
     real pick_coat;
     real pick_mirror;
     real pick_refracted;
+    real pick_through;
 };
 
 struct BsdfSample {
@@ -90,7 +92,7 @@ struct BsdfSample {
     real pdf;         ///< bsdf_pdf() of the direction; 0 for a delta
     truth delta;
     truth transmits;     ///< the direction leaves on the other side
-    truth straight;      ///< a delta that goes through a sheet unbent
+    truth straight;      ///< a delta that goes on unbent, through a sheet or where the surface is not there
     real radiance_scale; ///< (n_before/n_after)² where the weight has this factor of refraction, else 1
 };
 
@@ -347,6 +349,15 @@ GLINT_FN BsdfSample refracted_sample(GLINT_IN(Bsdf) b) {
     return chosen;
 }
 
+GLINT_FN BsdfSample through_sample(GLINT_IN(Bsdf) b) {
+    BsdfSample chosen = sample_along(-b.v);
+    chosen.weight.transmission = vec3(b.through / b.pick_through);
+    chosen.delta = true;
+    chosen.transmits = true;
+    chosen.straight = true;
+    return chosen;
+}
+
 /// A direction of a lobe that is not a delta, weighted by all of them.
 GLINT_FN BsdfSample spread_sample(GLINT_IN(Bsdf) b, vec3 direction) {
     BsdfSample chosen = sample_along(normalize(direction));
@@ -366,6 +377,7 @@ const int lobe_gloss = 1;
 const int lobe_coat = 2;
 const int lobe_mirror = 3;
 const int lobe_refracted = 4;
+const int lobe_through = 5;
 
 /// A lobe, and where u lies in its interval of probabilities, 0 … 1.
 struct LobeChoice {
@@ -393,7 +405,9 @@ GLINT_FN LobeChoice chosen_lobe(GLINT_IN(Bsdf) b, real u) {
     begin = begin + b.pick_coat;
     chosen = or_lobe(chosen, lobe_mirror, begin, b.pick_mirror, u);
     begin = begin + b.pick_mirror;
-    return or_lobe(chosen, lobe_refracted, begin, b.pick_refracted, u);
+    chosen = or_lobe(chosen, lobe_refracted, begin, b.pick_refracted, u);
+    begin = begin + b.pick_refracted;
+    return or_lobe(chosen, lobe_through, begin, b.pick_through, u);
 }
 
 /// A direction, by three numbers in [0, 1).
@@ -401,6 +415,7 @@ GLINT_FN BsdfSample bsdf_sample(GLINT_IN(Bsdf) b, real u_lobe, real u, real v) {
     LobeChoice chosen = chosen_lobe(b, u_lobe);
     if (chosen.lobe == lobe_mirror) return mirror_sample(b);
     if (chosen.lobe == lobe_refracted) return refracted_sample(b);
+    if (chosen.lobe == lobe_through) return through_sample(b);
     vec3 o = to_basis(b.basis, b.v);
     if (chosen.lobe == lobe_coat)
         return spread_sample(b, from_basis(b.basis, facet_sample(b.coat, o, chosen.u, u, v)));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -61,7 +62,7 @@ Mean picture_mean(SceneDescription scene, Integrator integrator, int seeds) {
 void expect_same(const Mean& a, const Mean& b, const std::string& what) {
     const double error = std::sqrt(a.error * a.error + b.error * b.error);
     EXPECT_NEAR(a.value, b.value, 4 * error + 1e-6) << what;
-    EXPECT_LT(error, 0.03 * std::abs(b.value) + 1e-6) << what << ": too noisy to tell";
+    EXPECT_LT(error, 0.04 * std::abs(b.value) + 1e-6) << what << ": too noisy to tell";
 }
 
 SceneDescription path_scene(const Vec3& eye = Vec3(0), const Vec3& direction = Vec3(0, 1, 0)) {
@@ -220,6 +221,65 @@ TEST(G9, SquaresExchangeLightByTheirFormFactors) {
     EXPECT_NEAR(mean_between_squares(floor, {Vec3(0), Vec3(0, 1, 0), Vec3(0, 0, 1)}), 0.2000438, 2e-4);
 }
 
+/// A sphere about the origin in two meshes: a cap about +z, and the rest.
+struct CutSphere {
+    Mesh cap, rest;
+    double share = 0; ///< of the cap in the area
+};
+
+CutSphere cut_sphere(unsigned rings, unsigned cap_rings) {
+    CutSphere cut;
+    cut.cap = cut.rest = sphere_mesh(1, rings);
+    cut.cap.triangles.clear();
+    cut.rest.triangles.clear();
+    double area[2] = {};
+    for (const glm::uvec3& t : sphere_mesh(1, rings).triangles) {
+        const std::vector<glm::vec3>& p = cut.cap.positions;
+        const bool in_cap = std::min({t.x, t.y, t.z}) < cap_rings * 2 * rings;
+        (in_cap ? cut.cap : cut.rest).triangles.push_back(t);
+        area[in_cap ? 0 : 1] += static_cast<double>(length(cross(p[t.y] - p[t.x], p[t.z] - p[t.x])));
+    }
+    cut.share = area[0] / (area[0] + area[1]);
+    return cut;
+}
+
+/// Every point of a sphere sees the cap by its share f of the area: ρ f + ρ f ρ (1 − f) + …
+TEST(G7c, ACapLightsASphereAlikeEverywhere) {
+    const CutSphere cut = cut_sphere(64, 9);
+    const double f = cut.share;
+    EXPECT_NEAR(f, 0.048, 1e-3);
+    for (const double albedo : {0.5, 0.8}) {
+        SceneDescription scene = path_scene(Vec3(0, 0, 0), Vec3(0.3, 0.9, -0.2));
+        add(scene, mesh_of(cut.cap), lamp(Vec3(1)));
+        add(scene, mesh_of(cut.rest), matte(albedo));
+        double expected = 0, order = albedo * f;
+        for (int depth = 0; depth < 4; ++depth) {
+            scene.path.max_depth = depth;
+            expected += order;
+            order *= albedo * (1 - f);
+            EXPECT_NEAR(radiance(scene, 4096), expected, 0.015 * expected) << depth;
+        }
+        scene.path.max_depth = 100;
+        EXPECT_NEAR(radiance(scene, 8192), albedo * f / (1 - albedo * (1 - f)), 0.02 * expected);
+    }
+}
+
+/// By how much errors fall when samples double, as a power of their number.
+TEST(G20, ErrorsFallFasterThanThoseOfRandomNumbers) {
+    SceneDescription scene = under_square(Vec3(2, 0, 0), Vec3(-1, 0, 1));
+    scene.path.max_depth = 0;
+    const auto error = [&](int count) {
+        double squares = 0;
+        for (int seed = 0; seed < 32; ++seed) {
+            scene.render.seed = static_cast<std::uint64_t>(seed);
+            squares += std::pow(pi * radiance(scene, count) / 0.0888323 - 1, 2) / 32;
+        }
+        return std::sqrt(squares);
+    };
+    const double slope = std::log2(error(2048) / error(32)) / 6;
+    EXPECT_LT(slope, -0.6);
+}
+
 // ── The same light in several ways ──
 
 /// A room with a lamp, a mirror, a pane, a glass ball and a glossy one.
@@ -247,26 +307,26 @@ SceneDescription room() {
 }
 
 TEST(Path, TheSimplestPathTracerFindsTheSameLight) {
-    expect_same(picture_mean(room(), Integrator::path, 12), picture_mean(room(), Integrator::path_simple, 24),
+    expect_same(picture_mean(room(), Integrator::path, 8), picture_mean(room(), Integrator::path_simple, 12),
                 "room");
     SceneDescription bulbs = room();
     bulbs.objects[5].visible = false;
     for (int i = 0; i < 12; ++i)
         add(bulbs, SphereShape{Vec3(0.3 * (i % 4) - 0.5, 0.3 * (i / 4) - 0.5, 1.7), 0.1},
             lamp(Vec3(2, 1 + i, 3)));
-    expect_same(picture_mean(bulbs, Integrator::path, 12), picture_mean(bulbs, Integrator::path_simple, 24),
+    expect_same(picture_mean(bulbs, Integrator::path, 8), picture_mean(bulbs, Integrator::path_simple, 12),
                 "bulbs");
 }
 
 TEST(Path, RouletteAndChoicesOfLightsChangeNoMean) {
     SceneDescription scene = room();
     add_light(scene, Vec3(0.3, -0.5, 1.5), 0.2);
-    const Mean usual = picture_mean(scene, Integrator::path, 12);
+    const Mean usual = picture_mean(scene, Integrator::path, 8);
     scene.path.roulette_depth = 1;
-    expect_same(picture_mean(scene, Integrator::path, 12), usual, "roulette at once");
+    expect_same(picture_mean(scene, Integrator::path, 8), usual, "roulette at once");
     for (const LightSampling sampling : {LightSampling::uniform, LightSampling::power}) {
         scene.path.light_sampling = sampling;
-        expect_same(picture_mean(scene, Integrator::path, 12), usual, std::string(name_of(sampling)));
+        expect_same(picture_mean(scene, Integrator::path, 8), usual, std::string(name_of(sampling)));
     }
 }
 

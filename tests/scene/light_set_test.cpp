@@ -24,8 +24,8 @@ SceneDescription path_scene() {
 
 std::vector<int> kinds_of(const SceneDescription& description) {
     std::vector<int> kinds;
-    for (const EmitterRecord& e : build_scene(description).data().light_set->emitters)
-        kinds.push_back(e.kind);
+    const Scene scene = build_scene(description);
+    for (const EmitterRecord& e : scene.data().light_set->emitters) kinds.push_back(e.kind);
     return kinds;
 }
 

@@ -20,10 +20,18 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// All of it is there.
+MaterialRecord whole_material() {
+    MaterialRecord m{};
+    m.opacity = 1;
+    m.reflected_tint = m.transmitted_tint = vec3(1);
+    return m;
+}
+
 /// A material at a point between two media.
 struct Case {
     std::string name;
-    MaterialRecord material{};
+    MaterialRecord material = whole_material();
     BsdfSides sides{1, 1, false};
     WhittedModes modes{};
 };
@@ -34,7 +42,6 @@ Case coefficients(const char* name, float k_d, float k, float m, int highlight) 
     c.material.highlight = k;
     c.material.shininess = m;
     c.material.reflectivity = 0.1f;
-    c.material.reflected_tint = c.material.transmitted_tint = vec3(1);
     c.modes.highlight = highlight;
     return c;
 }
@@ -44,7 +51,6 @@ Case rough(const char* name, int model, float roughness, const BsdfSides& sides)
     c.material.model = model;
     c.material.roughness = roughness;
     c.material.index = 1.5f;
-    c.material.reflected_tint = c.material.transmitted_tint = vec3(1);
     c.material.specular = 1;
     c.material.specular_color = vec3(1);
     c.sides = sides;
@@ -201,6 +207,9 @@ std::vector<Case> sampled_cases() {
         coefficients("blinn", 0.5f, 0.5f, 40, highlight_blinn),
         coefficients("phong", 0.2f, 0.6f, 15, highlight_phong), rough("diffuse", model_diffuse, 0, opaque),
         rough("plastic", model_plastic, 0.3f, opaque), rough("sheet", model_dielectric, 0.4f, opaque)};
+    all.push_back(metal(0.3f));
+    all.back().name = "half of a metal";
+    all.back().material.opacity = 0.5f;
     for (const float r : {0.2f, 0.5f, 1.0f}) {
         all.push_back(metal(r));
         all.push_back(rough("into glass", model_dielectric, r, into_glass));
@@ -384,6 +393,20 @@ TEST(Bsdf, SheetsLetLightThroughUnbent) {
     // A solid bends light, even where the indices are equal.
     const Bsdf solid = bsdf_of(rough("glass", model_dielectric, 0, {1.5f, 1.5f, true}), toward(30, 1));
     EXPECT_FALSE(bsdf_sample(solid, 0.5f, 0.5f, 0.5f).straight);
+}
+
+TEST(Bsdf, LetsLightThroughWhereTheSurfaceIsNotThere) {
+    Case c = rough("diffuse", model_diffuse, 0, opaque);
+    const Bsdf whole = bsdf_of(c, toward(20, 1));
+    c.material.opacity = 0.25f;
+    const Bsdf b = bsdf_of(c, toward(20, 1));
+    EXPECT_EQ(b.through, 0.75f);
+    EXPECT_EQ(sum_of(bsdf_value(b, b.n_g)), sum_of(bsdf_value(whole, b.n_g)) * 0.25f);
+    const BsdfSample through = bsdf_sample(b, 0.5f, 0.5f, 0.5f);
+    EXPECT_TRUE(through.delta && through.transmits && through.straight);
+    EXPECT_EQ(through.direction, -b.v);
+    EXPECT_EQ(sum_of(through.weight), vec3(1));
+    EXPECT_NEAR(albedo(b).x, 0.25 * 0.7 + 0.75, 1e-3);
 }
 
 TEST(Bsdf, OfCoefficientsIsWhittedsLocalLight) {

@@ -8,17 +8,16 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace glint {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 TEST(Sampling, AnglesAndTheirCosinesAndSines) {
     for (int i = 0; i <= 20000; ++i) {
-        const double angle = pi * i / 20000;
+        const double angle = std::numbers::pi * i / 20000;
         const auto x = static_cast<float>(3 * std::cos(angle)), y = static_cast<float>(3 * std::sin(angle));
         EXPECT_NEAR(angle_of(x, std::max(0.0f, y)), angle, 4e-7);
         const auto whole = static_cast<float>(2 * angle);
@@ -37,7 +36,7 @@ EmitterRecord flat(int kind, const vec3& base, const vec3& u, const vec3& v) {
     e.v = v;
     e.n = normalize(cross(u, v));
     e.area = length(cross(u, v)) * (kind == emitter_triangle ? 0.5f : 1.0f);
-    if (kind == emitter_disk) e.area = static_cast<float>(pi) * dot(u, u);
+    if (kind == emitter_disk) e.area = static_cast<float>(std::numbers::pi) * dot(u, u);
     return e;
 }
 
@@ -46,7 +45,7 @@ EmitterRecord ball(const vec3& center, float radius) {
     e.kind = emitter_sphere;
     e.base = center;
     e.radius = radius;
-    e.area = static_cast<float>(4 * pi) * radius * radius;
+    e.area = static_cast<float>(4 * std::numbers::pi) * radius * radius;
     return e;
 }
 
@@ -60,13 +59,14 @@ std::vector<Lamp> lamps() {
     return {{"square", flat(emitter_rectangle, {-0.5f, -0.5f, 1}, {1, 0, 0}, {0, 1, 0}),
              4 * std::asin(0.25 / 1.25)}, // (a/2)² / (h² + (a/2)²)
             {"parallelogram", flat(emitter_rectangle, {0.2f, -1, 0.5f}, {0.3f, 2, 0.4f}, {0.1f, 0, 1}), 0},
-            {"octant", flat(emitter_triangle, {1, 0, 0}, {-1, 1, 0}, {-1, 0, 1}), pi / 2},
+            {"octant", flat(emitter_triangle, {1, 0, 0}, {-1, 1, 0}, {-1, 0, 1}), std::numbers::pi / 2},
             {"close triangle", flat(emitter_triangle, {0.01f, 0.01f, 0.02f}, {1, 0, 0}, {0, 1, 0}), 0},
             {"far triangle", flat(emitter_triangle, {90, 0, 60}, {1, 0, 0}, {0, 1, 0}), 0},
-            {"disk", flat(emitter_disk, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}), 2 * pi * (1 - 2 / std::sqrt(5.0))},
-            {"ball", ball({0.3f, 0.4f, 2}, 1), 2 * pi * (1 - std::sqrt(1 - 1 / 4.25))},
-            {"far ball", ball({3000, 0, 4000}, 1), 2 * pi * (1 - std::sqrt(1 - 1 / 25e6))},
-            {"ball around", ball({0.3f, 0, 0}, 2), 4 * pi}};
+            {"disk", flat(emitter_disk, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}),
+             2 * std::numbers::pi * (1 - 2 / std::sqrt(5.0))},
+            {"ball", ball({0.3f, 0.4f, 2}, 1), 2 * std::numbers::pi * (1 - std::sqrt(1 - 1 / 4.25))},
+            {"far ball", ball({3000, 0, 4000}, 1), 2 * std::numbers::pi * (1 - std::sqrt(1 - 1 / 25e6))},
+            {"ball around", ball({0.3f, 0, 0}, 2), 4 * std::numbers::pi}};
 }
 
 TEST(Emitter, SamplesHaveTheDensityThatTheyGive) {

@@ -35,7 +35,7 @@ BsdfValue shares_of(const BsdfValue& value) {
 }
 
 scene::LightReceiver receiver_at(const PathVertex& vertex) {
-    return {vertex.at.surface.p, vertex.at.surface.n};
+    return {vertex.at.surface.p, vertex.at.surface.n, lets_through(vertex.bsdf.facets)};
 }
 
 } // namespace
@@ -175,8 +175,8 @@ void PathTracer::sample_emitter(std::size_t number, const PathVertex& vertex) {
     if (!(sample.pdf > 0.0f)) return;
     const float pdf = chosen.probability * sample.pdf;
     const float weight = mis_weight(pdf, bsdf_pdf(vertex.bsdf, sample.direction));
-    const vec3 emission = emitted(scene_.materials[scene_.objects[emitter.object].material],
-                                  dot(sample.n, sample.direction) < 0.0f);
+    const MaterialRecord& material = scene_.materials[scene_.objects[emitter.object].material];
+    const vec3 emission = emitted(material, dot(sample.n, sample.direction) < 0.0f) * material.opacity;
     Ray ray = ray_of(spawn_ray(s, sample.direction));
     ray.direction = end_before(emitter, sample) - ray.origin;
     ray.tmax = 1.0f;

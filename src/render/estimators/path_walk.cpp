@@ -42,7 +42,8 @@ PathWalk::PathWalk(const SceneData& scene, const PathSettings& settings, const C
       exact_shadows_(settings.shadows == PathShadows::exact),
       solids_(scene, whitted_settings(scene.description), cancel, kernel),
       ends_shadow_([&scene](const Hit& hit) {
-          return !(scene.materials[scene.objects[hit.object].material].transparency > 0.0f);
+          const MaterialRecord& m = scene.materials[scene.objects[hit.object].material];
+          return !(m.transparency > 0.0f) && m.opacity == 1.0f;
       }) {}
 
 bool PathWalk::find_vertex(const Ray& ray, Hit& hit, const InteriorList*& interior, PathVertex& vertex) {
@@ -52,7 +53,7 @@ bool PathWalk::find_vertex(const Ray& ray, Hit& hit, const InteriorList*& interi
     vertex.before = interior;
     vertex.beyond = solids_.beyond(vertex.at, interior);
     vertex.refracts = contact.refracts || is_dielectric(hit.object, scene_);
-    vertex.emission = emitted(*vertex.at.material, vertex.at.entering);
+    vertex.emission = emitted(*vertex.at.material, vertex.at.entering) * vertex.at.material->opacity;
     const float index_after = refractive_index(vertex.beyond, scene_);
     vertex.bsdf = bsdf_of(vertex.at, {refractive_index(interior, scene_), index_after, vertex.refracts});
     return true;
@@ -73,8 +74,9 @@ PathStep PathWalk::step(const PathVertex& from, const PathLength& length,
     PathStep step;
     step.sample = bsdf_sample(from.bsdf, lobe, u.x, u.y);
     if (step.sample.transmits) {
-        step.crosses = step.sample.straight && !from.refracts;
-        step.sample.weight.transmission = step.sample.weight.transmission * from.at.contact.others;
+        step.crosses = step.sample.straight;
+        step.sample.weight.transmission =
+            step.sample.weight.transmission * from.at.contact.others * from.at.contact.tint;
     }
     return step;
 }
@@ -89,7 +91,7 @@ PassedLight PathWalk::passing(const Ray& shadow, bool occluded, const InteriorLi
     if (!exact_shadows_) return occluded ? passing_all(shadow, interior) : PassedLight{vec3(1.0f)};
     const vec3 left_over = left_by_medium(interior, length(shadow.direction) * shadow.tmax);
     if (!occluded) return {left_over};
-    return {scene_.any_transparent ? left_over * passing_panes(shadow, interior) : vec3(0.0f)};
+    return {scene_.any_see_through ? left_over * passing_panes(shadow, interior) : vec3(0.0f)};
 }
 
 /// As by Whitted's model.
@@ -101,7 +103,8 @@ PassedLight PathWalk::passing_all(const Ray& shadow, const InteriorList* interio
     return {passed.share, std::any_of(blockers_.begin(), blockers_.end(), is_solid)};
 }
 
-/// The product of the shares that thin panes let through; 0 where anything else is in between.
+/// The product of the shares that thin panes, and surfaces that are not there in part, let through; 0 where
+/// anything else is in between.
 vec3 PathWalk::passing_panes(const Ray& shadow, const InteriorList* interior) {
     const InteriorArena::Scope lists(solids_.arena());
     if (!scene_.world.all_hits(shadow, blockers_, ends_shadow_)) return vec3(0.0f);
@@ -119,11 +122,13 @@ vec3 PathWalk::passing_panes(const Ray& shadow, const InteriorList* interior) {
 
 /// The share of light that goes through a surface unbent.
 vec3 PathWalk::straight_share(const Ray& ray, const Hit& hit, const InteriorList* interior) const {
-    if (is_dielectric(hit.object, scene_)) return vec3(0.0f);
+    if (is_dielectric(hit.object, scene_))
+        return vec3(1.0f - scene_.materials[scene_.objects[hit.object].material].opacity);
     SurfaceInteraction at = surface_interaction(scene_, ray, hit);
     at.surface.v = -normalize(ray.direction);
     const float index = refractive_index(interior, scene_);
-    return bsdf_of(at, {index, index, false}).refracted;
+    const Bsdf bsdf = bsdf_of(at, {index, index, false});
+    return bsdf.refracted + vec3(bsdf.through);
 }
 
 } // namespace glint::rendering
