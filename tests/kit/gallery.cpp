@@ -262,13 +262,6 @@ SceneDescription points() {
     return scene;
 }
 
-Material modelled(MaterialModel model, const Vec3& color, double roughness) {
-    Material m = paint(color);
-    m.model = model;
-    m.roughness = roughness;
-    return m;
-}
-
 /// Materials that Whitted's model reads in its own way, with what it tints: mirrors, highlights, refracted
 /// rays and the shadows of glass.
 SceneDescription models() {

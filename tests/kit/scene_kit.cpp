@@ -48,6 +48,14 @@ Material mirror(double reflectivity) {
     return m;
 }
 
+Material modelled(MaterialModel model, const Vec3& color, double roughness) {
+    Material m;
+    m.model = model;
+    m.color = color;
+    m.roughness = roughness;
+    return m;
+}
+
 Material glass(double index, double transparency) {
     Material m = black();
     m.transparency = transparency;

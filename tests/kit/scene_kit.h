@@ -27,6 +27,8 @@ Material black();                                      ///< does nothing
 Material mirror(double reflectivity = 1);              ///< black, but for ρ
 Material glass(double index, double transparency = 1); ///< black, but for τ
 Material lamp(const Vec3& emission);                   ///< black, but for its own light
+/// A material of a model, but for color and roughness as by default.
+Material modelled(MaterialModel model, const Vec3& color = Vec3(1), double roughness = 0);
 
 /// Adds a shape with a material of its own; the object may be changed until the next call.
 Object& add(SceneDescription& scene, Shape shape, const Material& material);

@@ -9,14 +9,6 @@ namespace {
 
 using namespace kit;
 
-Material modelled(MaterialModel model, const Vec3& color = Vec3(1), double roughness = 0) {
-    Material m;
-    m.model = model;
-    m.color = color;
-    m.roughness = roughness;
-    return m;
-}
-
 /// The ground, lit from above at a distance of 2, seen at an angle.
 Look lit_ground(const Material& material, const Vec3& from = Vec3(1, 0, 1)) {
     SceneDescription scene = empty_scene();

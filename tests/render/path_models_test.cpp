@@ -11,14 +11,6 @@ namespace {
 
 using namespace kit;
 
-Material modelled(MaterialModel model, const Vec3& color, double roughness) {
-    Material m;
-    m.model = model;
-    m.color = color;
-    m.roughness = roughness;
-    return m;
-}
-
 SceneDescription path_traced(SceneDescription scene, int spp, Integrator integrator = Integrator::path) {
     scene.render.integrator = integrator;
     scene.render.spp = spp;
