@@ -11,17 +11,19 @@ namespace glint::scene {
 using trace::WorldInput;
 namespace {
 
-/// Triangles are wide if they exceed something by this. Rays that leave a triangle start up to 2^-20 of its
-/// width above it: a thing that is not exceeded is 8192 times as large as that, a fraction of a pixel in its
-/// pictures.
+/// Triangles are wide if they exceed something near the origin of coordinates by this. Rays that leave a
+/// triangle start up to 2^-20 of its width above it: a thing that is not exceeded is 8192 times as large as
+/// that, a fraction of a pixel in its pictures.
 constexpr float wide_ratio = 128;
+/// The same of things anywhere: larger, or long strips would be wide beside their own ends.
+constexpr float far_wide_ratio = 512;
+/// Things as far from the origin as this part of the triangles' width are not near it.
+constexpr float near_ratio = 16;
 /// Points at coordinate c are rounded to float by up to 2^-24 c. Triangles that are not wider than this part
 /// of c are no worse.
 constexpr float rounding_ratio = 1.0f / 16;
-/// Wide meshes are traced slowly, so they may have few triangles that are not near the origin of coordinates,
-/// compared with their own size.
+/// Wide meshes are traced slowly: they may have no more triangles than this that are not near the origin.
 constexpr std::size_t max_wide_triangles = 1024;
-constexpr float near_ratio = 16;
 
 float max_side(const Bounds& box) {
     const vec3 d = box.extent();
@@ -30,7 +32,9 @@ float max_side(const Bounds& box) {
 
 /// Triangles are wide if they exceed this.
 float allowed_beside(const Bounds& thing) {
-    return std::max(wide_ratio * max_side(thing), rounding_ratio * thing.max_coordinate());
+    const float near = std::max(wide_ratio * max_side(thing), near_ratio * thing.max_coordinate());
+    const float far = std::max(far_wide_ratio * max_side(thing), rounding_ratio * thing.max_coordinate());
+    return std::min(near, far);
 }
 
 /// How large triangles may be beside the other objects.
