@@ -11,7 +11,7 @@ namespace {
 
 using namespace kit;
 
-Material modelled(MaterialModel model, const Vec3& color, double roughness) {
+Material of_roughness(MaterialModel model, const Vec3& color, double roughness) {
     Material m;
     m.model = model;
     m.color = color;
@@ -48,7 +48,7 @@ TEST(PathTracedBall, IsInvisibleInAUniformSkyIfItLosesNothing) {
                                       MaterialModel::plastic, MaterialModel::diffuse})
         for (const double roughness : {0.0, 0.1, 0.5, 1.0}) {
             if (model == MaterialModel::diffuse && roughness > 0) continue;
-            const Material white = modelled(model, Vec3(1), roughness);
+            const Material white = of_roughness(model, Vec3(1), roughness);
             // What single scattering loses of a rough coat is not given back.
             if (model == MaterialModel::plastic && roughness > 0.2) continue;
             EXPECT_NEAR(mean_red(path_traced(ball_in_sky(white), 64)), 1, 0.006)
@@ -59,7 +59,7 @@ TEST(PathTracedBall, IsInvisibleInAUniformSkyIfItLosesNothing) {
 TEST(PathTracedLamp, ShinesFromItsFrontAlone) {
     for (const bool turned : {false, true}) {
         SceneDescription scene = empty_scene(Vec3(3, 0, 1), Vec3(-3, 0, -1), 8, 20);
-        add(scene, PlaneShape{}, modelled(MaterialModel::diffuse, Vec3(0.5), 0));
+        add(scene, PlaneShape{}, of_roughness(MaterialModel::diffuse, Vec3(0.5), 0));
         Material m = lamp(Vec3(5));
         m.emission_sides = EmissionSides::front;
         const Vec3 u(2, 0, 0), v(0, 2, 0); // u × v is up
@@ -80,7 +80,7 @@ TEST(PathTracedOpacity, IsTheShareThatIsThere) {
 
     // It lets the same share of a light through.
     SceneDescription lit = empty_scene(Vec3(3, 0, 1), Vec3(-3, 0, -1), 8, 20);
-    add(lit, PlaneShape{}, modelled(MaterialModel::diffuse, Vec3(0.5), 0));
+    add(lit, PlaneShape{}, of_roughness(MaterialModel::diffuse, Vec3(0.5), 0));
     add_light(lit, Vec3(0, 0, 3), 10);
     const double open = mean_red(path_traced(lit, 1, Integrator::direct));
     add(lit, RectangleShape{Vec3(-5, -5, 2), Vec3(10, 0, 0), Vec3(0, 10, 0)}, m);
