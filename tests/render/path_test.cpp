@@ -1,7 +1,6 @@
 // Path tracing against closed forms, the simplest path tracer, and Whitted's model.
 
-#include "gallery.h"
-#include "scene_kit.h"
+#include "path_kit.h"
 
 #include <gtest/gtest.h>
 
@@ -63,12 +62,6 @@ void expect_same(const Mean& a, const Mean& b, const std::string& what) {
     const double error = std::sqrt(a.error * a.error + b.error * b.error);
     EXPECT_NEAR(a.value, b.value, 4 * error + 1e-6) << what;
     EXPECT_LT(error, 0.04 * std::abs(b.value) + 1e-6) << what << ": too noisy to tell";
-}
-
-SceneDescription path_scene(const Vec3& eye = Vec3(0), const Vec3& direction = Vec3(0, 1, 0)) {
-    SceneDescription scene = empty_scene(eye, direction);
-    scene.render.integrator = Integrator::path;
-    return scene;
 }
 
 constexpr Integrator all_integrators[] = {Integrator::path, Integrator::path_simple};
@@ -282,30 +275,6 @@ TEST(G20, ErrorsFallFasterThanThoseOfRandomNumbers) {
 
 // ── The same light in several ways ──
 
-/// A room with a lamp, a mirror, a pane, a glass ball and a glossy one.
-SceneDescription room() {
-    SceneDescription scene = empty_scene(Vec3(0, -3.5, 1), Vec3(0, 1, 0), 24, 40);
-    scene.render.spp = 16;
-    scene.path.max_depth = 8;
-    add(scene, PlaneShape{Vec3(0, 0, 1), 0}, matte(0.7));
-    add(scene, PlaneShape{Vec3(0, 0, -1), -2}, matte(0.7));
-    add(scene, PlaneShape{Vec3(0, -1, 0), -1}, matte(0.7));
-    add(scene, PlaneShape{Vec3(1, 0, 0), -1}, matte(0.4));
-    add(scene, PlaneShape{Vec3(-1, 0, 0), -1}, mirror(0.6));
-    add(scene, RectangleShape{Vec3(-0.4, -0.4, 1.99), Vec3(0.8, 0, 0), Vec3(0, 0.8, 0)}, lamp(Vec3(4)));
-    Material glossy = matte(0.3);
-    glossy.highlight = 0.5;
-    glossy.shininess = 20;
-    add(scene, SphereShape{Vec3(0.4, 0.3, 0.4), 0.4}, glossy);
-    Material ball = glass(1.5);
-    ball.fresnel = true;
-    add(scene, SphereShape{Vec3(-0.4, -0.2, 0.4), 0.3}, ball);
-    Material pane = glass(1.5, 0.5);
-    pane.reflectivity = 0.25;
-    add(scene, RectangleShape{Vec3(-0.8, -0.6, 1.2), Vec3(0.9, 0, 0), Vec3(0, 0.9, 0)}, pane);
-    return scene;
-}
-
 TEST(Path, TheSimplestPathTracerFindsTheSameLight) {
     expect_same(picture_mean(room(), Integrator::path, 8), picture_mean(room(), Integrator::path_simple, 12),
                 "room");
@@ -431,115 +400,6 @@ TEST(Path, IndirectLightIsClampedAndItsLossIsTold) {
     const double share = 1 - sum(clamped.image) / sum(whole.image);
     EXPECT_GT(share, 0.01);
     EXPECT_NEAR(clamped_share(clamped.stats), share, 1e-4);
-}
-
-// ── Terms ──
-
-vec3 pixel_of(const Image& image, std::size_t i) {
-    return {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]};
-}
-
-TEST(Path, TermsAddUpToThePictureToTheBit) {
-    for (const Integrator integrator : {Integrator::path, Integrator::direct})
-        for (const int spp : {1, 5}) {
-            SceneDescription scene = room();
-            scene.render.integrator = integrator;
-            scene.render.spp = spp;
-            RenderOptions options;
-            options.terms = true;
-            const Picture picture = rendered(scene, options);
-            const Image alone = rendered(scene).image;
-            double indirect = 0;
-            for (std::size_t i = 0; i < picture.image.pixels.size(); i += 3) {
-                vec3 sum = pixel_of(picture.terms[0], i);
-                for (std::size_t t = 1; t < picture.terms.size(); ++t)
-                    sum = sum + pixel_of(picture.terms[t], i);
-                EXPECT_EQ(sum, pixel_of(picture.image, i));
-                EXPECT_EQ(sum, pixel_of(alone, i));
-                indirect += dot(pixel_of(picture.terms[3], i), vec3(1));
-            }
-            EXPECT_EQ(indirect > 0, integrator == Integrator::path);
-        }
-}
-
-TEST(Path, TermsTellHowLightComesToTheFirstHit) {
-    // Seen straight from above: a floor, lit by a lamp, and by a mirror beside it that shows the floor.
-    SceneDescription scene = path_scene(Vec3(0, 0, 1), Vec3(0, 0, -1));
-    scene.render.width = scene.render.height = 1;
-    scene.camera->fov = 1e-3;
-    scene.render.spp = 4096;
-    add(scene, PlaneShape{}, matte(0.5));
-    add(scene, DiskShape{Vec3(0, 0, 2), Vec3(0, 0, 1), 1}, lamp(Vec3(1)));
-    RenderOptions options;
-    options.terms = true;
-    const auto term = [&](PathTerm which) {
-        return rendered(scene, options).terms[static_cast<std::size_t>(which)].at(0, 0)[0];
-    };
-    EXPECT_NEAR(term(PathTerm::direct_diffuse), 0.1, 2e-4);
-    EXPECT_EQ(term(PathTerm::direct_specular), 0);
-    EXPECT_EQ(term(PathTerm::emission), 0);
-    Material& ground = material_of_object(scene, 0);
-    ground.diffuse = 0;
-    ground.reflectivity = 0.5;
-    EXPECT_EQ(term(PathTerm::direct_specular), 0.5f);
-    EXPECT_EQ(term(PathTerm::direct_diffuse), 0);
-    ground.reflectivity = 0;
-    ground.emission = Vec3(2);
-    EXPECT_EQ(term(PathTerm::emission), 2);
-}
-
-TEST(Path, TermsOfOtherIntegratorsAreRefused) {
-    SceneDescription scene = room();
-    RenderOptions options;
-    const auto message = [&](Integrator integrator, Aov show) {
-        scene.render.integrator = integrator;
-        options.show = show;
-        try {
-            rendered(scene, options);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::usage);
-            return std::string(error.what());
-        }
-        return std::string("none");
-    };
-    EXPECT_EQ(message(Integrator::path, Aov::direct_diffuse), "none");
-    EXPECT_EQ(message(Integrator::path, Aov::depth), "none");
-    EXPECT_NE(message(Integrator::path, Aov::ambient).find("path has no term ambient"), std::string::npos);
-    EXPECT_NE(message(Integrator::whitted, Aov::direct_diffuse).find("no term"), std::string::npos);
-    EXPECT_NE(message(Integrator::path_simple, Aov::emission).find("path-simple"), std::string::npos);
-}
-
-// ── One picture ──
-
-TEST(Path, ThreadsKernelsTilesAndCropsChangeNoBit) {
-    for (const Integrator integrator : {Integrator::path, Integrator::path_simple, Integrator::direct}) {
-        SceneDescription scene = room();
-        scene.render.integrator = integrator;
-        scene.render.spp = 2;
-        const Image expected = rendered(scene).image;
-        RenderOptions options;
-        options.kernel.kernel = Kernel::scalar;
-        EXPECT_EQ(picture_hash(rendered(scene, options).image), picture_hash(expected));
-        options = {};
-        options.threads = 3;
-        options.tile_size = 7;
-        EXPECT_EQ(picture_hash(render(build_scene(scene), options).image), picture_hash(expected));
-        options.crop = Rect{3, 5, 7, 9};
-        const Image part = rendered(scene, options).image;
-        for (int y = 0; y < 9; ++y)
-            for (int x = 0; x < 7; ++x) EXPECT_EQ(part.at(x, y)[1], expected.at(x + 3, y + 5)[1]);
-    }
-}
-
-TEST(Path, AllScenesOfTheGalleryAreTracedAlikeByAllKernels) {
-    for (const Exhibit& exhibit : gallery()) {
-        SceneDescription scene = exhibit.scene;
-        scene.render.integrator = Integrator::path;
-        RenderOptions scalar;
-        scalar.kernel.kernel = Kernel::scalar;
-        EXPECT_EQ(picture_hash(rendered(scene).image), picture_hash(rendered(scene, scalar).image))
-            << exhibit.name;
-    }
 }
 
 } // namespace
