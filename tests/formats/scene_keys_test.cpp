@@ -452,11 +452,11 @@ TEST(SceneKeys, AnglesInRadiansWarn) {
     const std::string camera = "[camera]\neye = [0, -5, 0]\nlook_at = [0, 0, 0]\n";
     for (const std::string& table :
          {camera + "fov = 0.785\n", spot + "angle = 0.35\n", turned("1.5708"), turned("-0.785"),
-          turned("3.14159265"), std::string("normals = \"smooth\"\ncrease_angle = 0.5236\n")})
+          turned("3.14159265"), turned("1.57"), std::string("normals = \"smooth\"\ncrease_angle = 0.5236\n")})
         EXPECT_EQ(warned(table).size(), 1u) << table;
     for (const std::string& table :
          {camera + "fov = 2\n", camera + "fov = 3.5\n", spot + "angle = 2.5\n", turned("1.5"), turned("0"),
-          turned("2"), turned("0.5"), turned("22.5"), turned("6.2832")})
+          turned("2"), turned("0.5"), turned("22.5"), turned("6.02"), turned("6.2832")})
         EXPECT_TRUE(warned(table).empty()) << table;
 
     const Diagnostic one = warned(turned("1.5708")).at(0);

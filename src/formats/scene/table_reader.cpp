@@ -231,10 +231,13 @@ bool looks_like_radians(const KeySpec& key, double angle) {
     constexpr double degree = std::numbers::pi / 180;
     if (key.unit != "degrees" || angle == std::floor(angle)) return false;
     if (key.range.high <= 180) return angle <= key.range.high * degree;
-    // Rotations may be small: only multiples of 15° below a whole turn, as rounded to three digits.
+    // Rotations may be small: only multiples of 15° below a whole turn, as rounded to three digits or, if
+    // they are quarter turns, to two decimals.
     const double steps = std::abs(angle) / (15 * degree);
     const double nearest = std::round(steps);
-    return nearest > 0 && nearest < 24 && std::abs(steps - nearest) < 6e-4 * nearest;
+    if (!(nearest > 0 && nearest < 24 && std::abs(steps - nearest) < 6e-4 * nearest)) return false;
+    const bool two_decimals = std::abs(angle - std::round(angle * 100) / 100) < 1e-9;
+    return !two_decimals || std::fmod(nearest, 6) == 0;
 }
 
 } // namespace
