@@ -72,7 +72,7 @@ const Case cases[] = {
     {"RefusesANegativeDepth", "good.toml --max-depth -1", 2, "from 0 to 1000"},
     {"RefusesANegativeSeed", "good.toml --seed -1", 2, "at least 0"},
     {"RefusesTooManyThreads", "good.toml -t 5000", 2, "from 0 to 1024"},
-    {"RefusesAnUnknownIntegrator", "good.toml --integrator path", 2, "expected whitted"},
+    {"RefusesAnUnknownIntegrator", "good.toml --integrator radiosity", 2, "expected whitted"},
     {"SuggestsAnIntegrator", "good.toml --integrator whited", 2, "did you mean \"whitted\"?"},
     {"RefusesAnUnknownView", "good.toml --view rw", 2, "did you mean \"raw\"?"},
     {"RefusesAnUnknownKernel", "good.toml --kernel singel", 2, "did you mean \"single\"?"},
