@@ -406,8 +406,8 @@ GLINT_FN LobeChoice chosen_lobe(GLINT_IN(Bsdf) b, real u) {
     chosen = or_lobe(chosen, lobe_mirror, begin, b.pick_mirror, u);
     begin = begin + b.pick_mirror;
     chosen = or_lobe(chosen, lobe_refracted, begin, b.pick_refracted, u);
-    begin = begin + b.pick_refracted;
-    return or_lobe(chosen, lobe_through, begin, b.pick_through, u);
+    // Of a black surface the other probabilities are 0, but what is there ends the path.
+    return or_lobe(chosen, lobe_through, 1.0f - b.pick_through, b.pick_through, u);
 }
 
 /// A direction, by three numbers in [0, 1).

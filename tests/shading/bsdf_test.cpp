@@ -407,6 +407,7 @@ TEST(Bsdf, LetsLightThroughWhereTheSurfaceIsNotThere) {
     EXPECT_EQ(through.direction, -b.v);
     EXPECT_EQ(sum_of(through.weight), vec3(1));
     EXPECT_NEAR(albedo(b).x, 0.25 * 0.7 + 0.75, 1e-3);
+    EXPECT_NEAR(albedo(bsdf_of(c, toward(20, 1), vec3(0))).x, 0.75, 1e-3);
 }
 
 TEST(Bsdf, OfCoefficientsIsWhittedsLocalLight) {
