@@ -27,7 +27,7 @@ void Screen::SetUp() {
         if (!is_installed(program)) GTEST_SKIP() << program << " is not installed: the window is not tested";
     folder_ = std::make_unique<TemporaryFolder>();
     server_ = std::make_unique<Child>(std::vector<std::string>{"Xvfb", "-displayfd", "3", "-screen", "0",
-                                                               "1400x900x24", "-nolisten", "tcp"},
+                                                               "1400x1200x24", "-nolisten", "tcp"},
                                       std::vector<std::string>{}, path("server_log"));
     const std::string number = server_->first_note();
     ASSERT_NE(number, "") << content("server_log");

@@ -56,7 +56,7 @@ class Editing : public Screen {
         write_ply(path("wedge.ply"), wedge);
         text_ = things + more;
         write("scene.toml", text_);
-        open("scene.toml", {"--window", "1100x860", "--size", "400x300"});
+        open("scene.toml", {"--window", "1100x1160", "--size", "400x300"});
         picture_ = finished_picture();
     }
 
