@@ -53,7 +53,7 @@ const std::array render_options{
     up,
     set,
     allow_outside,
-    Option{0, "show", "WHAT", "shadows, normal, depth, cost, or a term: diffuse, direct-diffuse …"},
+    Option{0, "show", "WHAT", "shadows, normal, depth, cost, or a term such as diffuse"},
     Option{0, "view", "srgb|raw", "PNG: the sRGB curve, or plain numbers"},
     Option{0, "bits", "8|16", "bits per channel", true},
     Option{0, "alpha", "", "PNG, EXR: coverage as alpha"},
