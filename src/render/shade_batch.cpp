@@ -278,8 +278,9 @@ Branches spawn_reflected(const WhittedModes& modes, float min_weight, Wave wave,
             const glint::MaterialRecord& of = *states.materials[i + k];
             const glm::vec3 share = of.reflected_tint * of.reflectivity;
             for (int axis = 0; axis < 3; ++axis) {
-                states.parent_weights[axis][next] = share[axis];
-                states.weights[axis][next] = states.weights[axis][i + k] * share[axis];
+                const auto row = static_cast<std::size_t>(axis);
+                states.parent_weights[row][next] = share[axis];
+                states.weights[row][next] = states.weights[row][i + k] * share[axis];
             }
             next += followed[k] != 0.0f ? 1 : 0;
         }

@@ -101,9 +101,9 @@ bool is_whole(std::string_view type, Bytes value) {
 }
 
 /// Magic, version and flags, then attributes: name 0 type 0 length value …, then 0.
-class HeaderReader {
+class ExrHeaderReader {
   public:
-    HeaderReader(Bytes bytes, const std::string& name) : size_(bytes.size()), left_(bytes), name_(name) {}
+    ExrHeaderReader(Bytes bytes, const std::string& name) : size_(bytes.size()), left_(bytes), name_(name) {}
 
     ExrHeader run() {
         check_kind();
@@ -186,7 +186,7 @@ class HeaderReader {
 } // namespace
 
 ExrHeader read_exr_header(std::span<const std::byte> bytes, const std::string& name) {
-    return HeaderReader(bytes, name).run();
+    return ExrHeaderReader(bytes, name).run();
 }
 
 // A table of 8 bytes for each block follows the header: where in the file it stands.

@@ -27,9 +27,9 @@ struct PfmHeader {
 
 /// Parses the header: words separated by white space, then exactly one white-space character before the
 /// pixels.
-class HeaderReader {
+class PfmHeaderReader {
   public:
-    HeaderReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+    PfmHeaderReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
     PfmHeader read() {
         PfmHeader header;
@@ -99,7 +99,7 @@ PfmFile::PfmFile(const Image& image)
 
 LoadedPicture decode_pfm(std::span<const std::byte> bytes, const std::string& name) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const PfmHeader header = HeaderReader(text, name).read();
+    const PfmHeader header = PfmHeaderReader(text, name).read();
 
     // The header determines the exact size of the file, so check it before allocating memory.
     const auto row_bytes =

@@ -169,26 +169,26 @@ TableSpec shape_table<PolyhedronShape>() {
 
 template <>
 TableSpec shape_table<MeshShape>() {
-    using M = MeshShape;
+    using S = MeshShape;
     return {
         .help = "Triangles from a PLY file.",
         .keys = {
-            text<&M::file>("file", KeyType::file)
+            text<&S::file>("file", KeyType::file)
                 .required()
                 .help("relative to the scene file and within its folder, unless `--allow-outside`"),
-            scale<&M::scale>("scale").help("before `transform`; negative mirrors"),
-            choice<&M::normals>("normals").help(
+            scale<&S::scale>("scale").help("before `transform`; negative mirrors"),
+            choice<&S::normals>("normals").help(
                 "`\"auto\"`: stored ones if any, else flat; `\"smooth\"`: weighted by angle"),
-            number<&M::crease_angle>("crease_angle")
+            number<&S::crease_angle>("crease_angle")
                 .unit("degrees")
                 .range({.low = 0, .high = 180, .low_open = true})
                 .help("with `normals = \"smooth\"`: faces whose normals differ by more meet in a sharp edge"),
-            choice<&M::facing>("facing").help(
+            choice<&S::facing>("facing").help(
                 "where lights find its normals: turned to the viewer, or as its winding has them, so that "
                 "the inside of an open mesh is lit through its back, as in the report's pictures"),
-            choice<&M::vertex_colors>("vertex_colors")
+            choice<&S::vertex_colors>("vertex_colors")
                 .help("`\"auto\"`: they replace the material's `color` where stored (bytes are sRGB)"),
-            bound<std::optional<double>, &M::point_radius>("point_radius", KeyType::number_or_auto)
+            bound<std::optional<double>, &S::point_radius>("point_radius", KeyType::number_or_auto)
                 .unit("scene units")
                 .range(length)
                 .help("files without faces: spheres of this radius"),
