@@ -191,8 +191,9 @@ TEST_F(MalformedExr, AttributesOfOtherLengthsThanTheirTypes) {
         {"chlist", channel("B") + "G" + nul + little_endian(2) + nul},
         {"chlist", channel("B") + nul + "123"},
     };
-    for (const auto& [type, value] : damaged)
-        EXPECT_REFUSED(with_attribute(type, value), "the attribute 'more' is no whole " + type, "byte 8");
+    for (const auto& more : damaged)
+        EXPECT_REFUSED(with_attribute(more.first, more.second),
+                       "the attribute 'more' is no whole " + more.first, "byte 8");
     EXPECT_REFUSED(with_attribute(std::string(256, 'x'), ""), "longer than 255 bytes");
 
     const std::pair<std::string, std::string> whole[] = {

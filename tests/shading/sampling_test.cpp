@@ -13,8 +13,8 @@
 namespace glint {
 namespace {
 
-constexpr int side = 512;
-float cell(int i) { return (static_cast<float>(i) + 0.5f) / side; }
+constexpr int grid_size = 512;
+float cell(int i) { return (static_cast<float>(i) + 0.5f) / grid_size; }
 
 TEST(Sampling, SineAndCosineOfUpToAnEighthTurn) {
     for (int i = -1000; i <= 1000; ++i) {
@@ -59,8 +59,8 @@ TEST(Sampling, FourJointDimensionsConvergeFasterThanTwoPairs) {
 /// Uniform by area: every circle and every sector has its share of the points.
 TEST(Sampling, TheDiskIsCoveredUniformly) {
     int within[4] = {}, sectors[8] = {};
-    for (int i = 0; i < side; ++i)
-        for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < grid_size; ++i)
+        for (int j = 0; j < grid_size; ++j) {
             const vec3 p = disk_sample(cell(i), cell(j));
             const double r = std::hypot(static_cast<double>(p.x), static_cast<double>(p.y));
             ASSERT_LE(r, 1 + 1e-6);
@@ -69,7 +69,7 @@ TEST(Sampling, TheDiskIsCoveredUniformly) {
             const double turn = std::atan2(static_cast<double>(p.y), static_cast<double>(p.x)) / 6.283185307;
             ++sectors[static_cast<int>(std::floor((turn < 0 ? turn + 1 : turn) * 8)) % 8];
         }
-    const double points = double{side} * side;
+    const double points = double{grid_size} * grid_size;
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(within[k] / points, std::pow(0.25 * (k + 1), 2), 0.002) << k;
     for (const int sector : sectors) EXPECT_NEAR(sector / points, 0.125, 0.002);
 }
@@ -77,15 +77,15 @@ TEST(Sampling, TheDiskIsCoveredUniformly) {
 /// The mean of cos^k θ is 2 / (k + 2).
 TEST(Sampling, TheHemisphereIsWeightedByTheCosine) {
     double cosine = 0, square = 0, x = 0;
-    for (int i = 0; i < side; ++i)
-        for (int j = 0; j < side; ++j) {
+    for (int i = 0; i < grid_size; ++i)
+        for (int j = 0; j < grid_size; ++j) {
             const vec3 d = cosine_sample(cell(i), cell(j));
             EXPECT_NEAR(length(d), 1, 1e-6);
             cosine += d.z;
             square += d.z * d.z;
             x += d.x;
         }
-    const double points = double{side} * side;
+    const double points = double{grid_size} * grid_size;
     EXPECT_NEAR(cosine / points, 2.0 / 3, 1e-4);
     EXPECT_NEAR(square / points, 0.5, 1e-4);
     EXPECT_NEAR(x / points, 0, 1e-4);

@@ -10,13 +10,13 @@
 namespace glint {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double one_degree = 3.14159265358979323846 / 180;
 const vec3 up(0, 0, 1);
 
 /// The unit vector `degrees` from +z, toward +x.
 vec3 at(double degrees) {
-    return vec3(static_cast<float>(std::sin(degrees * degree)), 0,
-                static_cast<float>(std::cos(degrees * degree)));
+    return vec3(static_cast<float>(std::sin(degrees * one_degree)), 0,
+                static_cast<float>(std::cos(degrees * one_degree)));
 }
 
 float blinn_lobe(const vec3& n, const vec3& l, const vec3& v, float m) {
@@ -67,8 +67,8 @@ TEST(Lobes, StayBetweenZeroAndOne) {
 TEST(Lobes, FollowTheirPowers) {
     for (const double m : {1.0, 5.0, 50.0})
         for (const double a : {0.0, 10.0, 30.0}) {
-            EXPECT_NEAR(blinn_lobe(up, at(a), up, float(m)), std::pow(std::cos(a / 2 * degree), m), 1e-5);
-            EXPECT_NEAR(phong_lobe(up, at(a), up, float(m)), std::pow(std::cos(a * degree), m), 1e-5);
+            EXPECT_NEAR(blinn_lobe(up, at(a), up, float(m)), std::pow(std::cos(a / 2 * one_degree), m), 1e-5);
+            EXPECT_NEAR(phong_lobe(up, at(a), up, float(m)), std::pow(std::cos(a * one_degree), m), 1e-5);
         }
 }
 
@@ -93,7 +93,7 @@ TEST(Refraction, FollowsSnell) {
             const float eta = static_cast<float>(1 / index);
             const float discriminant = snell_discriminant(dot(up, at(a)), eta);
             const vec3 t = refracted_direction(at(a), up, eta, discriminant);
-            const double s = std::sin(a * degree) / index;
+            const double s = std::sin(a * one_degree) / index;
             EXPECT_NEAR(t.x, -s, 1e-6);
             EXPECT_NEAR(t.z, -std::sqrt(1 - s * s), 1e-6);
         }
@@ -105,7 +105,7 @@ TEST(Refraction, GoesStraightOnBetweenEqualIndices) {
 }
 
 TEST(Refraction, HasNoDirectionBeyondTheCriticalAngle) {
-    const double critical = std::asin(1 / 1.5) / degree;
+    const double critical = std::asin(1 / 1.5) / one_degree;
     EXPECT_LT(snell_discriminant(dot(up, at(critical + 0.01)), 1.5f), 0);
     EXPECT_GE(snell_discriminant(dot(up, at(critical - 0.01)), 1.5f), 0);
     EXPECT_GE(snell_discriminant(1.0000001f, 1e6f), 0) << "a cosine rounded above 1 is straight on";
@@ -113,8 +113,8 @@ TEST(Refraction, HasNoDirectionBeyondTheCriticalAngle) {
 
 /// Reflectance at `degrees` on the way from index 1 into n, and the angle behind.
 double reflectance(double degrees, double n) {
-    const double c1 = std::cos(degrees * degree);
-    const double c2 = std::sqrt(1 - std::pow(std::sin(degrees * degree) / n, 2));
+    const double c1 = std::cos(degrees * one_degree);
+    const double c2 = std::sqrt(1 - std::pow(std::sin(degrees * one_degree) / n, 2));
     return fresnel_reflectance(float(c1), float(c2), 1, float(n));
 }
 
@@ -126,8 +126,8 @@ TEST(Fresnel, HasTheTextbooksValues) {
 
 TEST(Fresnel, IsTheSameFromBothSides) {
     for (double a = 0; a < 89; a += 3.7) {
-        const double c1 = std::cos(a * degree);
-        const double c2 = std::sqrt(1 - std::pow(std::sin(a * degree) / 1.5, 2));
+        const double c1 = std::cos(a * one_degree);
+        const double c2 = std::sqrt(1 - std::pow(std::sin(a * one_degree) / 1.5, 2));
         EXPECT_FLOAT_EQ(fresnel_reflectance(float(c1), float(c2), 1, 1.5f),
                         fresnel_reflectance(float(c2), float(c1), 1.5f, 1));
     }
@@ -137,10 +137,10 @@ TEST(Fresnel, IsHalfOfOnePolarisationAtBrewstersAngle) {
     // Light polarised in the plane of incidence is not reflected there: half of the other kind's share
     // remains.
     const double a = std::atan(1.5);
-    EXPECT_NEAR(a / degree, 56.309932, 1e-6);
+    EXPECT_NEAR(a / one_degree, 56.309932, 1e-6);
     const double c1 = std::cos(a), c2 = std::sin(a);
     const double s = (c1 - 1.5 * c2) / (c1 + 1.5 * c2);
-    EXPECT_NEAR(reflectance(a / degree, 1.5), s * s / 2, 1e-6);
+    EXPECT_NEAR(reflectance(a / one_degree, 1.5), s * s / 2, 1e-6);
 }
 
 TEST(Transmittance, IsOneWithoutAbsorptionAndMultipliesAlongTheWay) {
