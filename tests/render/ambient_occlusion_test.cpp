@@ -1,6 +1,7 @@
 // The integrator ambient-occlusion against closed forms.
 
 #include "gallery.h"
+#include "one_picture.h"
 #include "scene_kit.h"
 
 #include <gtest/gtest.h>
@@ -95,18 +96,8 @@ TEST(AmbientOcclusion, ThreadsKernelsTilesAndCropsChangeNoBit) {
     for (const Exhibit& exhibit : gallery()) {
         SceneDescription scene = exhibit.scene;
         scene.render.integrator = Integrator::ambient_occlusion;
-        const Image expected = rendered(scene).image;
-        RenderOptions options;
-        options.kernel.kernel = Kernel::scalar;
-        EXPECT_EQ(picture_hash(rendered(scene, options).image), picture_hash(expected)) << exhibit.name;
-        options = {};
-        options.threads = 3;
-        options.tile_size = 7;
-        EXPECT_EQ(picture_hash(render(build_scene(scene), options).image), picture_hash(expected));
-        options.crop = Rect{3, 5, 7, 9};
-        const Image part = rendered(scene, options).image;
-        for (int y = 0; y < 9; ++y)
-            for (int x = 0; x < 7; ++x) EXPECT_EQ(part.at(x, y)[1], expected.at(x + 3, y + 5)[1]);
+        SCOPED_TRACE(exhibit.name);
+        expect_one_picture(scene);
     }
 }
 

@@ -1,6 +1,7 @@
 // Terms of path tracing, and that nothing but scene and seed changes a bit of its pictures.
 
 #include "gallery.h"
+#include "one_picture.h"
 #include "path_kit.h"
 
 #include <gtest/gtest.h>
@@ -96,18 +97,7 @@ TEST(Path, ThreadsKernelsTilesAndCropsChangeNoBit) {
         SceneDescription scene = room();
         scene.render.integrator = integrator;
         scene.render.spp = 2;
-        const Image expected = rendered(scene).image;
-        RenderOptions options;
-        options.kernel.kernel = Kernel::scalar;
-        EXPECT_EQ(picture_hash(rendered(scene, options).image), picture_hash(expected));
-        options = {};
-        options.threads = 3;
-        options.tile_size = 7;
-        EXPECT_EQ(picture_hash(render(build_scene(scene), options).image), picture_hash(expected));
-        options.crop = Rect{3, 5, 7, 9};
-        const Image part = rendered(scene, options).image;
-        for (int y = 0; y < 9; ++y)
-            for (int x = 0; x < 7; ++x) EXPECT_EQ(part.at(x, y)[1], expected.at(x + 3, y + 5)[1]);
+        expect_one_picture(scene);
     }
 }
 
